@@ -291,7 +291,8 @@ class DocumentChecker:
         tables = tuple(record for table in self.document.tables if (record := self._table(table)) is not None)
         if any(record.if_shown is not None for record in equations):
             equations = settle_usual(equations)
-        equations = settle_definitions(equations, self._tells)
+        if any(each.defines or each.verdict is Verdict.DEFINED for record in equations for each in record.outcomes):
+            equations = settle_definitions(equations, self._tells)
         if self.inferred.arm is not None or self.inferred.problem is not None:
             equations, tables = settle_data(self.inferred, equations, tables)
         index = None if self.arm is None else 0

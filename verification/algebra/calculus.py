@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from math import prod
 
@@ -123,6 +123,17 @@ def symbol_of(value: Scalar) -> str | None:
         return None
     (kind, name), power = next(iter(terms[0][0].items()))
     return name if kind == "symbol" and power == 1 else None
+
+
+def is_rate(symbol: str) -> bool:
+    """Whether a symbol is the rate of a joint, or a higher derivative."""
+    return symbol.startswith("dot")
+
+
+def are_rates(cells: Sequence[Scalar]) -> bool:
+    """Whether every cell is a rate by itself, as in q̇."""
+    symbols = [symbol_of(cell) for cell in cells]
+    return bool(symbols) and all(symbol is not None and is_rate(symbol) for symbol in symbols)
 
 
 def symbols_in(values: Iterable[Scalar]) -> set[str]:

@@ -18,12 +18,12 @@ from armproof.verification.diagnosis.slips_before import slip_before
 from armproof.verification.diagnosis.whole_matrix import swapped_cells, whole_matrix
 from armproof.verification.equations.alignment import Pair, equal_matrices, exactly_equal
 from armproof.verification.equations.chain import ChainChecker
-from armproof.verification.equations.decimals import finest_decimals, is_number
+from armproof.verification.equations.decimals import finest_decimals
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare
+from armproof.verification.latex.nodes import bare, is_number
 from armproof.verification.latex.writer import Notation
 from armproof.verification.naming.state import PrintedError
 from armproof.verification.verdict import Record, SlipBefore, WrongEntry

@@ -17,7 +17,6 @@ from armproof.verification.equations.at_stated_values import is_mostly_right
 from armproof.verification.equations.case_conditions import check_cases
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.compositions import is_composition
-from armproof.verification.equations.decimals import is_number
 from armproof.verification.equations.differentials import is_of_rates, with_rates
 from armproof.verification.equations.doubts import is_of_arm
 from armproof.verification.equations.each_joint import holds_for_each_joint
@@ -34,7 +33,7 @@ from armproof.verification.equations.vectors import crossed_letters, of_vectors
 from armproof.verification.equations.worked_numbers import tells_values, unitless
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.latex.nodes import bare, bare_key, is_number
 from armproof.verification.naming.quantities import is_inverse_link
 from armproof.verification.naming.state import Key, Told
 from armproof.verification.verdict import DECIDED, HOLDS, Role, Verdict
@@ -102,12 +101,7 @@ class Claims:
                 other = say(Kind.OTHER_EXERCISE, name=foreign[0][0], line=foreign[0][1])
                 outcome.verdict, outcome.findings = Verdict.UNCHECKED, (other,)
         own = {key for outcome in outcomes for key in outcome.defines}
-        outcomes = [
-            self.unless_doubted(
-                outcome, {(key, line) for key in own - {name.key for name in names_in(outcome)}} if own else own
-            )
-            for outcome in outcomes
-        ]
+        outcomes = [self.unless_doubted(outcome, _defined_beside(outcome, own, line)) for outcome in outcomes]
         if by_table := self.names.state.from_table():
             doubt = say(Kind.ENTRY_BY_INDEX, name=by_table[0])
             outcomes = [each.unless_refuted(doubt) for each in outcomes]
@@ -421,6 +415,11 @@ class Claims:
             return None
         rest = replace(chain, members=chain.members[1:], relations=chain.relations[1:])
         return self.general.identity(rest, equation + 1, line)
+
+
+def _defined_beside(outcome: Outcome, own: Set[str], line: int) -> Set[Key]:
+    """Return what a chain defines that is on no side of one of its equations."""
+    return {(key, line) for key in own - {name.key for name in names_in(outcome)}} if own else frozenset()
 
 
 def _is_of_rank(chain: n.Chain) -> bool:

@@ -1,4 +1,4 @@
-"""The statements of a display as they are to be decided: each with its subject, without what every one says."""
+"""The statements of a display as they are to be decided: without what every one says, equations and conditions apart."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from dataclasses import replace
 
 from armproof.verification.equations.index_ranges import without_index_range
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.statements import PREVIOUS
 from armproof.verification.latex.vocabulary import ASKED
 from armproof.verification.naming.names import Names
 
@@ -15,14 +14,10 @@ FOR_ALL = ("forall", "for all", "for every", "for any", "pour tout", "pour tous"
 
 
 def prepared(statements: list[n.Statement], names: Names) -> list[n.Statement]:
-    """Return the statements that are to be decided: without "for all", with their subjects, what vanishes at its end apart."""
+    """Return the statements that are to be decided: without "for all", what vanishes at its end apart."""
     if len(statements) > 1:
         statements = without_index_range(statements)
-    return [
-        part
-        for statement in _without_for_all(statements, names)
-        for part in _without_vanishing_end(_resolve_subject(statement, names))
-    ]
+    return [part for statement in _without_for_all(statements, names) for part in _without_vanishing_end(statement)]
 
 
 def asked(statement: n.Statement) -> n.Statement:
@@ -67,14 +62,6 @@ def _is_any_configuration(statement: n.Statement, names: Names) -> bool:
         return False
     joints = {joint.symbol for joint in names.arm.joints}
     return node.key in ("q", "theta") or names.known_symbol(node.key) in joints
-
-
-def _resolve_subject(statement: n.Statement, names: Names) -> n.Statement:
-    """A display that begins with a relation goes on about the subject of the one before."""
-    subject = names.state.subject
-    if isinstance(statement, n.Chain) and statement.members[0] is PREVIOUS and subject is not None:
-        return replace(statement, members=(subject, *statement.members[1:]))
-    return statement
 
 
 def _without_vanishing_end(statement: n.Statement) -> list[n.Statement]:

@@ -24,6 +24,7 @@ from armproof.verification.equations.outcome import Outcome, with_role
 from armproof.verification.equations.series import unless_added, written_out
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.statements import PREVIOUS
 from armproof.verification.verdict import HOLDS, Role, Verdict
 
 SCRIPTED = re.compile(r"\\?[A-Za-z.…⋯]+(?:\s*[_^]\s*(?:\{[^{}]*\}|[^\\{]))*")  # \sum_{i=1}^{2}
@@ -91,7 +92,9 @@ class Statements:
         """
         if "\\sum" in latex or "\\prod" in latex:
             statements = [written_out(statement, latex, self.names) for statement in statements]
-        statements = prepared(statements, self.names)
+        statements = [self._with_subject(statement) for statement in statements]
+        if len(statements) > 1 or any(isinstance(each, n.Chain) and len(each.members) > 2 for each in statements):
+            statements = prepared(statements, self.names)
         display = _Display(statements, line, define, latex)
         while display.index < len(statements):
             self.ring.budget.check()
@@ -106,6 +109,13 @@ class Statements:
         if first_chain is not None and define:
             self.names.state.subject = first_chain.members[0]
         return display.outcomes, display.counterexample
+
+    def _with_subject(self, statement: n.Statement) -> n.Statement:
+        """A display that begins with a relation goes on about the subject of the one before."""
+        subject = self.names.state.subject
+        if isinstance(statement, n.Chain) and statement.members[0] is PREVIOUS and subject is not None:
+            return replace(statement, members=(subject, *statement.members[1:]))
+        return statement
 
     def _take_next(self, display: _Display) -> None:
         statement = display.statements[display.index]

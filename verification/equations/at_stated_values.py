@@ -8,7 +8,7 @@ from fractions import Fraction
 from math import inf, remainder, tau
 from typing import Any
 
-from armproof.verification.algebra.calculus import substitute, symbols_in
+from armproof.verification.algebra.calculus import are_rates, is_rate, substitute, symbols_in
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document.heading import encloses
 from armproof.verification.equations.alignment import Pair, angle_places, exactly_equal
@@ -16,7 +16,7 @@ from armproof.verification.equations.decimals import FEW, Rounding, finest_decim
 from armproof.verification.equations.length_values import length_values
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member, Members
-from armproof.verification.equations.stated_rates import are_rates, columns_of_numbers, is_rate
+from armproof.verification.equations.stated_rates import columns_of_numbers
 from armproof.verification.errors import EvaluationError, NoValue, TooComplex
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
@@ -73,15 +73,8 @@ class StatedValues:
                 return None  # (1 - c_2)/(1 - c_2) is no number of a configuration
             of_names = any(self.members.quantity_of(below) is not None for below in n.walk(numbers.node))
             return None if of_names else self._numbers(outcome, pairs, numbers.node)
-        rates = set(filter(is_rate, one | other))
-        rests = not all(any(map(is_rate, names)) for names in (one, other))
-        told = self._has_column(outcome) or (rests and self._stated(rates))
-        if (
-            any(map(is_rate, one ^ other))
-            and told
-            and not any(are_rates(s.cells) for s in (pairs[0].true, pairs[0].printed))
-        ):
-            return self._at_rates(outcome, pairs[0], rates, one ^ other)
+        if any(map(is_rate, one ^ other)) and self._is_at_rates(outcome, pairs[0], one, other):
+            return self._at_rates(outcome, pairs[0], set(filter(is_rate, one | other)), one ^ other)
         return self._there(outcome, pairs[0], one, other) or self._for_lengths(outcome, pairs[0], one, other)
 
     def _stated(self, names: Iterable[str]) -> dict[str, Stated]:
@@ -192,8 +185,12 @@ class StatedValues:
 
     # -- velocities --------------------------------------------------------------------------------------------------------
 
-    def _has_column(self, outcome: Outcome) -> bool:
-        return any(next(columns_of_numbers(side.node), ()) for side in _sides(outcome))
+    def _is_at_rates(self, outcome: Outcome, pair: Pair, one: set[str], other: set[str]) -> bool:
+        """Whether an equation may be one at rates that are stated: in a column beside J, or before it."""
+        has_column = any(next(columns_of_numbers(side.node), ()) for side in _sides(outcome))
+        rests = not all(any(map(is_rate, names)) for names in (one, other))
+        told = has_column or (rests and self._stated(filter(is_rate, one | other)))
+        return bool(told) and not any(are_rates(side.cells) for side in (pair.true, pair.printed))
 
     def _at_rates(self, outcome: Outcome, pair: Pair, rates: set[str], differ: set[str]) -> Outcome:
         """ṗ = J [0.1; 0.2], ẋ = -0.2 s_1: the side without rates is that at their values, where these are stated.

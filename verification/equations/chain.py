@@ -155,9 +155,13 @@ class ChainChecker:
         outcomes = self._read_otherwise(chain, outcomes, settled, again)
         outcomes = self._of_other_matrix(chain, outcomes, first_equation, line)
         outcomes = [self.readings.other_meaning(outcome, line, define) for outcome in outcomes]
-        outcomes = [self._left_open_for_places(outcome, placed) for outcome in outcomes]
-        outcomes = [self._left_open_for_section(outcome, ended) for outcome in outcomes]
-        outcomes = [self.conventions.judge(unless_left_out(outcome, self.names)) for outcome in outcomes]
+        if placed:
+            outcomes = [self._left_open_for_places(outcome, placed) for outcome in outcomes]
+        if ended:
+            outcomes = [self._left_open_for_section(outcome, ended) for outcome in outcomes]
+        if self.names.state.adopted:
+            outcomes = [unless_left_out(outcome, self.names) for outcome in outcomes]
+        outcomes = [self.conventions.judge(outcome) for outcome in outcomes]
         outcomes = [self.catalogue.judge(outcome) if outcome.names_value else outcome for outcome in outcomes]
         outcomes = [self._defined(each) if each.verdict is Verdict.DEFINED else each for each in outcomes]
         check = partial(self.check, first_equation=first_equation, line=line)
@@ -237,14 +241,14 @@ class ChainChecker:
 
     def _ended_with_their_section(self, chain: n.Chain) -> dict[str, int]:
         """Forget what blocks of another section are that a chain is about: they get a meaning anew. Return their lines."""
-        made = self.names.state.definitions
-        ended = {key: made[key].line for key in keys_about(chain) if key in made and made[key].has_ended}
+        ended = {key: each.line for key, each in self.names.state.definitions.items() if each.has_ended}
+        ended = {key: ended[key] for key in keys_about(chain) if key in ended} if ended else {}
         self.names.forget(ended)
         return ended
 
     def _left_open_for_section(self, outcome: Outcome, ended: Mapping[str, int]) -> Outcome:
         """Leave open what is not so, of names that are blocks in another section: this one may be a part of that."""
-        if outcome.verdict is not Verdict.REFUTED or not ended:
+        if outcome.verdict is not Verdict.REFUTED:
             return outcome
         first = min(ended)
         self.names.leave_unknown(ended, ended[first], Kind.OTHER_SECTION)
@@ -289,6 +293,8 @@ class ChainChecker:
     def _heed_places(self, members: list[Member], settled: Set[str], line: int) -> None:
         """Remember the names of blocks that are what convention says, as their places in a matrix show."""
         state = self.names.state
+        if state.inferred.keys() <= settled:
+            return
         cells = (bare_key(cell) for each in members for row in written_rows(each.node) for cell in row)
         for key in {key for key in cells if key is not None and key not in settled}:
             if key in state.inferred and key not in state.conventional and not state.inferred[key].scalar:

@@ -27,7 +27,6 @@ from armproof.verification.equations.alignment import (
 )
 from armproof.verification.equations.by_size import BySize
 from armproof.verification.equations.coordinates import coordinates_among
-from armproof.verification.equations.decimals import is_number
 from armproof.verification.equations.doubts import Doubts
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.outcome import AsUsual, Outcome
@@ -39,7 +38,7 @@ from armproof.verification.errors import EvaluationError, ShapeError, TooComplex
 from armproof.verification.evaluation.blocks import partition, rows_of_letters, written_rows
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare, has_branches
+from armproof.verification.latex.nodes import bare, has_branches, is_number
 from armproof.verification.naming.conventions import (
     AXES,
     ENTRIES,

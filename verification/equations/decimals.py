@@ -16,6 +16,7 @@ from armproof.verification.equations.second_route import FEWEST, SecondRoute
 from armproof.verification.equations.sides import Members
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import is_number
 from armproof.verification.verdict import Verdict
 
 FINE = 3  # decimals: a number of so many may be rounded
@@ -34,14 +35,6 @@ def fewest_decimals(nodes: Iterable[n.Node]) -> int:
     alone = [node for node in nodes if isinstance(node, n.Number)]
     inside = [b for node in nodes for b in n.walk(node) if isinstance(b, n.Number) and b.decimals]
     return min((number.decimals for number in alone or inside), default=6)
-
-
-def is_number(node: n.Node) -> bool:
-    """Whether a tree is made of numbers, π and functions of them."""
-    return not any(
-        isinstance(below, n.JointAngles | n.Matrix | n.Sequence) or (isinstance(below, n.Name) and below.key != "pi")
-        for below in n.walk(node)
-    )
 
 
 @dataclass(frozen=True)

@@ -45,7 +45,7 @@ def heed_forces(names: Names, chain: n.Chain) -> None:
 
 def unless_left_out(outcome: Outcome, names: Names) -> Outcome:
     """Leave open what is refuted, and of which only one side holds a component: the other may hold its value."""
-    if outcome.verdict is not Verdict.REFUTED or outcome.pair is None or not names.state.adopted:
+    if outcome.verdict is not Verdict.REFUTED or outcome.pair is None:
         return outcome
     keys = [symbols_in(side.cells) for side in (outcome.pair.true, outcome.pair.printed)]
     one, other = ({key for key in side if _is_key(key) or _is_load(key, names)} for side in keys)

@@ -8,17 +8,16 @@ from itertools import chain as chain_cells
 from itertools import pairwise
 from typing import TypeGuard
 
-from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.calculus import are_rates, is_rate, symbols_in
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.equations.decimals import is_number
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.sides import Member, Members
-from armproof.verification.equations.stated_rates import are_rates, columns_of_numbers, is_rate
+from armproof.verification.equations.stated_rates import columns_of_numbers
 from armproof.verification.errors import UnboundName
 from armproof.verification.evaluation.blocks import cells_of
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.latex.nodes import bare, bare_key, is_number
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Stated, Told
 from armproof.verification.verdict import Verdict
@@ -202,11 +201,16 @@ class GivenValues:
 
     def _entries(self, left: n.Node, right: n.Node) -> list[Pair] | None:
         """The entries of (θ_1, θ_2) = (0, π/2), of a column of joints, of q: each gives a value."""
-        names, values = cells_of(left), cells_of(right)
-        dots, key = (left.dots, replace(left, dots=0).key) if isinstance(left, n.Name) else (0, "")
-        if key in ("q", "theta") and self.names.known_symbol(key) is None and key not in self.names.state.definitions:
-            names = [n.Name(*symbol.partition("_")[::2], dots=dots) for symbol in self.joints]
-        return list(zip(names, values, strict=True)) if names and values and len(names) == len(values) else None
+        names = self._joints_of(left) if isinstance(left, n.Name) else cells_of(left)
+        values = cells_of(right) if names else ()
+        return list(zip(names, values, strict=True)) if values and len(names) == len(values) else None
+
+    def _joints_of(self, name: n.Name) -> list[n.Name]:
+        """Return the names of the joints where q or θ is all of them, with its dots; none of another name."""
+        key = replace(name, dots=0).key
+        if key not in ("q", "theta") or self.names.known_symbol(key) or key in self.names.state.definitions:
+            return []
+        return [n.Name(*symbol.partition("_")[::2], dots=name.dots) for symbol in self.joints]
 
     def _is_joint_value(self, value: n.Node) -> bool:
         names = [below.key for below in n.walk(value) if isinstance(below, n.Name)]

@@ -12,13 +12,14 @@ from armproof.verification.algebra.matrix import Matrix, as_scalar, is_zero
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.chain import ChainChecker
-from armproof.verification.equations.decimals import finest_decimals, is_number
+from armproof.verification.equations.decimals import finest_decimals
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.rigid import is_pose, is_rotation
 from armproof.verification.equations.worked_numbers import without_unit
 from armproof.verification.evaluation.blocks import written_rows
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import is_number
 from armproof.verification.verdict import Verdict, worst
 
 GROUPS = ("SO", "SE")

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
 
-from armproof.verification.algebra.calculus import symbol_of, symbols_in
+from armproof.verification.algebra.calculus import are_rates, is_rate, symbol_of, symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_matrix, as_scalar, is_zero
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document.heading import encloses
@@ -14,7 +14,6 @@ from armproof.verification.equations.alignment import is_constant, is_near
 from armproof.verification.equations.given_values import keys_alone
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
-from armproof.verification.equations.stated_rates import are_rates, is_rate
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key

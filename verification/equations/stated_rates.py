@@ -2,26 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from itertools import pairwise
 
-from armproof.verification.algebra.calculus import symbol_of
-from armproof.verification.algebra.ring import Scalar
-from armproof.verification.equations.decimals import is_number
 from armproof.verification.evaluation.blocks import cells_of
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare
-
-
-def is_rate(symbol: str) -> bool:
-    """Whether a symbol is the rate of a joint, or a higher derivative."""
-    return symbol.startswith("dot")
-
-
-def are_rates(cells: Sequence[Scalar]) -> bool:
-    """Whether every cell is a rate by itself, as in q̇."""
-    symbols = [symbol_of(cell) for cell in cells]
-    return bool(symbols) and all(symbol is not None and is_rate(symbol) for symbol in symbols)
+from armproof.verification.latex.nodes import bare, is_number
 
 
 def columns_of_numbers(node: n.Node) -> Iterator[tuple[n.Node, ...]]:

@@ -6,13 +6,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.equations.decimals import UNITS, fewest_decimals, is_number, roundings
+from armproof.verification.equations.decimals import UNITS, fewest_decimals, roundings
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Members
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare
+from armproof.verification.latex.nodes import bare, is_number
 from armproof.verification.naming.state import Stated
 from armproof.verification.verdict import Verdict
 

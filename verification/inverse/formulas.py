@@ -8,14 +8,13 @@ from fractions import Fraction
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.document import Display, Document
-from armproof.verification.equations.decimals import is_number
 from armproof.verification.equations.given_values import named_sign
 from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.evaluation.blocks import partition
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare, bare_key, has_branches
+from armproof.verification.latex.nodes import bare, bare_key, has_branches, is_number
 from armproof.verification.latex.statements import PREVIOUS
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.naming.names import Names

@@ -312,6 +312,14 @@ def bare_key(node: Node) -> str | None:
     return None
 
 
+def is_number(node: Node) -> bool:
+    """Whether a tree is made of numbers, π and functions of them."""
+    return not any(
+        isinstance(below, JointAngles | Matrix | Sequence) or (isinstance(below, Name) and below.key != "pi")
+        for below in walk(node)
+    )
+
+
 def interval_of(relation: str, node: Node) -> Sequence | None:
     """Return the interval that stands behind ∈, (0, π) or [0, π]; a set in braces is none."""
     is_list = relation == "∈" and isinstance(node, Sequence) and len(node.items) == 2

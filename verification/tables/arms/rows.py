@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.document import Table
-from armproof.verification.equations.decimals import is_number
 from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import is_number
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.angles import letter_of, symbols_of, to_radians
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of

@@ -7,10 +7,10 @@ from contextlib import suppress
 from fractions import Fraction
 
 from armproof.verification.document import Document, Table
-from armproof.verification.equations.decimals import is_number
 from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import is_number
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Stated
 from armproof.verification.tables.arms.inference import dh_tables, in_metres
