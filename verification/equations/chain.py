@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Set
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, NoReturn
 
@@ -15,9 +15,7 @@ from armproof.verification.equations.conventional import Conventions
 from armproof.verification.equations.definitions import (
     Definitions,
     Redefinitions,
-    keys_about,
     letters_meant_anew,
-    letters_placed_before,
 )
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.forces import LETTERS as OF_FORCES
@@ -34,6 +32,12 @@ from armproof.verification.equations.letter_matrices import (
     take_entries,
 )
 from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.places import (
+    forget_ended,
+    heed_places,
+    left_open_for_places,
+    left_open_for_section,
+)
 from armproof.verification.equations.readings import Check, Readings
 from armproof.verification.equations.second_route import SecondRoute
 from armproof.verification.equations.sides import Member, Members
@@ -41,9 +45,8 @@ from armproof.verification.equations.skew import unless_skewed
 from armproof.verification.equations.table_angles import TableAngles
 from armproof.verification.equations.torques import Torques
 from armproof.verification.errors import NotSampled, UnboundName
-from armproof.verification.evaluation.blocks import written_rows
 from armproof.verification.evaluation.exact import ExactAlgebra
-from armproof.verification.findings import Kind, say
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key, has_branches
 from armproof.verification.naming.conventions import ENTRY
@@ -53,6 +56,39 @@ from armproof.verification.verdict import HOLDS, Verdict
 
 if TYPE_CHECKING:
     from armproof.verification.evaluation.sampled import SampledAlgebra
+
+
+@dataclass
+class _Pass:
+    """One time that a chain is checked.
+
+    Attributes:
+        members: its sides, with their values; those of names that are bound on the way are set then.
+        first, line: the number of its first equation, the line of its display.
+        define: whether its names get a meaning by it.
+        check: checks another reading of it in the same place.
+        before, settled: the definitions, and the names bound by notation, before it.
+        placed, ended: the lines of names that are blocks by their place in a matrix, and of those whose section is over.
+        defined: what its first name was before, where it is defined once more.
+        is_open: whether a side has no value, in a document with an arm.
+        branches: whether a sign in it is to be chosen.
+    """
+
+    chain: n.Chain
+    members: list[Member]
+    first: int
+    line: int
+    define: bool
+    definitions: Definitions
+    check: Callable[..., list[Outcome]]
+    before: dict[str, Definition]
+    settled: Set[str]
+    placed: Mapping[str, tuple[int, str]]
+    ended: Mapping[str, int]
+    defined: Definition | None
+    of_jacobian: bool
+    is_open: bool
+    branches: bool
 
 
 class ChainChecker:
@@ -100,97 +136,146 @@ class ChainChecker:
         return self.members.quantity_of(node)
 
     def check(self, chain: n.Chain, first_equation: int, line: int, define: bool = True) -> list[Outcome]:
-        """Return one outcome an equation, numbered from `first_equation`."""
-        self.names.state.signs.read.clear()
-        before = self.names.state.definitions.copy()
-        blocks = {key: (each.line, each.section) for key, each in before.items() if each.by_place}
-        placed = self.names.state.placed | blocks
-        ended = self._ended_with_their_section(chain) if define else {}
+        """Return one outcome an equation, numbered from `first_equation`.
+
+        A chain is read, its sides are evaluated and compared with the one that is true, and each outcome is judged by what
+        the document says beside it. Another reading is checked in the same way, from the beginning.
+        """
+        now = self._begun(chain, first_equation, line, define)
+        if (said := self._of_other_index(now)) is not None or (said := self._of_no_value(now)) is not None:
+            return said
+        outcomes = self._judged(now, self._compared(now))
+        if (anew := self._with_letters_anew(now, outcomes)) is not None:
+            return anew
+        if now.defined is not None:
+            outcomes = self.redefinitions.judge(now.chain, outcomes, now.defined, now.check)
+        for outcome in outcomes:
+            outcome.read_as = outcome.read_as or (self.members.read_as(outcome.true.node) if outcome.true else "")
+        if (doubt := self._other_direction(now, outcomes)) is not None:
+            if self._tells_direction(now):
+                return now.check(now.chain)
+            outcomes = [replace(outcome.left_open(doubt), defines=()) for outcome in outcomes]
+        return self._remembered(now, outcomes)
+
+    def _begun(self, chain: n.Chain, first_equation: int, line: int, define: bool) -> _Pass:
+        """Read a chain and evaluate its sides."""
+        state = self.names.state
+        state.signs.read.clear()
+        before = state.definitions.copy()
+        placed = state.placed | {k: (each.line, each.section) for k, each in before.items() if each.by_place}
+        is_over = define and any(each.has_ended for each in before.values())
+        ended = forget_ended(self.names, chain) if is_over else {}
         if define and self.names.arm is not None and n.letters(chain) & OF_FORCES:
             heed_forces(self.names, chain)
         chain = self.conventions.read(chain)
-        is_again = define and bare_key(chain.members[0]) in self.names.state.definitions
+        is_again = define and bare_key(chain.members[0]) in state.definitions
         defined = self.redefinitions.before(chain) if is_again else None
         of_jacobian = self.members.speaks_of_jacobian(chain)
         chain = self.rows.choose(chain) if of_jacobian else chain
-        settled = frozenset(self.names.state.inferred)
+        settled = frozenset(state.inferred)
         members, fresh = self._evaluated(chain)
         is_open = define and self.names.arm is not None and not all(member.known for member in members)
         if is_open and (matrix := stale(members)) is not None:
             forget_letters(self.names, matrix)
             members, fresh = self._evaluated(chain)
-        if is_open and any(isinstance(each.problem, UnboundName) for each in members):
-            aside = partial(self._aside, first_equation=first_equation, line=line)
-            if (slipped := of_foreign_index(chain, self.names, first_equation, aside)) is not None:
-                refuted, meant = slipped
-                self.check(meant, first_equation, line, define=False)  # its usual names mean what they do in that
-                return refuted
-        branches = has_branches(chain) or bool(self.names.state.signs.read)
+        check = partial(self.check, first_equation=first_equation, line=line, define=define)
         definitions = Definitions(self.readings, line, define, fresh)
-        known = [member for member in members if member.known]
-        members = [self.readings.part(member, known) for member in members] if known else members
-        members = self.conventions.bind(members)
-        if define:
-            self._heed_places(members, settled, line)
-            if is_open and (found := awaited(members)) is not None:
-                return [replace(await_value(self.names, *found, line), equation=first_equation)]
-        known = [member for member in members if member.known]
-        if not known:
-            if define and adopts_letters(self.members, members):
-                return self.check(chain, first_equation, line, define)
-            return definitions.nothing_known(members, first_equation)
-        if define:
-            members = [self.readings.own_angle(member, members) for member in members]
-        known = [member for member in members if member.known]
-        true = max(known, key=lambda member: member.rank)  # the first of the highest
+        return _Pass(
+            chain, members, first_equation, line, define, definitions, check, before, settled, placed, ended, defined, of_jacobian, is_open,
+            has_branches(chain) or bool(state.signs.read),
+        )  # fmt: skip
+
+    def _of_other_index(self, now: _Pass) -> list[Outcome] | None:
+        """Return what is refuted of a name with an index that the arm has not, where another one is meant."""
+        if not now.is_open or not any(isinstance(each.problem, UnboundName) for each in now.members):
+            return None
+        aside = partial(self._aside, first_equation=now.first, line=now.line)
+        if (slipped := of_foreign_index(now.chain, self.names, now.first, aside)) is None:
+            return None
+        refuted, meant = slipped
+        now.check(meant, define=False)  # its usual names mean what they do in that
+        return refuted
+
+    def _of_no_value(self, now: _Pass) -> list[Outcome] | None:
+        """Bind the names that what they are equated to binds. Return what becomes of a chain of which nothing has a value yet."""
+        known = [member for member in now.members if member.known]
+        members = [self.readings.part(member, known) for member in now.members] if known else now.members
+        now.members = members = self.conventions.bind(members)
+        if now.define:
+            if self.names.state.inferred.keys() - now.settled:
+                heed_places(self.names, members, now.settled, now.line)
+            if now.is_open and (found := awaited(members)) is not None:
+                return [replace(await_value(self.names, *found, now.line), equation=now.first)]
+        if not any(member.known for member in members):
+            if now.define and adopts_letters(self.members, members):
+                return now.check(now.chain)
+            return now.definitions.nothing_known(members, now.first)
+        if now.define:
+            now.members = [self.readings.own_angle(member, members) for member in members]
+        return None
+
+    def _compared(self, now: _Pass) -> list[Outcome]:
+        """Compare each side that has a value with the true one, and give it to the names of the others."""
+        true = max((member for member in now.members if member.known), key=lambda member: member.rank)  # the first one
         outcomes: list[Outcome] = []
-        for index, member in enumerate(members):
-            equation = first_equation + max(0, index - 1)
+        for index, member in enumerate(now.members):
+            equation = now.first + max(0, index - 1)
             if member.known and member is not true:
-                compared = self.equality.compare(true, member, equation, branches)
-                outcomes.append(self.rows.kept(compared) if define and of_jacobian else compared)
+                compared = self.equality.compare(true, member, equation, now.branches)
+                outcomes.append(self.rows.kept(compared) if now.define and now.of_jacobian else compared)
             elif not member.known:
-                outcomes.append(definitions.define(true, member, equation))
-        again = partial(self._again, before, first_equation, line, define)
-        outcomes = self._read_otherwise(chain, outcomes, settled, again)
-        outcomes = self._of_other_matrix(chain, outcomes, first_equation, line)
-        outcomes = [self.readings.other_meaning(outcome, line, define) for outcome in outcomes]
-        if placed:
-            outcomes = [self._left_open_for_places(outcome, placed) for outcome in outcomes]
-        if ended:
-            outcomes = [self._left_open_for_section(outcome, ended) for outcome in outcomes]
+                outcomes.append(now.definitions.define(true, member, equation))
+        return outcomes
+
+    def _judged(self, now: _Pass, outcomes: list[Outcome]) -> list[Outcome]:
+        """Return the outcomes, left open where the chain may be read otherwise, or a name means something else there."""
+        outcomes = self._read_otherwise(now, outcomes)
+        outcomes = self._of_other_matrix(now, outcomes)
+        outcomes = [self.readings.other_meaning(outcome, now.line, now.define) for outcome in outcomes]
+        if now.placed:
+            outcomes = [left_open_for_places(self.names, outcome, now.placed) for outcome in outcomes]
+        if now.ended:
+            outcomes = [left_open_for_section(self.names, outcome, now.ended) for outcome in outcomes]
         if self.names.state.adopted:
             outcomes = [unless_left_out(outcome, self.names) for outcome in outcomes]
         outcomes = [self.conventions.judge(outcome) for outcome in outcomes]
         outcomes = [self.catalogue.judge(outcome) if outcome.names_value else outcome for outcome in outcomes]
-        outcomes = [self._defined(each) if each.verdict is Verdict.DEFINED else each for each in outcomes]
-        check = partial(self.check, first_equation=first_equation, line=line)
-        if define and (letters := letters_meant_anew(outcomes)) & self.names.state.definitions.keys():
-            self.names.forget(letters)
-            outcomes = check(chain)
-            self.names.leave_unknown(letters, line)
-            return outcomes
-        if defined is not None:
-            outcomes = self.redefinitions.judge(chain, outcomes, defined, check)
-        for outcome in outcomes:
-            outcome.read_as = outcome.read_as or (self.members.read_as(outcome.true.node) if outcome.true else "")
-        doubt = self.readings.other_direction(
-            [chain], _all_proved(outcomes), lambda: _all_proved(check(chain, define=False))
-        )
-        is_untold = doubt and define and not self.names.state.transforms
-        if is_untold and (is_product_of_links(chain) or is_way_outwards(chain)):
-            self.names.state.definitions = before
-            self.names.state.transforms = "lower"  # T_0^3 = A_1 A_2 A_3 tells it, where nothing else does
-            return check(chain)
-        if doubt:
-            self.names.state.definitions = before  # what names it would define is open too
-            outcomes = [replace(outcome.left_open(doubt), defines=()) for outcome in outcomes]
+        return [self._defined(each) if each.verdict is Verdict.DEFINED else each for each in outcomes]
+
+    def _with_letters_anew(self, now: _Pass, outcomes: list[Outcome]) -> list[Outcome] | None:
+        """Return the outcomes where letters of a matrix get another meaning than before; nobody knows then what they mean."""
+        letters = letters_meant_anew(outcomes) if now.define else frozenset()
+        if not letters & self.names.state.definitions.keys():
+            return None
+        self.names.forget(letters)
+        outcomes = now.check(now.chain)
+        self.names.leave_unknown(letters, now.line)
+        return outcomes
+
+    def _other_direction(self, now: _Pass, outcomes: list[Outcome]) -> Finding | None:
+        """Return the doubt where transforms may be meant the other way round; what the chain defines is taken back then."""
+        otherwise = partial(now.check, now.chain, define=False)
+        doubt = self.readings.other_direction([now.chain], _all_proved(outcomes), lambda: _all_proved(otherwise()))
+        if doubt is not None:
+            self.names.state.definitions = now.before
+        return doubt
+
+    def _tells_direction(self, now: _Pass) -> bool:
+        """Let a chain tell how transforms are meant, where nothing else does: T_0^3 = A_1 A_2 A_3."""
+        is_told = not now.define or self.names.state.transforms
+        if is_told or not (is_product_of_links(now.chain) or is_way_outwards(now.chain)):
+            return False
+        self.names.state.transforms = "lower"
+        return True
+
+    def _remembered(self, now: _Pass, outcomes: list[Outcome]) -> list[Outcome]:
+        """Keep what the chain shows of names for the lines behind it. Return the outcomes, with what its braces say."""
         self.conventions.restore(outcomes)
-        if define and self.names.state.awaited:
-            self._give_letters(chain, definitions)
-        if define and all(outcome.verdict in HOLDS for outcome in outcomes):
-            self.names.state.printed = self.readings.printed_rotation(chain) or self.names.state.printed
-        return [*outcomes, *_labels(chain, first_equation, definitions)]
+        if now.define and self.names.state.awaited:
+            self._give_letters(now.chain, now.definitions)
+        if now.define and all(outcome.verdict in HOLDS for outcome in outcomes):
+            self.names.state.printed = self.readings.printed_rotation(now.chain) or self.names.state.printed
+        return [*outcomes, *_labels(now.chain, now.first, now.definitions)]
 
     def _defined(self, outcome: Outcome) -> Outcome:
         """Return a definition, left open where it is a slip away from a skew matrix, or tells other torques than J^T F."""
@@ -212,13 +297,13 @@ class ChainChecker:
         unbound = UnboundName(min(fresh))
         return [Member(m.node, None, unbound) if fresh & keys_alone(m.node) else m for m in members], fresh
 
-    def _read_otherwise(self, chain: n.Chain, first: list[Outcome], settled: Set[str], check: Check) -> list[Outcome]:
+    def _read_otherwise(self, now: _Pass, first: list[Outcome]) -> list[Outcome]:
         """Return the outcomes under another reading of the Jacobian where the first one refutes the chain."""
-        made = self.names.state.definitions
+        chain, made, check = now.chain, self.names.state.definitions, partial(self._again, now)
         outcomes = first
         if any(outcome.verdict is Verdict.REFUTED for outcome in first) and self.members.speaks_of_jacobian(chain):
             outcomes = self.rows.with_fewer(chain, first, check)
-        outcomes = self.readings.of_the_tool(chain, outcomes, settled, check)
+        outcomes = self.readings.of_the_tool(chain, outcomes, now.settled, check)
         if outcomes is first and any(outcome.verdict is Verdict.REFUTED for outcome in first):
             outcomes = self._of_coordinates(chain, first, check)
         if outcomes is first:
@@ -239,29 +324,14 @@ class ChainChecker:
             self.names.state.become(before)
         return first
 
-    def _ended_with_their_section(self, chain: n.Chain) -> dict[str, int]:
-        """Forget what blocks of another section are that a chain is about: they get a meaning anew. Return their lines."""
-        ended = {key: each.line for key, each in self.names.state.definitions.items() if each.has_ended}
-        ended = {key: ended[key] for key in keys_about(chain) if key in ended} if ended else {}
-        self.names.forget(ended)
-        return ended
-
-    def _left_open_for_section(self, outcome: Outcome, ended: Mapping[str, int]) -> Outcome:
-        """Leave open what is not so, of names that are blocks in another section: this one may be a part of that."""
-        if outcome.verdict is not Verdict.REFUTED:
-            return outcome
-        first = min(ended)
-        self.names.leave_unknown(ended, ended[first], Kind.OTHER_SECTION)
-        return outcome.left_open(say(Kind.OTHER_SECTION, name=first, line=ended[first]))
-
-    def _of_other_matrix(self, chain: n.Chain, first: list[Outcome], equation: int, line: int) -> list[Outcome]:
+    def _of_other_matrix(self, now: _Pass, first: list[Outcome]) -> list[Outcome]:
         """Return the outcomes where r_{ij} are of another matrix than the tool's, if all hold; what else is no slip is left open."""
-        if self.of_entries or ENTRY not in n.letters(chain) or all(outcome.verdict in HOLDS for outcome in first):
+        if self.of_entries or ENTRY not in n.letters(now.chain) or all(outcome.verdict in HOLDS for outcome in first):
             return first
-        readings = [*entries_elsewhere(self.names, chain)]
+        readings = [*entries_elsewhere(self.names, now.chain)]
         for entries in readings:
             self.of_entries = True
-            tried = self._aside(chain, equation, line, partial(take_entries, self.names, entries))
+            tried = self._aside(now.chain, now.first, now.line, partial(take_entries, self.names, entries))
             self.of_entries = False
             if all(outcome.verdict in HOLDS for outcome in tried):
                 return tried
@@ -290,34 +360,10 @@ class ChainChecker:
                 forget_letters(self.names, matrix)
                 replace(definitions, line=line).define_entries(named, Member(matrix), 1, True)
 
-    def _heed_places(self, members: list[Member], settled: Set[str], line: int) -> None:
-        """Remember the names of blocks that are what convention says, as their places in a matrix show."""
-        state = self.names.state
-        if state.inferred.keys() <= settled:
-            return
-        cells = (bare_key(cell) for each in members for row in written_rows(each.node) for cell in row)
-        for key in {key for key in cells if key is not None and key not in settled}:
-            if key in state.inferred and key not in state.conventional and not state.inferred[key].scalar:
-                state.placed[key] = line, state.section
-
-    def _left_open_for_places(self, outcome: Outcome, placed: Mapping[str, tuple[int, str]]) -> Outcome:
-        """Leave open what does not fit with what the places in another matrix told of a name; nobody knows any more what it is."""
-        letters = letters_placed_before(outcome, placed)
-        if not letters:
-            return outcome
-        first = min(letters)
-        line, section = placed[first]
-        self.names.forget(letters)
-        kind = Kind.SECOND_MEANING if section in ("", self.names.state.section) else Kind.OTHER_SECTION
-        self.names.leave_unknown(letters, line, kind)
-        return outcome.left_open(say(kind, name=first, line=line))
-
-    def _again(
-        self, before: dict[str, Definition], first_equation: int, line: int, define: bool, chain: n.Chain
-    ) -> list[Outcome]:
+    def _again(self, now: _Pass, chain: n.Chain) -> list[Outcome]:
         """Check another reading of a chain, without what its first reading defined."""
-        self.names.state.definitions = before.copy()
-        return self.check(chain, first_equation, line, define)
+        self.names.state.definitions = now.before.copy()
+        return now.check(chain)
 
 
 def no_samples() -> NoReturn:

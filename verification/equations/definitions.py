@@ -363,30 +363,6 @@ def _is_another_meaning(outcome: Outcome) -> bool:
     return outcome.verdict is Verdict.REFUTED and not near and len(set(numbers)) < 2
 
 
-def letters_placed_before(outcome: Outcome, placed: Iterable[str]) -> frozenset[str]:
-    """Return the names of blocks that do not fit, of which their places in another matrix alone told what they are.
-
-    T_2^0 = [R, p; 0, 1] behind T_1^0 = [R, p; 0, 1]: a pattern, or a mistake.
-    """
-    value = outcome.true.value if outcome.true is not None else None
-    if outcome.verdict is not Verdict.REFUTED or not isinstance(value, Matrix) or value.shape[1] == 1:
-        return frozenset()
-    return frozenset(key for node in outcome.nodes for key in _pattern(node, value.shape[0])) & frozenset(placed)
-
-
-def _pattern(node: n.Node, height: int) -> Iterator[str]:
-    """Yield the names of a matrix of less than so many rows, that holds nothing but names and numbers."""
-    cells = [bare(cell) for row in written_rows(node) for cell in row] if len(written_rows(node)) < height else []
-    if all(isinstance(cell, n.Name | n.Number) for cell in cells):
-        yield from (key for cell in cells if (key := bare_key(cell)) is not None)
-
-
-def keys_about(chain: n.Chain) -> frozenset[str]:
-    """Return the names that a chain is about: that of its first side, and those alone in the cells of matrices."""
-    cells = [cell for member in chain.members for row in written_rows(member) for cell in row]
-    return frozenset(key for node in (chain.members[0], *cells) if (key := bare_key(node)) is not None)
-
-
 def letters_meant_anew(outcomes: Iterable[Outcome]) -> frozenset[str]:
     """Return the letters of a matrix of letters that a name is equated to, where they had another meaning: R_3^6 = [r_ij]."""
     for outcome in outcomes:
