@@ -38,6 +38,7 @@ def without_misreading(
     """
     reason = _rotation_for_pose(outcome, names) or _own_name(chain, names) or _determinant(outcome, names)
     reason = reason or _numbered_twice(chain) or _turned_tool(outcome, names) or _on_both_sides(outcome, names)
+    reason = reason or _function_or_factor(chain)
     if names.arm is not None or not erratum:
         reason = reason or sizes_of_convention(outcome, chain, names)
     if not is_closed:
@@ -146,6 +147,16 @@ def _on_both_sides(outcome: Outcome, names: Names) -> Finding | None:
         if is_open or any(bare(cell) == name for cell in _cells(other)):
             return say(Kind.ON_BOTH_SIDES, name=name.text or name.key)  # type: ignore[attr-defined]
     return None
+
+
+def _function_or_factor(chain: n.Chain) -> Finding | None:
+    """x(t + 2) = x(t), u(-t) = -u(t): what is applied in one place is no factor of the brackets behind it in another."""
+    below = [each for member in chain.members for each in n.walk(member)]
+    applied = {bare_key(each.arguments[0]) for each in below if isinstance(each, n.Call) and each.function == "name"}
+    pairs = (pair for each in below if isinstance(each, n.Product) for pair in pairwise(each.factors)) if applied else ()
+    factors = (bare_key(first) for first, behind in pairs if isinstance(behind, n.Group))
+    found = next((key for key in factors if key is not None and key in applied), None)
+    return say(Kind.FUNCTION_OR_FACTOR, name=found) if found is not None else None
 
 
 def _of_degrees(node: n.Node) -> n.Node:
