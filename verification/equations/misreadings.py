@@ -14,6 +14,7 @@ from armproof.verification.equations.alignment import is_constant, is_near
 from armproof.verification.equations.given_values import keys_alone
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
+from armproof.verification.equations.unit_vectors import holds_for_unit_vector
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
@@ -39,6 +40,8 @@ def without_misreading(
     reason = _rotation_for_pose(outcome, names) or _own_name(chain, names) or _determinant(outcome, names)
     reason = reason or _numbered_twice(chain) or _turned_tool(outcome, names) or _on_both_sides(outcome, names)
     reason = reason or _function_or_factor(chain)
+    if names.arm is None:
+        reason = reason or holds_for_unit_vector(outcome)
     if names.arm is not None or not erratum:
         reason = reason or sizes_of_convention(outcome, chain, names)
     if not is_closed:
@@ -153,7 +156,9 @@ def _function_or_factor(chain: n.Chain) -> Finding | None:
     """x(t + 2) = x(t), u(-t) = -u(t): what is applied in one place is no factor of the brackets behind it in another."""
     below = [each for member in chain.members for each in n.walk(member)]
     applied = {bare_key(each.arguments[0]) for each in below if isinstance(each, n.Call) and each.function == "name"}
-    pairs = (pair for each in below if isinstance(each, n.Product) for pair in pairwise(each.factors)) if applied else ()
+    pairs = (
+        (pair for each in below if isinstance(each, n.Product) for pair in pairwise(each.factors)) if applied else ()
+    )
     factors = (bare_key(first) for first, behind in pairs if isinstance(behind, n.Group))
     found = next((key for key in factors if key is not None and key in applied), None)
     return say(Kind.FUNCTION_OR_FACTOR, name=found) if found is not None else None

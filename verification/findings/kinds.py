@@ -71,6 +71,7 @@ class Kind(MessageKind):
     SIDE_BY_SIDE = "side_by_side", "`{name}` may begin an equation of its own, or be a factor in the one before"
     ON_BOTH_SIDES = "on_both_sides", "`{name}` stands alone and on the other side too: it has a new value there, or means two things"
     FUNCTION_OR_FACTOR = "function_or_factor", "`{name}` may be a function of what stands in brackets behind it, or a factor before it"
+    FOR_UNIT_VECTOR = "for_unit_vector", "it holds where `{letters}` are the components of a unit vector: say so"
     OF_ANY_JACOBIAN = "of_any_jacobian", "of any Jacobian"
     OF_ANY_FRAMES = "of_any_frames", "of any frames"
     DEGREES_OF_LETTER = "degrees_of_letter", "with ° behind it `{name}` may be its number of degrees, or so many degrees: write which, in words"
