@@ -121,7 +121,7 @@ def _rounded_numbers(node: n.Node, fine: int) -> list[n.Number]:
 
 def _whole_unit(outcome: Outcome) -> float | None:
     """Return the unit of a whole number of degrees (mm, cm) that stands for decimals, arccos(−0.35) = 110°, or None."""
-    sides = [n.ungrouped(side.node) for side in (outcome.true, outcome.printed) if side is not None]
+    sides = [*map(n.ungrouped, outcome.nodes)]
     if outcome.pair is None or not outcome.pair.is_scalar or not all(map(is_number, sides)):
         return None
     for whole, other in (sides, sides[::-1]):
@@ -178,7 +178,7 @@ def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) 
 
 def _decimals_of_numbers(outcome: Outcome) -> int | None:
     """Return to how many decimals a number is printed that stands for another: 1.57 for π/2; None of anything else."""
-    sides = [side.node for side in (outcome.true, outcome.printed) if side is not None]
+    sides = outcome.nodes
     if outcome.pair is None or not outcome.pair.is_scalar or not all(map(is_number, sides)):
         return None
     return (fewest_decimals(sides) or None) if finest_decimals(sides) else None

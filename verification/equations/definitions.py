@@ -305,11 +305,11 @@ class Redefinitions:
         """Return the outcomes of a chain about a name with a definition; `check` checks another reading of the chain."""
         name = chain.members[0]
         key = str(bare_key(name))
-        about = [o for o in outcomes if name in (o.true and o.true.node, o.printed and o.printed.node)]
+        about = [outcome for outcome in outcomes if name in outcome.nodes]
         if about and all(_is_another_meaning(outcome) for outcome in about):
             return self._with_another_meaning(chain, key, definition, outcomes[0], check)
         for outcome in about:
-            sides = [bare(side.node) for side in (outcome.true, outcome.printed) if side is not None]
+            sides = [*map(bare, outcome.nodes)]
             if outcome.verdict is Verdict.PROVED and definition.node is not None and bare(definition.node) in sides:
                 outcome.verdict, outcome.findings = Verdict.DEFINED, (say(Kind.DEFINES, name=key),)
                 outcome.repeats = (key, definition.line)
@@ -366,7 +366,7 @@ def _is_another_meaning(outcome: Outcome) -> bool:
 def letters_meant_anew(outcomes: Iterable[Outcome]) -> frozenset[str]:
     """Return the letters of a matrix of letters that a name is equated to, where they had another meaning: R_3^6 = [r_ij]."""
     for outcome in outcomes:
-        sides = [side for side in (outcome.true, outcome.printed) if side is not None and side.known]
+        sides = [side for side in outcome.sides if side.known]
         letters = [keys_alone(side.node) for side in sides]
         is_named = any(bare_key(side.node) is not None for side in sides)
         if len(sides) == 2 and outcome.verdict not in HOLDS and is_named and max(map(len, letters)) >= FEWEST_LETTERS:

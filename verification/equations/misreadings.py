@@ -30,9 +30,7 @@ ELEMENTARY = ("Rot", "Rot3", "Trans")
 TRIGONOMETRY = ("cos", "sin", "tan", "cot", "sec", "csc", "acos", "asin", "atan", "atan2", *ELEMENTARY)
 
 
-def without_misreading(
-    outcome: Outcome, chain: n.Chain, names: Names, erratum: bool = False, is_closed: bool = False
-) -> Outcome:
+def without_misreading(outcome: Outcome, chain: n.Chain, names: Names, erratum: bool, is_closed: bool) -> Outcome:
     """Return a refuted outcome, or an unchecked one where it was not understood.
 
     An erratum is said to be more than a slip; where `is_closed`, each letter is known to have one meaning.
@@ -51,17 +49,11 @@ def without_misreading(
 
 def _rotation_for_pose(outcome: Outcome, names: Names) -> Finding | None:
     """A 3×3 matrix without a translation may be the rotation of what convention calls a pose."""
-    sides = [side.value if side is not None else None for side in (outcome.true, outcome.printed)]
-    true, printed = sides
-    if not (isinstance(true, Matrix) and isinstance(printed, Matrix) and outcome.true is not None):
+    if [value.shape for value in outcome.matrices] != [(4, 4), (3, 3)]:
         return None
-    name = bare(outcome.true.node)
+    (true, printed), name = outcome.matrices, bare(outcome.nodes[0])
     by_convention = isinstance(name, n.Name) and _quantity(name, names) and name.key not in names.quantities
-    if (
-        not by_convention
-        or (true.shape, printed.shape) != ((4, 4), (3, 3))
-        or not all(is_zero(printed.rows[r][2]) for r in (0, 1))
-    ):
+    if not by_convention or not all(is_zero(row[2]) for row in printed.rows[:2]):
         return None
     return say(Kind.SIZES_OF_CONVENTION, reason=say(Kind.WRONG_SIZE, printed=printed.size, correct=true.size))
 
@@ -79,14 +71,10 @@ def _determinant(outcome: Outcome, names: Names) -> Finding | None:
 
 def _turned_tool(outcome: Outcome, names: Names) -> Finding | None:
     """A second {}^0T_G = {}^0T_G R, with quarter turns R: the axes of a tool may be placed in several ways."""
-    name = bare(outcome.true.node) if outcome.true is not None else None
-    values = [side.value for side in (outcome.true, outcome.printed) if side is not None]
-    if not isinstance(name, n.Name) or names.added_frame(name) is None or len(values) < 2:
+    shapes, name = [value.shape for value in outcome.matrices], bare(outcome.nodes[0]) if outcome.nodes else None
+    if shapes not in ([(3, 3)] * 2, [(4, 4)] * 2) or not isinstance(name, n.Name) or names.added_frame(name) is None:
         return None
-    true, printed = map(as_matrix, values)
-    if true.shape != printed.shape or true.shape[0] < 3 or not _differ_by_quarter_turns(true, printed):
-        return None
-    return say(Kind.TURNED_TOOL, name=name.text)
+    return say(Kind.TURNED_TOOL, name=name.text) if _differ_by_quarter_turns(*outcome.matrices) else None
 
 
 def _differ_by_quarter_turns(true: Matrix, printed: Matrix) -> bool:
@@ -132,18 +120,14 @@ def _on_both_sides(outcome: Outcome, names: Names) -> Finding | None:
     What is known of the arm has one value: d_3 = d_3 + 2π is wrong. A matrix may be a product of itself and of others: J = J J^+ J.
     """
     for alone, other in (outcome.nodes, outcome.nodes[::-1]) if len(outcome.nodes) == 2 else ():
-        name, meant = (
-            _of_degrees(bare(alone)),
-            [side.value for side in (outcome.true, outcome.printed) if side is not None],
-        )
+        name = _of_degrees(bare(alone))
         again = [below for below in n.walk(other) if isinstance(below, n.Name) and below == name]
         if again and name is not bare(alone):  # θ^∘ = θ · 180/π: how many degrees it is
             return say(Kind.ON_BOTH_SIDES, name=name.text or name.key)  # type: ignore[attr-defined]
         if not again or names.known_symbol(again[0].key) is not None:
             continue
-        is_scalar = all(isinstance(value, Scalar) for value in meant)
-        formula = n.Sum | n.Call | n.Quotient | n.Product
-        is_formula = isinstance(bare(other), formula) and not any(isinstance(value, Matrix) for value in meant)
+        is_scalar = all(isinstance(side.value, Scalar) for side in outcome.sides)
+        is_formula = isinstance(bare(other), n.Sum | n.Call | n.Quotient | n.Product) and not outcome.matrices
         definition = names.state.definitions.get(again[0].key)
         unknown = definition is None or definition.node is None
         is_open = names.arm is None and (is_scalar or is_formula or unknown)
@@ -240,8 +224,7 @@ def _is_explicit(name: n.Name) -> bool:
 
 
 def _are_columns(outcome: Outcome) -> bool:
-    values = [side.value for side in (outcome.true, outcome.printed) if side is not None]
-    return all(isinstance(value, Matrix) and value.shape[1] == 1 for value in values)
+    return all(isinstance(side.value, Matrix) and side.value.shape[1] == 1 for side in outcome.sides)
 
 
 def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum: bool) -> Finding | None:
@@ -277,7 +260,8 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
         is_slip = outcome.pair is not None and is_near(outcome.pair)
         same = all(found == first for found in others)  # what lacks a letter may say that it is zero
         near = erratum or elementary or alike or (same and _are_written(outcome)) or is_slip
-        bound = near and not (of_letters or has_value) and all(found <= first or first <= found for found in others)
+        astray = any(found - first and first - found for found in others)
+        bound = near and not (of_letters or has_value or astray)
     else:
         bound = all(found == first for found in others)
     return None if bound else say(Kind.NO_ARM_TO_COMPARE)
@@ -322,18 +306,18 @@ def _is_said_anew(chain: n.Chain, names: Names) -> bool:
 def _is_any_matrix(node: n.Node | None) -> bool:
     """Whether a matrix has a letter of its own in each place."""
     cells = bare(node).cells if node is not None and isinstance(bare(node), n.Matrix) else ()  # type: ignore[attr-defined]
-    return len(cells) > 1 and len({bare_key(cell) for cell in cells} - {None}) == len(cells)
+    return bool(cells) and len({bare_key(cell) for cell in cells} - {None}) == len(cells)
 
 
 def _is_to_vanish(outcome: Outcome, names: Names) -> bool:
     """Whether what depends on letters is equated to 0: that is a condition on them."""
-    sides = [side for side in (outcome.true, outcome.printed) if side is not None]
-    return any(map(_is_nought, outcome.nodes)) and any(_letters_of(side, names) for side in sides)
+    return any(map(_is_nought, outcome.nodes)) and any(_letters_of(side, names) for side in outcome.sides)
 
 
 def _gives_name(outcome: Outcome, chain: n.Chain) -> bool:
     """Whether the equation begins with a name alone, which may be given another meaning here."""
-    return bare_key(chain.members[0]) is not None and chain.members[0] in outcome.nodes
+    first = chain.members[0]
+    return bare_key(first) is not None and first in outcome.nodes
 
 
 def _are_written(outcome: Outcome) -> bool:

@@ -93,9 +93,19 @@ class Outcome:
         )
 
     @property
+    def sides(self) -> list[Member]:
+        """Its two sides, what is taken for true first."""
+        return [side for side in (self.true, self.printed) if side is not None]
+
+    @property
     def nodes(self) -> list[n.Node]:
         """The trees of its two sides."""
-        return [side.node for side in (self.true, self.printed) if side is not None]
+        return [side.node for side in self.sides]
+
+    @property
+    def matrices(self) -> list[Matrix]:
+        """The values of its sides that are matrices."""
+        return [side.value for side in self.sides if isinstance(side.value, Matrix)]
 
     def tells(self, *kinds: Kind) -> bool:
         """Whether one of its findings is of one of these kinds."""

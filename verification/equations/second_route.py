@@ -65,7 +65,7 @@ class SecondRoute:
         """Where square roots or arc functions leave the normal form open, equal samples still confirm."""
         pair, ring = outcome.pair, self.exact.ring
         assert pair is not None and outcome.true is not None and outcome.printed is not None
-        signs = ring.signs_chosen and any(self._has_roots(m.node) for m in (outcome.true, outcome.printed))
+        signs = ring.signs_chosen and any(map(self._has_roots, outcome.nodes))
         if not (branches or signs) and not all(
             leaves_open(pair.true.rows[r][c] - pair.printed.rows[r][c]) for r, c in outcome.wrong
         ):
@@ -94,7 +94,7 @@ class SecondRoute:
 
     def unless_negative(self, outcome: Outcome, branches: bool) -> Outcome:
         """Leave open what is refuted, and holds where a letter is negative: √(a²) = −a of a coordinate a."""
-        if outcome.verdict is not Verdict.REFUTED or self.weighs or not self._holds_roots(outcome):
+        if outcome.verdict is not Verdict.REFUTED or self.weighs or not any(map(self._has_roots, outcome.nodes)):
             return outcome
         letters = [each for each in self._coordinates(outcome) if not self._fails_for_negative(each, outcome, branches)]
         return outcome.left_open(say(Kind.NEGATIVE_ALONE, letters=", ".join(letters))) if letters else outcome
@@ -147,7 +147,9 @@ class SecondRoute:
     def _coordinates(self, outcome: Outcome) -> list[str]:
         """The letters without a value that may be negative; none where no root or arc function asks for their sign."""
         letters = [name for name in sorted(self.names.used) if not reads_as_length(name)]
-        asks = letters and (self.exact.ring.signs_chosen or _holds_arcs(outcome) or self._holds_roots(outcome))
+        asks = letters and (
+            self.exact.ring.signs_chosen or _holds_arcs(outcome) or any(map(self._has_roots, outcome.nodes))
+        )
         return letters if asks else []
 
     def _fails_for_negative(self, letter: str, outcome: Outcome, branches: bool) -> bool:
@@ -172,10 +174,10 @@ class SecondRoute:
         outcome.verdict, outcome.wrong, outcome.sampled_only, outcome.findings = Verdict.REFUTED, wrong, True, ()
 
     def _positive_alone(self, outcome: Outcome, branches: bool) -> list[str]:
-        """Return the sliding joints if an equation with a root holds where they are extended: √(x² + y²) = d_3."""
+        """Return the sliding joints if an equation holds where they are extended: √(x² + y²) = d_3."""
         joints = self.names.arm.joints if self.names.arm is not None else ()
         slides = [joint.symbol for joint in joints if joint.kind == "prismatic"]
-        if not slides or not self._holds_roots(outcome):
+        if not slides:
             return []
         own = self.sampled()
         extended = own.at({slide: own.absolute(own.symbol(slide)) for slide in slides})
@@ -218,9 +220,6 @@ class SecondRoute:
             isinstance(b, plain) and (not isinstance(b, n.Name) or self.members.is_symbol(b)) for b in n.walk(node)
         )
 
-    def _holds_roots(self, outcome: Outcome) -> bool:
-        return any(side is not None and self._has_roots(side.node) for side in (outcome.true, outcome.printed))
-
     def _has_roots(self, node: n.Node) -> bool:
         """Whether a square root stands in a tree, or may stand behind one of its names."""
         return any(
@@ -240,10 +239,8 @@ class SecondRoute:
         with self.exact.budget.paused():
             from armproof.verification.equations.sampled_errors import with_lengths
 
-        sides = (outcome.true, outcome.printed)
-        if outcome.pair is not None and not (
-            self.exact.ring.signs_chosen and any(self._has_roots(side.node) for side in sides)
-        ):
+        signs = self.exact.ring.signs_chosen and any(map(self._has_roots, outcome.nodes))
+        if outcome.pair is not None and not signs:
             return
         for sampled in with_lengths(own, self.names.state.stated):
             self.exact.budget.check()

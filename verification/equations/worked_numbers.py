@@ -21,7 +21,7 @@ FEWEST = 2  # decimals of a number that is rounded; 0.8 for 0.75 is another one
 
 def holds_as_worked(members: Members, outcome: Outcome) -> bool:
     """Confirm an equation between numbers of which each term is that of the other side, rounded to its decimals; the last may have a unit."""
-    sides = [bare(side.node) for side in (outcome.true, outcome.printed) if side is not None]
+    sides = [*map(bare, outcome.nodes)]
     if outcome.pair is None or not outcome.pair.is_scalar or len(sides) != 2 or not all(map(is_number, sides)):
         return False
     sides = without_unit(sides)

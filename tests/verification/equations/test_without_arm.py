@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
+from armproof import verify_text
 from armproof.verification.verdict import DocumentResult
 
 
@@ -69,3 +70,22 @@ def test_only_a_slip_is_refuted_without_an_arm(
     check: Callable[..., DocumentResult], displays: list[str], verdicts: str
 ) -> None:
     assert " ".join(record.verdict.value for record in check(*displays, arm=None).equations) == verdicts
+
+
+@pytest.mark.parametrize(
+    ("display", "verdict"),
+    [
+        (r"\begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix} = \begin{bmatrix} 1 & 2 \end{bmatrix}", "refuted"),
+        (r"\cos(\alpha + \beta) = \cos\alpha \cos\beta + \sin\alpha \sin\beta", "refuted"),
+        (r"\cos\theta - \sin\theta = 0", "unchecked"),
+        (r"\begin{bmatrix} \cos\theta & \sin\theta \end{bmatrix} = \begin{bmatrix} 0 & 0 \end{bmatrix}", "unchecked"),
+    ],
+)
+def test_an_erratum_is_said_to_be_more_than_a_slip_and_a_condition_is_none(display: str, verdict: str) -> None:
+    (record,) = verify_text(f"> **Erratum**\n> $$ {display} $$\n").equations
+    assert record.verdict.value == verdict
+
+
+def test_an_erratum_whose_sizes_convention_alone_tells_is_left_open() -> None:
+    text = "---\narm: planar_2r\n---\n> **Erratum**\n> $$ p_2 = J $$\n"
+    assert verify_text(text).equations[0].verdict.value == "unchecked"

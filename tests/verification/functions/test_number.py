@@ -145,10 +145,11 @@ def rows(matrix: Any) -> np.ndarray:
 TURN = arrays.as_objects(np.eye(4))
 TURN[:2, :2] = [[function("cos", X), -function("sin", X)], [function("sin", X), function("cos", X)]]
 TURN[:3, 3] = [X, Y, 2]
+NO_POSES = [TURN + np.outer([0, 0, 0, 1], more) for more in np.eye(4, dtype=int)]  # but for one number of the last row
 ODD = np.array([[X, 1, Y], [0, Y, 2], [1, X * Y, 3]], dtype=object)
 
 
-@pytest.mark.parametrize("matrix", [TURN, ODD, TURN[:3, :3], ODD[:2, :2], ODD[:1, :1]], ids=range(5))
+@pytest.mark.parametrize("matrix", [TURN, ODD, TURN[:3, :3], ODD[:2, :2], ODD[:1, :1], *NO_POSES], ids=range(9))
 def test_matrices_of_symbols_are_worth_what_numpy_computes(matrix: np.ndarray):
     plain = rows(matrix)
     np.testing.assert_allclose(rows(arrays.inv(matrix)), np.linalg.inv(plain))

@@ -177,6 +177,18 @@ def by_defaults(q, cosine=math.cos, *, sine=math.sin, lengths=LENGTHS):
     return lengths * [cosine(q[0]), sine(q[1])]
 
 
+def by_types(q):
+    alone = np.array(math.sin(q[1]), dtype=object)
+    return [
+        float(alone),
+        np.cos(float(alone)),
+        1.0 * isinstance(q[0], float),
+        1.0 * isinstance("q", float),
+        float(2),
+        float(),
+    ]
+
+
 def closed() -> Callable[..., Any]:
     cosine = math.cos
 
@@ -190,7 +202,7 @@ def closed() -> Callable[..., Any]:
 
 RIGHT = (in_math, by_table, by_assignment, by_linear_algebra, by_functions, with_an_import, Arm(0.5),
          Arm(0.7).__call__, functools.partial(recursive, k=3), lambda q: [remembered(q[0]), remembered(q[1])],
-         by_members, by_defaults, closed())  # fmt: skip
+         by_members, by_defaults, by_types, closed())  # fmt: skip
 
 
 @pytest.mark.parametrize("function", [*RIGHT, in_sympy, in_drake])

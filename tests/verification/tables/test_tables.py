@@ -384,7 +384,7 @@ def test_the_kind_of_each_joint_is_checked(turns: str, slides: str) -> None:
     )
     assert judge("scara_modified", table).verdict is Verdict.PROVED
     wrong = judge("scara_modified", changed(table, 3, 1, turns))
-    assert [(e.row, e.column, e.correct) for e in wrong.entries] == [(3, 1, slides)]
+    assert told(wrong) == [(1, 3, 1, turns, slides)]
     assert "row 3: the joint is prismatic, not revolute" in wrong.message
 
 
@@ -397,7 +397,39 @@ def test_the_variable_of_each_joint_is_checked() -> None:
         rows=tuple((name, *row) for name, row in zip(names, table.rows, strict=True)),
     )
     assert judge("scara", table).verdict is Verdict.PROVED
-    assert places(judge("scara", changed(table, 3, 1, "q_2"))) == {(3, 1)}
+    assert told(judge("scara", changed(table, 3, 1, "q_2"))) == [(1, 3, 1, "q_2", "d_3")]
+    for unknown in ("q_7", "x"):  # nothing is known of it
+        assert judge("scara", changed(table, 3, 1, unknown)).verdict is Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    ("header", "quarter", "wrong", "correct"),
+    [
+        (r"\alpha_{i-1}", QUARTER, r"\pi", QUARTER),
+        (r"\alpha_{i-1}", "90", "180", "90"),
+        (r"\alpha_{i-1}", r"90^\circ", "0", r"90^\circ"),
+        (r"\alpha_{i-1}", "90°", "0", "90°"),
+        (r"\alpha_{i-1} (deg)", r"\frac{180}{2}", "20", "90"),
+        (r"\alpha_{i-1} (rad)", QUARTER, "90", QUARTER),
+        (r"\alpha_{i-1}", r"\frac{90\pi}{180}", "0", QUARTER),
+        (r"\alpha_{i-1}", "90π/180", "0", r"\pi/2"),
+    ],
+)
+def test_the_right_angle_is_written_as_its_column_is_and_told_in_its_cell(
+    header: str, quarter: str, wrong: str, correct: str
+) -> None:
+    table = right_table("rx90")
+    rows = tuple((row[0], row[1], row[2].replace(QUARTER, quarter), *row[3:]) for row in table.rows)
+    table = replace(table, header=(*table.header[:2], header, *table.header[3:]), rows=rows)
+    assert judge("rx90", table).verdict is Verdict.PROVED
+    assert told(judge("rx90", changed(table, 2, 3, wrong))) == [(1, 2, 3, wrong, correct)]
+
+
+def told(record: Record) -> list[tuple[Any, ...]]:
+    """Return the entries that are wrong, each with the place that the findings tell."""
+    places = [(finding.row, finding.column) for finding in record.findings if finding.row is not None]
+    assert places == [(entry.row, entry.column) for entry in record.entries]
+    return [(entry.equation, entry.row, entry.column, entry.printed, entry.correct) for entry in record.entries]
 
 
 @pytest.mark.parametrize(

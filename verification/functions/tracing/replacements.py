@@ -81,7 +81,7 @@ class Replacements:
             {name: _linear(getattr(np.linalg, name), getattr(arrays, name)) for name in
              ("det", "inv", "norm", "solve", "matrix_power", "multi_dot")},
         )  # fmt: skip
-        functions: dict[str, Any] = {name: _elementwise(name) for name in METHODS if hasattr(np, name)}
+        functions: dict[str, Any] = {name: _elementwise(name) for name in METHODS}
         functions |= {name: _elementwise(same) for name, same in _SAME.items() if hasattr(np, name)}
         functions |= {name: _creating(getattr(np, name)) for name in _CREATE if hasattr(np, name)}
         functions |= {"float64": traced_float, "power": np.frompyfunc(_power, 2, 1), "linalg": linalg}

@@ -43,8 +43,7 @@ def links_of(outcome: Outcome, members: Members, source: str = "", told_by: str 
     One that is wrong of an angle of the table tells of that row. A closed form leaves open the frames of the arm, and the
     order of joints without numbers; a law of cosines leaves open the joint before the one whose cosine it is.
     """
-    sides = (side for side in (outcome.true, outcome.printed) if side is not None)
-    if told_by and any(bare_key(side.node) == told_by for side in sides):
+    if told_by and told_by in map(bare_key, outcome.nodes):
         return frozenset({TOLD})
     if outcome.conditions:  # where det J = 0 holds of many arms: that confirms none of its links
         nodes = outcome.conditions if outcome.verdict is Verdict.REFUTED else ()
@@ -77,10 +76,9 @@ def _untold(quantity: Quantity, members: Members) -> Iterable[int]:
 def _angle_rows(outcome: Outcome, members: Members) -> frozenset[int]:
     """Return the links of the table's angles in an equation that tells of no quantity: θ_2 = q_2 + π/2."""
     arm, names = members.names.arm, members.names
-    sides = [side for side in (outcome.true, outcome.printed) if side is not None]
-    if arm is None or any(_quantities(side.node, members) for side in sides):
+    if arm is None or any(_quantities(node, members) for node in outcome.nodes):
         return frozenset()
-    keys = {below.key for side in sides for below in n.walk(side.node) if isinstance(below, n.Name)}
+    keys = {below.key for node in outcome.nodes for below in n.walk(node) if isinstance(below, n.Name)}
     symbols = {s for key in keys if (s := names.known_symbol(key)) is not None and names.table_row(s, key) is not None}
     depths = [trace_of(arm).depth(frame) for frame in arm.frames]
     return frozenset(depths.index(arm.joint(symbol).index) for symbol in symbols)

@@ -277,6 +277,10 @@ def test_a_tool_whose_axes_are_turned_is_no_mistake() -> None:
     turned = "$$ T_G^0 = \\begin{bmatrix} -s_{12} & -c_{12} & 0 & l_1 c_1 + l_2 c_{12} \\\\ c_{12} & -s_{12} & 0 & l_1 s_1 + l_2 s_{12} \\\\ 0 & 0 & 1 & 0.3 \\\\ 0 & 0 & 0 & 1 \\end{bmatrix} $$\n\n"
     found = verify_text(text + turned).equations[-1]
     assert found.verdict == "unchecked" and "turned_tool" in [finding.kind for finding in found.findings]
+    about_x = "$$ T_G^0 = \\begin{bmatrix} c_{12} & 0 & s_{12} & l_1 c_1 + l_2 c_{12} \\\\ s_{12} & 0 & -c_{12} & l_1 s_1 + l_2 s_{12} \\\\ 0 & 1 & 0 & 0.3 \\\\ 0 & 0 & 0 & 1 \\end{bmatrix} $$\n\n"
+    assert "turned_tool" in [finding.kind for finding in verify_text(text + about_x).equations[-1].findings]
+    moved = about_x.replace("0.3", "0.4")
+    assert verdicts(verify_text(text + moved))[-1] == "refuted"
     mirrored = turned.replace("-c_{12} & 0 &", "c_{12} & 0 &").replace("-s_{12} & 0 & l_1 s_1", "s_{12} & 0 & l_1 s_1")
     assert verdicts(verify_text(text + mirrored))[-1] == "refuted"
 
