@@ -177,10 +177,11 @@ def _read_blocks(
     displays: list[Display] = []
     tables: list[Table] = []
     quotes = [in_erratum]  # and one a nested blockquote: whether it is an erratum
-    in_table = False
+    in_table, line = False, first
     tokens = display_reader().parse(_UNSEEN.sub(lambda found: " " * len(found.group()), body))
     for index, token in enumerate(tokens):
-        line, erratum, content = first + (token.map[0] if token.map else 0), any(quotes), token.content
+        erratum, content = any(quotes), token.content
+        line = line if token.map is None else first + token.map[0]  # what closes has no place of its own
         if token.type == "html_block" and (heading := _HTML_HEADING.match(content)) is not None:
             section = begin_section(section, re.sub(r"<[^<>]*>", "", heading["text"]).strip(), int(heading["level"]))
         if token.type == "heading_open":

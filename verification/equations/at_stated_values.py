@@ -79,8 +79,7 @@ class StatedValues:
 
     def _stated(self, names: Iterable[str]) -> dict[str, Stated]:
         """The values that hold where the display stands: those of lengths everywhere, a configuration in its section and below."""
-        here, arm = self.names.state, self.names.arm
-        lengths = arm.lengths if arm is not None else {}
+        here, lengths = self.names.state, self.names.lengths
         return {
             name: stated
             for name in sorted(names)
@@ -273,7 +272,7 @@ class StatedValues:
     def _without_lengths(self, outcome: Outcome) -> Outcome | None:
         """Leave open decimals that stand where the arm has lengths to which nothing gives values: det J_v = 0.15 s_2."""
         true, printed = _sides(outcome)
-        lengths = set(self.names.arm.lengths) if self.names.arm is not None else set()
+        lengths = set(self.names.lengths)
         below = [*n.walk(printed.node)]
         if true.rank < 3 or not any(isinstance(each, n.Number) and each.decimals for each in below):
             return None

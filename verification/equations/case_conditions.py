@@ -113,8 +113,7 @@ def _where(checker: ChainChecker, case: Case, outcome: Outcome) -> Outcome:
 def read_cases(cases: n.Cases, names: Names) -> list[Case]:
     """Return the cases of a brace; "otherwise" is all else where the others are for values of joint variables."""
     read = [_read(value, condition, names) for value, condition in cases.branches]
-    variables = {joint.symbol for joint in names.arm.joints} if names.arm is not None else set()
-    at_joints = all(case.is_rest or (case.at and _keys(case, names) <= variables) for case in read)
+    at_joints = all(case.is_rest or (case.at and _keys(case, names) <= names.joints.keys()) for case in read)
     others = [case for case in read if not case.is_rest]
     by_sign = len(others) == 1 and len(others[0].where) == 1  # what is not so is the other sign
     return [

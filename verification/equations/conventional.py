@@ -82,7 +82,7 @@ class Conventions:
             self.names.state.definitions.pop(key, None)
         self.take_coordinates(chain.members)
         members = (self.spellings.read(each) if _is_spelt(each) else each for each in chain.members)
-        return replace(chain, members=tuple(members)) if len(chain.members) > 1 else chain
+        return replace(chain, members=tuple(members))
 
     def take_coordinates(self, nodes: Iterable[n.Node], *, beside: bool = True) -> bool:
         """Take names for coordinates that were vectors before, where one may be, and say whether there are such."""
@@ -173,8 +173,7 @@ class Conventions:
         """
         products = (each for node in nodes for each in n.walk(node) if isinstance(each, n.Product))
         columns = {name.key: found for each in products for name, found in self._column_beside_rate(each)}
-        joints = self.names.arm.joints if self.names.arm is not None else ()
-        if len({found.columns for found in columns.values()}) < len(joints):
+        if len({found.columns for found in columns.values()}) < len(self.names.joints):
             return set()
         for key, found in columns.items():
             self.names.state.infer_usual(key, found)

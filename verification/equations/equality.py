@@ -103,11 +103,10 @@ class Equality:
 
     def _is_number_beside_joints(self, pair: Pair) -> bool:
         """Whether numbers alone stand beside what moves, sin θ_2 = ±√(1 − 0.375²): at a configuration, or to be solved."""
-        arm = self.names.arm
         one, other = (symbols_in(side.cells) for side in (pair.true, pair.printed))
-        joints = {joint.symbol for joint in arm.joints} if arm is not None else set()
         cells = (pair.printed if one else pair.true).cells
-        return bool(one) is not bool(other) and bool(joints & (one | other)) and not all(c.is_zero() for c in cells)
+        moves = bool(self.names.joints.keys() & (one | other))
+        return bool(one) is not bool(other) and moves and not all(cell.is_zero() for cell in cells)
 
     def equals_block(self, true: Value, printed: Value) -> bool:
         """Whether a block of a matrix has the value printed for it."""

@@ -33,9 +33,10 @@ def asked_of_the_tool(names: Names, outcomes: list[Outcome], again: Callable[[],
 
 def _moves(names: Names, outcome: Outcome) -> bool:
     """Whether an equation is refuted, one side of which moves with the joints."""
-    joints = {joint.symbol for joint in names.arm.joints} if names.arm is not None else set()
     cells = (*outcome.pair.true.cells, *outcome.pair.printed.cells) if outcome.pair is not None else ()
-    return outcome.verdict is Verdict.REFUTED and (outcome.pair is None or not joints.isdisjoint(symbols_in(cells)))
+    return outcome.verdict is Verdict.REFUTED and (
+        outcome.pair is None or bool(names.joints.keys() & symbols_in(cells))
+    )
 
 
 def _judged(outcome: Outcome, of_tool: Outcome, given: tuple[str, int]) -> Outcome:

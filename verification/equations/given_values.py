@@ -157,12 +157,12 @@ class GivenValues:
     @property
     def joints(self) -> list[str]:
         """The symbols of the arm's joints."""
-        return [joint.symbol for joint in self.names.arm.joints] if self.names.arm is not None else []
+        return [*self.names.joints]
 
     @property
     def lengths(self) -> Iterable[str]:
         """The symbols of the arm's lengths."""
-        return self.names.arm.lengths if self.names.arm is not None else ()
+        return self.names.lengths
 
     def values(self, left: n.Node, right: n.Node) -> Values | None:
         """Return the values that an equation gives: none where a determinant is set to zero or a coordinate is asked for."""

@@ -65,8 +65,7 @@ def _check(checker: ChainChecker, left: n.Node, relation: str, right: n.Node, eq
     if (isinstance(left, n.Name) or isinstance(right, n.Name)) and not constant:
         of_arm = known and any(map(checker.members.is_symbol, (left, right)))
         checker.names.state.compares_lengths |= of_arm or checker.names.arm is None
-        lengths = checker.names.arm.lengths if checker.names.arm is not None else ()
-        checker.names.state.compare(n.Chain((left, right), (relation,)), lengths)
+        checker.names.state.compare(n.Chain((left, right), (relation,)), checker.names.lengths)
         return outcome  # a bound on a variable: a condition
     if relation not in ("≤", "<", "≥", ">", "≈"):
         return outcome
@@ -83,15 +82,14 @@ def _check(checker: ChainChecker, left: n.Node, relation: str, right: n.Node, eq
 def _of_the_arm(checker: ChainChecker, left: n.Node, relation: str, right: n.Node, outcome: Outcome) -> Outcome | None:
     """Return what samples confirm of a coordinate, x ≤ l_1 + l_2; elsewhere it may be a condition, and None is returned."""
     arm, members, before = checker.names.arm, checker.members, checker.names.state.copy()
-    joints = {joint.symbol for joint in arm.joints} if arm is not None else set()
     alone = {members.names.known_symbol(each.key) for each in (left, right) if isinstance(each, n.Name)}
-    if arm is None or joints & alone:  # limits of a joint
+    if arm is None or checker.names.joints.keys() & alone:  # limits of a joint
         return None
     checker.conventions.infer_tool([left, right])
     names = [below for side in (left, right) for below in n.walk(side) if isinstance(below, n.Name)]
     values = [as_scalar(checker.member(each).value) for each in names]
     cells = [c for v in values for c in (v.cells if isinstance(v, Matrix) else (v,)) if isinstance(c, Scalar)]
-    if not symbols_in(cells).isdisjoint(joints):
+    if not symbols_in(cells).isdisjoint(checker.names.joints):
         sampled = checker.sampled()
         with checker.exact.budget.paused():
             from armproof.verification.equations.sampled_relations import check_inequality

@@ -34,7 +34,7 @@ def _rows_of(cells: Sequence[n.Node], names: Names) -> tuple[int, ...]:
     if len(cells) == 2 and _is_velocity(cells[0], LINEAR_VELOCITIES) and _is_velocity(cells[1], ANGULAR_VELOCITIES):
         return WHOLE
     rows = [_row_of(cell, names) for cell in cells]
-    return tuple(row for row in rows if row is not None) if len(rows) > 1 and None not in rows else ()
+    return () if None in rows else tuple(row for row in rows if row is not None)
 
 
 def _is_velocity(node: n.Node, letters: frozenset[str]) -> bool:

@@ -279,9 +279,8 @@ def _is_written(node: n.Node) -> bool:
 
 
 def _is_joint(node: n.Node, names: Names) -> bool:
-    joints = names.arm.joints if names.arm is not None else ()
     symbol = names.known_symbol(node.key) if isinstance(node, n.Name) and not node.dots else None
-    return any(joint.symbol == symbol and joint.kind == "revolute" for joint in joints)
+    return names.is_angle(symbol)
 
 
 def _part_of_jacobian(name: n.Name, value: Value, names: Names) -> Quantity | None:

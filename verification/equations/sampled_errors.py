@@ -48,6 +48,11 @@ class SampledErrors:
         return float(self.scaled[..., self.counted].max(initial=0.0))
 
     @property
+    def random(self) -> SampledErrors:
+        """The errors at the samples that are drawn at random alone: near a singularity a root of large numbers has few digits."""
+        return replace(self, counted=self.counted & self.at_random)
+
+    @property
     def places(self) -> list[tuple[int, int]]:
         """The rows and columns of all entries, from 0."""
         return [(r, c) for r, row in enumerate(self.scaled) for c in range(len(row))]
@@ -118,7 +123,7 @@ def errors_between(
     return SampledErrors(scaled, finite, sampled.random, float(sizes[..., finite].max(initial=0.0)))
 
 
-def with_lengths(sampled: SampledAlgebra, stated: Mapping[str, float]) -> Iterator[SampledAlgebra]:
+def with_lengths(sampled: SampledAlgebra, stated: Mapping[str, float], unit: float = 1) -> Iterator[SampledAlgebra]:
     """Yield the samples of arms of other lengths than the model's, where the document states none: at random, and all alike."""
     lengths = [name for name in sampled.arm.lengths if name not in stated] if sampled.arm is not None else []
     if not lengths:
@@ -127,9 +132,9 @@ def with_lengths(sampled: SampledAlgebra, stated: Mapping[str, float]) -> Iterat
     fixed = {name: np.full(sampled.samples, value) for name, value in stated.items() if name in sampled.arm.lengths}
     generator = np.random.default_rng(len(lengths))
     for _ in range(SETS_OF_LENGTHS):
-        drawn = {name: np.full(sampled.samples, generator.uniform(0.2, 1.2)) for name in lengths}
+        drawn = {name: np.full(sampled.samples, unit * generator.uniform(0.2, 1.2)) for name in lengths}
         yield sampled.at({**drawn, **fixed})
-    yield sampled.at({**dict.fromkeys(lengths, np.full(sampled.samples, 0.5)), **fixed})
+    yield sampled.at({**dict.fromkeys(lengths, np.full(sampled.samples, 0.5 * unit)), **fixed})
 
 
 def vanishes_for_lengths(

@@ -85,12 +85,8 @@ def holds_where(
 
 def _arms(checker: ChainChecker, sampled: SampledAlgebra) -> Iterator[SampledAlgebra]:
     """Yield the samples of the arm of the lengths that the document states, and of others where it states none."""
-    arm, stated = checker.names.arm, checker.names.state.stated
-    own = {
-        name: np.full(sampled.samples, stated[name])
-        for name in (arm.lengths if arm is not None else ())
-        if name in stated
-    }
+    stated = checker.names.state.stated
+    own = {name: np.full(sampled.samples, stated[name]) for name in checker.names.lengths if name in stated}
     yield sampled.at(own) if own else sampled
     yield from with_lengths(sampled, stated)
 
@@ -126,8 +122,7 @@ def where_all_hold(checker: ChainChecker, sampled: SampledAlgebra, where: Sequen
 
 def _is_angle(node: n.Node, checker: ChainChecker) -> bool:
     symbol = checker.names.known_symbol(node.key) if isinstance(node, n.Name) else None
-    joints = checker.names.arm.joints if checker.names.arm is not None else ()
-    return any(joint.symbol == symbol and joint.kind == "revolute" for joint in joints)
+    return checker.names.is_angle(symbol)
 
 
 def check_approximation(
@@ -155,10 +150,10 @@ def check_approximation(
 
 def _drawn(checker: ChainChecker, sampled: SampledAlgebra) -> dict[str, np.ndarray]:
     """Return lengths: the values that the document gives, others drawn at random, all 1 in every fourth sample."""
-    arm, given = checker.names.arm, checker.names.state.stated
+    given = checker.names.state.stated
     random = np.random.default_rng(sampled.seed)
     lengths: dict[str, np.ndarray] = {}
-    for name, value in (arm.lengths if arm is not None else {}).items():
+    for name, value in checker.names.lengths.items():
         if name in given:
             lengths[name] = np.full(sampled.samples, given[name])
         else:

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from armproof.verification.evaluation.sampled import SampledAlgebra
 
 TOLERANCE = 1e-6  # of the sampled values, scaled by their size; polynomials come out near 1e-15
+LARGE = 100  # √((10 − l)²) = 10 − l is right of lengths below 10 alone
 FEWEST = 10  # samples at which a formula has a value; with fewer it is not decided
 
 
@@ -175,8 +176,7 @@ class SecondRoute:
 
     def _positive_alone(self, outcome: Outcome, branches: bool) -> list[str]:
         """Return the sliding joints if an equation holds where they are extended: √(x² + y²) = d_3."""
-        joints = self.names.arm.joints if self.names.arm is not None else ()
-        slides = [joint.symbol for joint in joints if joint.kind == "prismatic"]
+        slides = [symbol for symbol, joint in self.names.joints.items() if joint.kind == "prismatic"]
         if not slides:
             return []
         own = self.sampled()
@@ -242,11 +242,12 @@ class SecondRoute:
         signs = self.exact.ring.signs_chosen and any(map(self._has_roots, outcome.nodes))
         if outcome.pair is not None and not signs:
             return
-        for sampled in with_lengths(own, self.names.state.stated):
-            self.exact.budget.check()
-            errors = self.sampled_errors(outcome, branches, sampled)
-            if errors is not None:
-                yield errors
+        for unit in (1, LARGE):
+            for sampled in with_lengths(own, self.names.state.stated, unit):
+                self.exact.budget.check()
+                errors = self.sampled_errors(outcome, branches, sampled)
+                if errors is not None:
+                    yield errors if unit == 1 else errors.random
 
     def sampled_errors(
         self, outcome: Outcome, branches: bool, sampled: SampledAlgebra | None = None

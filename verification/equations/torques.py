@@ -114,7 +114,7 @@ class Torques:
 
     def _joints(self, node: n.Node, count: int) -> list[int]:
         """Return the joints (from 0) whose torques a side names: τ_2, a column of such, τ as a whole."""
-        joints = len(self.members.names.arm.joints) if self.members.names.arm is not None else 0
+        joints = len(self.members.names.joints)
         if bare_key(node) in TORQUES:
             return [*range(joints)] if count == joints else []
         named = [bare(cell) for cell in cells_of(node) or (node,)]

@@ -195,25 +195,24 @@ def _applied_name(evaluator: Evaluating, node: n.Call) -> Value:
         return names.defined_value(key, evaluator.algebra)
     name, *arguments = node.arguments
     assert isinstance(name, n.Name)
-    joints, lengths = (names.arm.joints, names.arm.lengths) if names.arm is not None else ((), ())
-    if names.known_symbol(name.key) in lengths:  # what depends on joints is no length
+    if names.known_symbol(name.key) in names.lengths:  # what depends on joints is no length
         raise UnboundName(key)
-    own = [joint.symbol for joint in joints]
+    own = [*names.joints]
     letters = [a.key for a in arguments if isinstance(a, n.Name) and a.key != "pi"]
     given = [names.known_symbol(letter) for letter in letters]
     if len(letters) < len(arguments) or (given != own and set(given) == set(own)):
-        if len(arguments) == len(joints):
+        if len(arguments) == len(own):
             if (
                 _may_be_entry(arguments)
                 and isinstance(matrix := evaluator.evaluate(name), Matrix)
                 and 1 not in matrix.shape
             ):
                 raise UnboundName(key, say(Kind.ENTRY_OR_VALUES))
-            values = zip(joints, arguments, strict=True)
-            return evaluator.at_values({joint.symbol: evaluator.scalar(argument) for joint, argument in values}, name)
+            values = zip(own, arguments, strict=True)
+            return evaluator.at_values({symbol: evaluator.scalar(argument) for symbol, argument in values}, name)
         if len(arguments) == 1:
             return multiply(evaluator.evaluate(name), "", evaluator.evaluate(arguments[0]))
-        raise EvaluationError(say(Kind.WRONG_NUMBER_OF_VALUES, name=name.key, given=len(arguments), joints=len(joints)))
+        raise EvaluationError(say(Kind.WRONG_NUMBER_OF_VALUES, name=name.key, given=len(arguments), joints=len(own)))
     if all(isinstance(a, n.Name) and (a.key in WHOLE_VECTORS or names.known_symbol(a.key)) for a in arguments):
         return evaluator.evaluate(name)
     raise UnboundName(key)

@@ -72,9 +72,8 @@ def _calls(formula: Formula, *functions: str) -> Iterator[n.Call]:
 
 def _is_constant(node: n.Node, names: Names) -> bool:
     """Whether a tree is made of numbers and lengths."""
-    lengths = names.arm.lengths if names.arm is not None else {}
     return not any(
         isinstance(below, n.JointAngles)
-        or (isinstance(below, n.Name) and below.key != "pi" and names.known_symbol(below.key) not in lengths)
+        or (isinstance(below, n.Name) and below.key != "pi" and names.known_symbol(below.key) not in names.lengths)
         for below in n.walk(node)
     )

@@ -134,8 +134,7 @@ def joint_function_key(node: n.Node, names: Names) -> str | None:
         symbol = names.known_symbol(argument.key)
         if symbol is not None and names.table_row(symbol, argument.key) is not names.table_row(symbol):
             return None  # an angle of the table beside the variable: s_2 may be the sine of either
-    joints = names.arm.joints if names.arm is not None else ()
-    return f"{node.function} {symbol}" if any(joint.symbol == symbol for joint in joints) else None
+    return f"{node.function} {symbol}" if symbol in names.joints else None
 
 
 def _name(node: n.Node) -> n.Name | None:

@@ -111,7 +111,7 @@ def _unbalanced(text: str, spelling: Spelling) -> ReadError | None:
 
 def _unexpected(error: UnexpectedToken, text: str) -> ReadError:
     token = error.token
-    expected = sorted({_READABLE[name] for name in error.accepts or error.expected if name in _READABLE})
+    expected = sorted({_READABLE[name] for name in error.accepts if name in _READABLE})
     if token.type == "$END":
         early = say(Kind.ENDS_TOO_EARLY_BUT, expected=expected) if expected else say(Kind.ENDS_TOO_EARLY)
         return ReadError(early, len(text))

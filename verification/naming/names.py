@@ -9,7 +9,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
-from armproof.models.arm import Arm
+from armproof.models.arm import Arm, Joint
 from armproof.models.dh.entry import LinearForm
 from armproof.models.dh.table import DHRow
 from armproof.verification.algebra.protocol import Algebra, Value
@@ -52,14 +52,27 @@ class Names:
         """The free letters that displays have used so far."""
         return self.state.used_in_general if self.general else self.state.used
 
+    @property
+    def joints(self) -> dict[str, Joint]:
+        """The arm's joints by their symbols, base to tool; none without an arm."""
+        return {joint.symbol: joint for joint in self.arm.joints} if self.arm is not None else {}
+
+    def is_angle(self, symbol: str | None) -> bool:
+        """Whether a symbol is the variable of a joint that turns."""
+        return symbol in self.joints and self.joints[symbol].kind == "revolute"
+
+    @property
+    def lengths(self) -> Mapping[str, float]:
+        """The arm's lengths with their values in the plant; none without an arm."""
+        return self.arm.lengths if self.arm is not None else {}
+
     def known_symbol(self, key: str) -> str | None:
         """Return the model's symbol for a scalar name of the document, or None."""
         if key in self.symbols:
             return self.symbols[key]
         if self.arm is None:
             return None
-        joints = {joint.symbol: joint for joint in self.arm.joints}
-        if key in joints or key in self.arm.lengths or key in self.arm.angles or key in self.state.adopted:
+        if key in self.joints or key in self.arm.lengths or key in self.arm.angles or key in self.state.adopted:
             return key
         found = re.fullmatch(r"(q|theta|d|r)_(\d+)", key)
         if found:

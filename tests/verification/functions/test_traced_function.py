@@ -185,7 +185,6 @@ def by_types(q):
         1.0 * isinstance(q[0], float),
         1.0 * isinstance("q", float),
         float(2),
-        float(),
     ]
 
 

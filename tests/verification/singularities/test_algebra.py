@@ -126,6 +126,17 @@ def test_a_point_in_a_finite_field_shows_what_is_not_zero(bench: Any) -> None:
     assert not probe.shows_not_zero(half.polynomial(shoulder * other))
 
 
+def test_a_point_in_a_finite_field_has_the_roots_of_numbers(bench: Any) -> None:
+    relation_holds, follows, other = (
+        bench.value(latex) for latex in (r"S_2 - \sqrt{3} C_2", r"S_2^2 - 3 C_2^2", r"S_2^2 - 2 C_2^2")
+    )
+    half = half_of(relation_holds, follows, other)
+    relation = Relation(Factor(half, half.polynomial(relation_holds), LENGTHS), half.slots("theta_2")[0])
+    probe = Probe(half, [relation])
+    assert not probe.shows_not_zero(half.polynomial(follows))
+    assert probe.shows_not_zero(half.polynomial(other))
+
+
 # -- systems -----------------------------------------------------------------------------------------------------------------
 
 
