@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence, Set
 
-from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
 from armproof.verification.evaluation.blocks import written_rows
@@ -58,10 +57,10 @@ def left_open_for_section(names: Names, outcome: Outcome, ended: Mapping[str, in
 
 def _placed_before(outcome: Outcome) -> frozenset[str]:
     """Return the names of blocks that do not fit: T_2^0 = [R, p; 0, 1] behind T_1^0 = [R, p; 0, 1], a pattern or a mistake."""
-    value = outcome.true.value if outcome.true is not None else None
-    if outcome.verdict is not Verdict.REFUTED or not isinstance(value, Matrix) or value.shape[1] == 1:
+    size = next((matrix.shape for matrix in outcome.matrices), (0, 1))
+    if outcome.verdict is not Verdict.REFUTED or size[1] == 1:
         return frozenset()
-    return frozenset(key for node in outcome.nodes for key in _pattern(node, value.shape[0]))
+    return frozenset(key for node in outcome.nodes for key in _pattern(node, size[0]))
 
 
 def _pattern(node: n.Node, height: int) -> Iterator[str]:

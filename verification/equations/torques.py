@@ -90,7 +90,7 @@ class Torques:
         if arm is None or true is None or printed is None or not outcome.defines or true.rank > 1:
             return  # τ = J^T F by itself says what τ is
         values = [*as_matrix(true.value).cells] if isinstance(true.value, Matrix | Scalar) else []
-        rows = self._rows_of_force(values) if values and all(isinstance(each, Scalar) for each in values) else {}
+        rows = self._rows_of_force(values) if all(isinstance(each, Scalar) for each in values) else {}
         places = self._joints(printed.node, len(values))
         if not rows or len(places) != len(values):
             return

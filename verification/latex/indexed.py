@@ -61,7 +61,6 @@ class NameReader:
                     node = n.Matrix(
                         ((node,) * int(size.group(2)),) * int(size.group(1)), "zeros", span=(start, span[1])
                     )
-                    continue
                 node = self.noted(node, canonical, (start, span[1]))
                 continue
             if canonical in ("T", "top", "t") and (row := _spaced_row(node)) is not None:

@@ -141,7 +141,8 @@ def _numbers(slides: str) -> list[int]:
 
 
 def _shows(slides: str, last: int) -> bool:
-    return "-" in slides[-3:] or _numbers(slides)[-1] == last
+    """Whether what stands on these slides is on the last: <3->, or <1-3> where no overlay names a later one."""
+    return slides.rstrip("]> ").endswith("-") or _numbers(slides)[-1] == last
 
 
 def _partners(text: str) -> dict[int, int]:

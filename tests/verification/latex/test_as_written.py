@@ -59,6 +59,8 @@ WRITTEN = {
     "quantities": (r"\SI{500}{\milli\metre} = \qty{«0».5}{m}", "1"),
     "numbers": (r"\cos\ang{60} = \num{«5»e-1}", "6"),
     "an overlay": (r"\only<1>{p_x = 3}\only<2->{p_x = l_1 c_1 «+» l_2 c_{12}}", "-"),
+    "an overlay that ends": (r"\only<1-2>{p_x = 3}\only<3->{p_x = l_1 c_1 «+» l_2 c_{12}}", "-"),
+    "an overlay that ends before another": (r"\only<1-2>{p_x = 3}\only<3-11>{p_x = l_1 c_1 «+» l_2 c_{12}}", "-"),
     "alternatives of an overlay": (r"p_x = \alt<2>{l_1 c_1}{?} \onslide<2-> «+» \uncover<2->{\alert<3>{l_2 c_{12}}} \pause", "-"),
     "French": (r"p_x = l_1 c_1 + D \text{ où } D = «+»l_2 c_{12}", "-"),
     "French conditions": (r"\text{si } \theta_2 = 0 \text{ alors } p_x = (l_1 «+» l_2) c_1", "-"),

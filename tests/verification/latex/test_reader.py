@@ -182,3 +182,13 @@ def test_a_text_read_before_is_read_anew_where_its_names_or_its_spelling_are_oth
     apart.spelling = Spelling(told_apart=frozenset({"varphi"}))
     letters = [reader.read_expression(r"\varphi") for reader in (Reader(), apart, Reader())]
     assert [letter.base for letter in letters if isinstance(letter, n.Name)] == ["phi", "varphi", "phi"]
+
+
+def test_a_function_is_the_same_however_it_is_written() -> None:
+    def side(latex: str) -> n.Node:
+        (chain,) = read(latex)
+        assert isinstance(chain, n.Chain)
+        return n.bare(chain.members[0])
+
+    assert all(side(latex) == side(r"\cos\theta_1") for latex in (r"C\theta_1", r"c\theta_1", r"\cos(\theta_1)"))
+    assert side("C_1") == side("c_1") != side("s_1")

@@ -613,3 +613,9 @@ def test_a_table_may_begin_with_a_row_for_the_base(twist: str, verdict: Verdict)
     assert judge("scara", replace(table, rows=(("0", "0", "0", "0", "0"), *table.rows))).verdict is verdict
     moved = replace(table, rows=(("0", "a_1", "0", "0", "0"), *table.rows))
     assert judge("scara", moved).verdict is Verdict.REFUTED
+
+
+def test_an_array_of_one_row_and_its_head_is_a_table() -> None:
+    array = read_array(Display(1, r"\begin{array}{cc} i & \alpha_i \\ 1 & 0 \end{array}"))
+    assert array is not None and [len(row) for row in array.spans] == [2, 2]
+    assert read_array(Display(1, r"\begin{array}{cc} i & \alpha_i \end{array}")) is None
