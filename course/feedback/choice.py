@@ -11,6 +11,7 @@ import numpy as np
 
 from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import is_function
+from armproof.course.feedback.number_guesses import OF_ANGLES
 from armproof.course.feedback.number_slips import near, number_slip, numbers_in_text, values_in, wrong_numbers
 from armproof.course.feedback.numbers import numbers_in
 from armproof.course.feedback.outcome import Feedback, Outcome
@@ -165,7 +166,9 @@ class Number:
         wrong = ~(np.abs(given - right) <= _TOLERANCE * (1 + np.abs(right)))
         if not wrong.any():
             return Feedback(Outcome.PROVED, "")
-        if all(map(_to_its_digits, given.tolist(), right.tolist())):
+        if all(map(_to_its_digits, given.tolist(), right.tolist())) or (
+            self.unit in OF_ANGLES and _in_degrees(answer, given, right)
+        ):
             return Feedback(Outcome.CONFIRMED, look_up("right, as far as the digits go"))
         told = [
             written("{label} is not {given:g}", label=self._label(k), given=float(given[k]))
@@ -193,6 +196,15 @@ def _to_its_digits(given: float, right: float) -> bool:
     if three != right and given == three and len(f"{abs(given):g}".replace(".", "").lstrip("0")) >= _THREE_DIGITS:
         return True
     return four != right and (given == four or abs(given - right) <= _FOUR_DIGITS * abs(right))
+
+
+def _in_degrees(answer: Any, given: np.ndarray, right: np.ndarray) -> bool:
+    """Whether numbers are right to four digits, and were given in degrees, of which no whole number is a short one in radians."""
+    return (
+        isinstance(answer, str)
+        and ("°" in answer or "deg" in answer)
+        and np.allclose(given, right, rtol=_FOUR_DIGITS, atol=_TOLERANCE)
+    )
 
 
 def _bare(word: str) -> str:

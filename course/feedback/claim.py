@@ -31,6 +31,7 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.findings.finding import write_all
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import ANGLES, one_of
+from armproof.verification.latex.writer import symbol_as_latex
 from armproof.verification.naming.conventions import applied, conventional
 from armproof.verification.report.html.figures import Figure, painter_of
 from armproof.verification.verdict import Record, Role, Verdict
@@ -44,6 +45,7 @@ _READ = (Verdict.DEFINED, Verdict.PROVED, Verdict.CONFIRMED)
 _DECIMAL = re.compile(r"\d\.\d|\\frac\{\d+\}\{\d+\}")
 _NEAR = 1e-9
 _INFINITE = re.compile(r"\\infty|∞|(?<![A-Za-z\\])inf(?![A-Za-z])")
+_TREES = 40  # formulas that are kept as they were read
 SAMPLES = 200
 SEED = 11
 _JOINTS = {"revolute": (-2.6, 2.6), "prismatic": (0.1, 0.9)}
@@ -71,6 +73,7 @@ class Claim:
     own: tuple[str, ...] | None = None
     cases: tuple[Mapping[str, float], ...] = ()
     _records: dict[str, Record] = field(default_factory=dict, repr=False)
+    _trees: dict[str, n.Node] = field(default_factory=dict, repr=False)
 
     def judge(self, latex: str) -> Feedback:
         """Return what becomes of a formula."""
@@ -183,7 +186,7 @@ class Claim:
 
     def values(self, latex: str) -> np.ndarray:
         """Return a formula at the samples, (N, rows, columns); raises ArmproofError where it cannot be evaluated."""
-        node = self._checker.names.reader.read_expression(latex)
+        node = self.read(latex)
         with self._budget.of(SECONDS_TO_DECIDE), np.errstate(all="ignore"):
             value = Evaluator(self._checker.names, self.samples).evaluate(node)
         return self.samples.stacked(value)
@@ -214,8 +217,12 @@ class Claim:
         return value
 
     def read(self, latex: str) -> n.Node:
-        """Return a formula as a tree."""
-        return self._checker.names.reader.read_expression(latex)
+        """Return a formula as a tree; the feedback on one answer asks for it many times."""
+        if latex not in self._trees:
+            if len(self._trees) >= _TREES:
+                self._trees.clear()
+            self._trees[latex] = self._checker.names.reader.read_expression(latex)
+        return self._trees[latex]
 
     def _sampled(self, at: Mapping[str, np.ndarray]) -> SampledAlgebra:
         joints = self.arm.joints if self.arm is not None else ()
@@ -263,7 +270,7 @@ class Claim:
             AnswerError: it cannot be read, or names what is asked instead of working it out.
         """
         try:
-            node = self._checker.names.reader.read_expression(latex)
+            node = self.read(latex)
         except ReadError as error:
             raise AnswerError("the formula cannot be read at character {at}: {reason}", at=error.offset + 1, reason=str(error)) from None  # fmt: skip
         if any(isinstance(part, n.Sum) and {"±", "∓"} & set(_signs(part)) for part in n.walk(node)):
@@ -294,6 +301,9 @@ class Claim:
         for name in _names_in(node):
             if name.key not in known and (names.is_free(name) or name.key in self.front.get("symbols", {})):
                 shown = latex[name.span[0] : name.span[1]]
+                if len(angles := _angles_in(name.key)) > 1 and {*angles} <= {*known}:
+                    terms = " + ".join(map(symbol_as_latex, angles))
+                    raise AnswerError("write {terms} for {shown}: the letters here are single angles", terms=terms, shown=shown)  # fmt: skip
                 raise AnswerError("{shown} is no letter of this task; {letters}", shown=shown, letters=self._letters())
 
     def _size_problem(self, node: n.Node) -> str:
@@ -387,3 +397,9 @@ def _names_in(node: n.Node) -> Iterator[n.Name]:
     calls = [call for call in n.walk(node) if isinstance(call, n.Call) and call.function in ("Rot", "Trans")]
     axes = [id(call.arguments[0]) for call in calls]
     yield from (name for name in n.walk(node) if isinstance(name, n.Name) and id(name) not in axes)
+
+
+def _angles_in(key: str) -> list[str]:
+    """Return the angles whose sum the name of an angle with several digits would be: theta_1, theta_2 of theta_12."""
+    name, _, digits = key.partition("_")
+    return [f"{name}_{digit}" for digit in digits] if ANGLE.match(key) and digits.isdigit() else []

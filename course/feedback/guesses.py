@@ -8,9 +8,10 @@ from decimal import Decimal
 from itertools import pairwise
 from math import floor, log10
 
+from armproof.models.errors import written
 from armproof.models.language import look_up, noted
 
-_MOST_BY_CHANCE = 0.025  # of all numbers up to twice the right one, those that are explained
+_MOST_BY_CHANCE = 0.0225  # of all numbers up to twice the right one, those that are explained
 _LEAST = 3  # guesses that are tried whatever the number: they come first, and are the usual mistakes
 _FINEST = -4  # the power of ten beside a number beyond which digits tell no more
 _MOST_DECIMALS = 6
@@ -21,6 +22,7 @@ _SMALL = 1e-9
 _EXCHANGED, _LOST = noted("two neighbouring digits are exchanged"), noted("one digit is missing")
 _ROUNDED_OFF, _CUT_OFF = noted("rounded to too few digits"), noted("cut off where it is to be rounded")
 _TWICE, _ONE_WRONG = noted("one digit is written twice"), noted("all digits but one are right")
+_ALONE, _THIS = noted("this is {name} alone"), noted("this is {other}")
 
 
 @dataclass(frozen=True)
@@ -32,10 +34,20 @@ class Guess:
     is_exact: bool = False  # in all digits, not only as far as they go
 
 
+def alone(name: str) -> str:
+    """Return that a number is one part, where more belongs."""
+    return written(_ALONE, name=name)
+
+
+def instead(other: str) -> str:
+    """Return that a number is something else."""
+    return written(_THIS, other=other)
+
+
 def explained(given: float, right: float, guesses: Iterable[Guess]) -> str:
     """Return what is said of the first guess that a number is, to its digits; empty where none is.
 
-    A number of few digits meets one of many guesses by chance. So no more are tried than would explain one of forty
+    A number of few digits meets one of many guesses by chance. So no more are tried than would explain one of forty-five
     numbers with as many digits, two at least, up to twice the right one.
     """
     step, largest = min(_unit(given, right), _unit(given, given)), 2 * max(abs(right), abs(given))
@@ -56,8 +68,8 @@ def explained(given: float, right: float, guesses: Iterable[Guess]) -> str:
 
 
 def _unit(given: float, beside: float) -> float:
-    """Return the unit of a number's last digit; of two digits, at least, of a number beside it."""
-    digits = log10(abs(beside))
+    """Return the unit of a number's last digit; of two digits, at least, of a number beside it that is not zero."""
+    digits = log10(abs(beside or given))
     coarsest: float = 10.0 ** (floor(digits) - 1)
     finest: float = 10.0 ** floor(digits + _FINEST)
     return max(min(10.0 ** -_decimals(given), coarsest), finest)

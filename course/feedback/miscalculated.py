@@ -86,7 +86,7 @@ def without_degrees(tree: n.Node) -> n.Node:
     )
 
 
-def leaves_of(tree: n.Node) -> list[n.Node]:
+def leaves_of(tree: n.Node) -> list[n.Name | n.Number]:
     """Return the given values in a formula: its letters, and its numbers that are no exponents and no degrees."""
     apart = {id(node.exponent) for node in n.walk(tree) if isinstance(node, n.Power)}
     apart |= {id(node.base) for node in n.walk(tree) if isinstance(node, n.Postfix)}

@@ -10,7 +10,7 @@ from itertools import combinations, permutations
 
 import numpy as np
 
-from armproof.course.feedback.guesses import Guess, digits_astray, digits_exchanged, shortened
+from armproof.course.feedback.guesses import Guess, alone, digits_astray, digits_exchanged, instead, shortened
 from armproof.course.feedback.worked import Worked
 from armproof.models.errors import written
 from armproof.models.language import look_up, noted, number_text
@@ -50,17 +50,19 @@ class Asked:
         yield from self._alone(own)
         yield from shortened(given, self.right)
         yield from digits_exchanged(given, self.right)
-        yield from self._copied()
         yield from self._of_parts(own)
-        yield from self._another()
         if self.worked is not None:
             yield from self.worked.parts()
             yield from self.worked.slips()
+        yield from self._copied()
+        yield from self._another()
+        if self.worked is not None:
+            yield from self.worked.confusions()
         yield from self._of_the_others()
         yield from self._of_the_text()
-        yield from digits_astray(given, self.right)
         yield from self._alone(far)
         yield from self._of_parts(far)
+        yield from digits_astray(given, self.right)
         if self.worked is not None:
             yield from self.worked.misreadings()
         yield from self._of_powers()
@@ -90,44 +92,47 @@ class Asked:
             if self.unit == "rad" and abs(right) > _SMALL:
                 told = partial(_with_function, noted("this is the {function} of the angle: the angle itself is asked"), words)  # fmt: skip
                 yield Guess(float(getattr(np, name)(right)), told)
-        if self.unit not in OF_ANGLES:
+        if self.unit == "rad/s":
+            yield Guess(right / (2 * np.pi), lambda: look_up("in turns a second? Radians a second are asked for"))
+        if right and self.unit not in (*OF_ANGLES, "m") and self.worked is None:  # else its quotient is turned there
             yield Guess(1 / right, lambda: look_up("numerator and denominator are exchanged"))
 
     def _of_parts(self, parts: Mapping[str, float]) -> Iterator[Guess]:
         """Yield each part, and the number with that part too few or too many."""
-        for words, sign in ((noted("this is {name} alone"), None), (noted("{name} is missing"), -1), (noted("{name} does not belong in it"), 1)):  # fmt: skip
+        for name, value in parts.items():
+            yield Guess(value, partial(alone, name), is_exact=True)
+        for words, sign in ((noted("{name} is missing"), -1), (noted("{name} does not belong in it"), 1)):
             for name, value in parts.items():
-                yield Guess(
-                    value if sign is None else self.right + sign * value,
-                    partial(written, words, name=name),
-                    is_exact=True,
-                )
+                if value != self.right:  # which would be doubled
+                    yield Guess(self.right + sign * value, partial(written, words, name=name), is_exact=True)
 
     def _of_sums(self, known: Mapping[str, float]) -> Iterator[Guess]:
         """Yield the sums of three and of four given values."""
         for count in (3, 4):
             for names in combinations(known, count) if count < len(known) else ():
-                yield Guess(sum(known[name] for name in names), partial(_this, " + ".join(names)), is_exact=True)
+                yield Guess(sum(known[name] for name in names), partial(instead, " + ".join(names)), is_exact=True)
 
     def _alone(self, letters: Mapping[str, float]) -> Iterator[Guess]:
         """Yield given values."""
         for name, value in letters.items():
-            yield Guess(value, partial(written, noted("this is {name} alone"), name=name))
+            yield Guess(value, partial(alone, name))
 
     def _another(self) -> Iterator[Guess]:
         """Yield the other numbers that are asked."""
         for label, value in self.others.items():
-            yield Guess(value, partial(_this, label))
+            yield Guess(value, partial(instead, label))
 
     def _of_the_others(self) -> Iterator[Guess]:
         """Yield the squares of the other numbers, and the sums and differences of two."""
         others = {label: value for label, value in self.others.items() if value}
         for label, value in others.items():
             yield Guess(value**2, partial(written, noted("this is the square of {other}"), other=label))
+            if self.label.startswith(tuple(_FUNCTIONS)):
+                yield Guess(1 - value, partial(instead, f"1 − {label}"))
         if len(others) > 1:
             for (one, a), (other, b) in combinations(others.items(), 2):
                 for sign, joint, value in (("", "+", a + b), ("", "−", a - b), ("−", "+", b - a), ("−", "−", -a - b)):
-                    yield Guess(value, partial(_this, f"{sign}{one} {joint} {other}"))
+                    yield Guess(value, partial(instead, f"{sign}{one} {joint} {other}"))
 
     def _copied(self) -> Iterator[Guess]:
         """Yield the numbers of the text, where they are few; a whole one may count, and what is in metres makes no angle."""
@@ -153,12 +158,8 @@ class Asked:
             yield Guess(float(np.sqrt(self.right)), lambda: look_up("this is the root: its square is asked"))
 
 
-def _this(other: str) -> str:
-    return written("this is {other}", other=other)
-
-
 def _reckoned(one: float, sign: str, other: float) -> str:
-    return _this(f"{number_text(one, 'g')} {sign} {number_text(other, 'g')}")
+    return instead(f"{number_text(one, 'g')} {sign} {number_text(other, 'g')}")
 
 
 def _root(squares: Sequence[float]) -> str:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
+from itertools import combinations
 
 import numpy as np
 
@@ -13,7 +14,7 @@ from armproof.course.feedback.guesses import explained
 from armproof.course.feedback.number_guesses import OF_ANGLES, Asked
 from armproof.course.feedback.worked import LETTER, Worked
 from armproof.models.errors import counted, written
-from armproof.models.language import look_up, noted, separator
+from armproof.models.language import look_up, noted, number_text, separator
 from armproof.verification.latex.greek import NAMES
 
 _TOLERANCE = 1e-6
@@ -21,7 +22,9 @@ _LARGEST_FACTOR = 10
 _LARGEST_PART = 5  # above and below the line of a share
 _MOST_ASTRAY = 2  # things too many or too few: a larger number would be the answer itself
 _POWERS_OF_TEN = (100, 1000)
+_LONE_FACTORS = (2, 3, 4, _LARGEST_FACTOR, *_POWERS_OF_TEN)  # of one number: seven comes by chance
 _NEAR = 2e-3  # of numbers that were rounded, where the mistake is sought
+_NEAR_SHORT = 1e-4  # of one that has many digits, where the right one has few
 _NOT_ZERO = {
     "m": noted("it is not zero: something reaches that way"),
     "m/s": noted("it is not zero: something moves that way"),
@@ -31,7 +34,7 @@ _NOT_ZERO = {
 }
 _SIGN = r"[A-Za-z](?:_\{?\w+\}?)?"
 _GIVEN = re.compile(rf"(?<![\w\\])(?<!dot )({_SIGN}(?: [-+] {_SIGN})*) = (\d+(?:\.\d+)?)(?![\w.^]|\s*\\?°)")
-_NUMBER = re.compile(r"(?<![\w.\\^{}_])\d+(?:\.\d+)?(?![\w.°^}]|\s*\\?°)")
+_NUMBER = re.compile(r"(?<![\w.\\^{}_])(?:(?<=[\[, ])-)?\d+(?:\.\d+)?(?![\w.°^}]|\s*\\?°)")
 _CLOSE = ((0.01, noted("a hundredth")), (0.1, noted("a tenth: a slip in the reckoning?")))
 
 near = partial(np.allclose, rtol=_NEAR, atol=_TOLERANCE)
@@ -43,7 +46,7 @@ def values_in(text: str) -> dict[str, float]:
 
 
 def numbers_in_text(text: str) -> tuple[float, ...]:
-    """Return the numbers that a task's text gives, each once: not zero, no indices, exponents or degrees."""
+    """Return the numbers that a task's text gives, each once, with its sign: not zero, no indices, exponents or degrees."""
     found = dict.fromkeys(float(number) for number in _NUMBER.findall(text))
     return tuple(number for number in found if number)
 
@@ -70,12 +73,13 @@ def number_slip(
         return whole
     values = dict(zip(labels, right.tolist(), strict=True))
     wrong = np.flatnonzero(wrong_numbers(given, right)).tolist()
+    others = [{name: value for name, value in values.items() if name != label} for label in labels]
+    worked = {k: Worked(way, {**known, **letters_of(others[k])}, tuple(stated)) for k, way in enumerate(ways) if way}
+    if exchanged := _exchanged({k: float(given[k]) for k in wrong}, worked):
+        return exchanged
     of: dict[str, list[str]] = {}
     for k in wrong:
-        others = {label: value for label, value in values.items() if label != labels[k]}
-        way = ways[k] if k < len(ways) else ""
-        worked = Worked(way, {**known, **letters_of(values)}, tuple(stated)) if way else None
-        asked = Asked(float(right[k]), labels[k], unit, others, known, tuple(stated), worked)
+        asked = Asked(float(right[k]), labels[k], unit, others[k], known, tuple(stated), worked.get(k))
         words = _of_one(asked, float(given[k]), dict(zip(labels, given.tolist(), strict=True)), len(wrong) == 1)
         of.setdefault(words, []).append(labels[k])
     if right.size == 1:
@@ -83,6 +87,20 @@ def number_slip(
     return look_up("; ").join(
         written("{label}: {words}", label=separator(labels).join(labels), words=words) for words, labels in of.items() if words
     )  # fmt: skip
+
+
+def _exchanged(given: Mapping[int, float], worked: Mapping[int, Worked]) -> str:
+    """Return which two given values stand in each other's place, where that makes several wrong numbers what they are."""
+    if len(given) < 2 or not given.keys() <= worked.keys():
+        return ""
+    for one, other in combinations(sorted({name for k in given for name in worked[k].taken}), 2):
+        if all(near(worked[k].exchanged(one, other), number) for k, number in given.items()):
+            return written("{one} and {other} are exchanged", one=_shown(one), other=_shown(other))
+    return ""
+
+
+def _shown(name: str) -> str:
+    return number_text(float(name), "g") if name[0].isdigit() else name
 
 
 def letters_of(values: Mapping[str, float]) -> dict[str, float]:
@@ -145,7 +163,8 @@ def _by_factor(given: np.ndarray, right: np.ndarray, is_lone: bool = False) -> I
     """Yield by which whole factor wrong numbers are too large or too small; of one alone another reason may be behind all but a power of ten."""
     for sign, words in ((1, noted("wrong by a factor of {factor}")), (-1, noted("wrong by a factor of {factor}, and in sign"))):  # fmt: skip
         factor = _common_factor(sign * given, right)
-        if factor and not (is_lone and factor not in (_LARGEST_FACTOR, *_POWERS_OF_TEN)):
+        usual = (_LARGEST_FACTOR, *_POWERS_OF_TEN) if is_lone else _LONE_FACTORS if given.size == 1 else (factor,)
+        if factor and factor in usual:
             yield written(words, factor=factor)
 
 
@@ -157,13 +176,17 @@ def wrong_numbers(given: np.ndarray, right: np.ndarray) -> np.ndarray:
 
 
 def _is_rounded(given: float, right: float) -> bool:
-    """Whether a number is the right one to the decimals that it has, two digits at least; or nearly one that has many digits."""
+    """Whether a number is the right one to the decimals that it has, two digits at least; or nearly one that has many digits.
+
+    The digits of a number that has many where the right one has few come from rounding on the way, or from another formula:
+    they tell the more, the more there are.
+    """
     decimals = repr(given).partition(".")[2]
     is_plain = decimals.isdigit() and abs(given) >= 10 ** (1 - len(decimals)) and decimals != "0"
     if given == right or (is_plain and round(right, len(decimals)) == given):
         return True
-    has_many = float(f"{right:.4g}") != right or float(f"{given:.4g}") != given
-    return bool(has_many and near(given, right) and np.isclose(given, right, rtol=_NEAR / 2))
+    most = _NEAR / 2 if float(f"{right:.4g}") != right else _NEAR_SHORT if float(f"{given:.4g}") != given else 0
+    return bool(most and np.isclose(given, right, rtol=most))
 
 
 def _common_factor(given: np.ndarray, right: np.ndarray) -> int:
@@ -186,10 +209,11 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
     right, is_count = asked.right, asked.unit == "–"
     if is_count and (float(right).is_integer() or not right) and float(given).is_integer():
         return _of_a_count(given, asked) or _by_size(asked, given, is_only)
-    if not right:
-        return look_up("zero belongs there")
     if not given:
         return look_up(_NOT_ZERO.get(asked.unit, _NOT_ZERO["–"]))
+    if not right:
+        said = explained(given, right, asked.guesses(given)) if asked.worked is not None else ""
+        return said or look_up("zero belongs there")
     return (
         _of_a_count(given, asked)
         or _carried(asked, given, own)

@@ -9,6 +9,7 @@ import numpy as np
 
 from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import is_function, read_plain
+from armproof.course.feedback.spelling import with_powers
 from armproof.models.language import ENGLISH, spoken
 
 _DECIMAL_COMMAS = re.compile(r"\s*[\[(]?\s*[-+]?\d+(?:,\d+)?(?:\s*;\s*[-+]?\d+(?:,\d+)?)*\s*[\])]?\s*")
@@ -16,12 +17,15 @@ _ONE_DECIMAL_COMMA = re.compile(r"\s*[-+]?(?:0,\d+|\d+,(?!\d{3}\s*$)\d+)\s*")  #
 _BLANKS = {0xA0: " ", 0x202F: " "}  # that do not break, as they stand in French
 _NAMED = re.compile(r"(?:(?<=^)|(?<=[\[(,;\s]))(?:\\?(?:sin|cos|tan)\s*)?\\?[^\W\d]\w*\s*=\s*")
 _SAID = re.compile(r"\s*(?P<word>[^\W\d]{3,})(?:\s*:\s*|\s+)(?P<value>[-−+]?[\dπp\\].*)")  # roll -pi/2
-_SUM = re.compile(r"(?P<whole>\d+)\s*\((?P<parts>\d+(?:\s*\+\s*\d+)+)\)")  # 6 (3+3)
+_BEFORE_WORD = r"\s+(?=[^\W\d]{3,}\s)"  # roll -pi/2 pitch 0
+_SUM = re.compile(r"(?P<whole>\d+|[^\W\d_]+)\s*\((?P<parts>\d+(?:\s*\+\s*\d+)*)\)")  # 6 (3+3), six (6)
+_AS_COLUMN = re.compile(r"\\(?:begin|end)\{[bp]?matrix\}|\^\{?(?:T|\\top)\}?\s*$")
+_SEPARATORS = re.compile(r"\\\\|[|&]")  # of a column in LaTeX, of coordinates (1 | 2)
 _SCALES = {
     "m": {"m": 1.0, "cm": 0.01, "mm": 0.001, "km": 1000.0},
     "m/s": {"m/s": 1.0, "cm/s": 0.01, "mm/s": 0.001},
     "rad": {"rad": 1.0, "deg": np.pi / 180, "°": np.pi / 180},
-    "rad/s": {"rad/s": 1.0, "deg/s": np.pi / 180, "°/s": np.pi / 180},
+    "rad/s": {"rad/s": 1.0, "deg/s": np.pi / 180, "°/s": np.pi / 180, "s^-1": 1.0, "/s": 1.0},
 }
 _WORDS = {
     word: number
@@ -83,7 +87,11 @@ def _with_points(items: Any) -> Any:
 
 def _of_text(text: str, unit: str, count: int) -> np.ndarray:
     """Return the numbers of a text: "[0, 2]", "0 2", "pi/2", "x = 250 mm"; of "0,05 ; 0,55", which is French, two."""
-    text = _without_words(_MARKS.sub("", text), count)
+    text = _MARKS.sub("", text)
+    if count == 1:
+        text = with_powers(text).strip().removeprefix("=")
+    else:
+        text = _without_words(_SEPARATORS.sub(",", _AS_COLUMN.sub("", text)), count)
     if count == 1 and (worked := _worked_out(text, unit)) is not None:
         return worked
     text = _ASIDE.sub("", text) if count == 1 else _TIMES.sub("", text)
@@ -106,7 +114,7 @@ def _of_text(text: str, unit: str, count: int) -> np.ndarray:
 
 def _without_words(text: str, count: int) -> str:
     """Return a list without the word before each of its numbers, roll -pi/2, pitch 0; and with commas between them."""
-    items = re.split(r"[,;]" if ";" not in text else ";", text)
+    items = re.split(";" if ";" in text else "," if "," in text else _BEFORE_WORD, text)
     if count < 2 or len(items) != count:
         return text
     said = [_SAID.fullmatch(item) for item in items]
@@ -121,7 +129,7 @@ def _without_words(text: str, count: int) -> str:
 def _worked_out(text: str, unit: str) -> np.ndarray | None:
     """Return the number at the end of a chain of equal ones, 3 + 3 = 6, or before the sum that it is, 6 (3+3); None of anything else."""
     if (found := _SUM.fullmatch(text.strip())) is not None:
-        members = [found["parts"], found["whole"]]
+        members = [found["parts"], str(_WORDS.get(found["whole"].lower(), found["whole"]))]
     else:
         members = _NAMED.sub("", text).split("=")
     if len(members) < 2:

@@ -111,10 +111,8 @@ def _letter_astray(asked: Values, given: Values, at: Letters, wrong: np.ndarray)
         absolute = {name: at[name] - at[before] for before, name in pairwise(angles)}
         if same(asked({**at, **absolute})[:, wrong], obtained[:, wrong]):
             return look_up("each angle is taken as absolute, from the base: sums of angles are missing")
-    missing = [
-        name for name in few if _follows(asked, at, name, wrong).all() and not _follows(given, at, name, wrong).any()
-    ]
-    if missing:
+    theirs, mine = (_followed(side, at, few, wrong) for side in (asked, given))
+    if missing := [name for name, needed, own in zip(few, theirs, mine, strict=True) if needed.all() and not own.any()]:
         return _missing_letters(missing)
     return _alien_letter(asked, given, at, wrong)
 
@@ -122,8 +120,9 @@ def _letter_astray(asked: Values, given: Values, at: Letters, wrong: np.ndarray)
 def _alien_letter(asked: Values, given: Values, at: Letters, wrong: np.ndarray | None = None) -> str:
     """Say which letter an answer follows, and what is asked does not, in none of these entries or in none at all."""
     entries = wrong if wrong is not None else np.ones(asked(at).shape[1:], dtype=bool)
-    for name in list(at)[:_MOST_LETTERS]:
-        mine, theirs = _follows(given, at, name, entries), _follows(asked, at, name, entries)
+    few = list(at)[:_MOST_LETTERS]
+    followed = zip(few, *(_followed(side, at, few, entries) for side in (given, asked)), strict=True)
+    for name, mine, theirs in followed:
         if not theirs.any() and (mine.all() if wrong is not None else mine.any()):
             return written("what is asked does not depend on {name}, your answer does", name=symbol_as_latex(name))
     return ""
@@ -139,10 +138,13 @@ def _missing_letters(names: Sequence[str]) -> str:
     )  # fmt: skip
 
 
-def _follows(side: Values, at: Letters, name: str, wrong: np.ndarray) -> np.ndarray:
-    """Return which of the wrong entries change with a letter."""
-    before, after = side(at)[:, wrong], side({**at, name: at[name] * _GROWN})[:, wrong]
-    return np.array([not same(after[:, [k]], before[:, [k]]) for k in range(before.shape[1])])
+def _followed(side: Values, at: Letters, names: Sequence[str], wrong: np.ndarray) -> list[np.ndarray]:
+    """Return which of the wrong entries change with each of some letters."""
+    before = side(at)[:, wrong]
+    grown = at_each(side, [{**at, name: at[name] * _GROWN} for name in names])
+    return [
+        np.array([not same(after[:, wrong][:, [k]], before[:, [k]]) for k in range(before.shape[1])]) for after in grown
+    ]
 
 
 def angle_astray(asked: Values, given: Values, at: Letters) -> str:

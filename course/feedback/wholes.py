@@ -102,10 +102,14 @@ def planar_astray(arm: Arm, asked: Values, given: Values, at: Letters) -> str:
 
     cos(θ_1 + θ_2) has the sum of the angles alone; what perpendicular axes give has sum and difference alike.
     """
-    wrong = wrong_entries(asked(at), given(at))
-    for one, other in _skew_pairs(arm):
-        grid = _round(at, one, other)
-        true, obtained = (_frequencies(side(grid)[:, wrong]) for side in (asked, given))
+    wrong, pairs = wrong_entries(asked(at), given(at)), _skew_pairs(arm)
+    if not pairs:
+        return ""
+    grids = [_round(at, one, other) for one, other in pairs]
+    together = {name: np.concatenate([grid[name] for grid in grids]) for name in at}
+    sides = [np.split(side(together)[:, wrong], len(pairs)) for side in (asked, given)]
+    for (one, other), *both in zip(pairs, *sides, strict=True):
+        true, obtained = map(_frequencies, both)
         mine, theirs = (np.abs(each).max(initial=0) for each in (obtained[0] - obtained[1], true[0] - true[1]))
         if mine > _SMALL and not theirs > _SMALL and np.abs(obtained[1]).max() < _SMALL:
             return written(

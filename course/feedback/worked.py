@@ -12,10 +12,10 @@ from types import UnionType
 import numpy as np
 
 from armproof.course.feedback.claim import Claim
-from armproof.course.feedback.guesses import Guess
+from armproof.course.feedback.guesses import Guess, alone, instead
 from armproof.course.feedback.miscalculated import done_otherwise, leaves_of, misread, number_node, without_degrees
 from armproof.models.errors import written
-from armproof.models.language import look_up, noted, number_text
+from armproof.models.language import look_up, number_text
 from armproof.verification.diagnosis.slips import is_trigonometric
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
@@ -30,7 +30,6 @@ _SPELLINGS = (
     (re.compile(r"°(?=[-+])"), "° "),
     (re.compile(r"(?<=cos|sin) (?=\()"), ""),
 )
-_ALONE, _THIS = noted("this is {name} alone"), noted("this is {other}")
 _PLACES = (2, 1)  # decimals that are left of a number on the way
 _STEPS = 12  # of the secant
 _SMALL = 1e-9
@@ -60,6 +59,21 @@ class Worked:
         """The letters of the formula."""
         return frozenset(node.key for node in n.walk(self._tree) if isinstance(node, n.Name))
 
+    @cached_property
+    def taken(self) -> frozenset[str]:
+        """The given values that the formula takes, letters and numbers as they are written."""
+        return frozenset(map(_written, self._given))
+
+    def exchanged(self, one: str, other: str) -> float:
+        """Return what the formula gives with two given values in each other's place."""
+        instead_of = {one: self._claim.read(other), other: self._claim.read(one)}
+        return self._value(
+            n.substitute_each(
+                self._tree,
+                {id(leaf): instead_of[_written(leaf)] for leaf in self._given if _written(leaf) in instead_of},
+            )
+        )
+
     @property
     def value(self) -> float:
         """The number."""
@@ -73,7 +87,7 @@ class Worked:
                 yield self._alone(node)
 
     def _alone(self, node: n.Node) -> Guess:
-        return Guess(self._value(node), lambda: written(_ALONE, name=self._shown(node)))
+        return Guess(self._value(node), lambda: alone(self._shown(node)))
 
     def slips(self) -> Iterator[Guess]:
         """Yield what the formula gives with one thing done otherwise, or one letter in place of another."""
@@ -82,8 +96,12 @@ class Worked:
         yield from self._told(done_otherwise(self._tree))
         yield from self._told(self._confused(n.Name))
 
+    def confusions(self) -> Iterator[Guess]:
+        """Yield what it gives with one given value in place of another, of those that it takes and of all that are given."""
+        return self._told(self._confused(n.Name | n.Number, self._elsewhere))
+
     def misreadings(self) -> Iterator[Guess]:
-        """Yield what it gives with one given value in place of another, and with one that is misread."""
+        """Yield what it gives with one given value that is misread."""
         return self._told(self._taken())
 
     def long_shots(self) -> Iterator[Guess]:
@@ -92,22 +110,21 @@ class Worked:
 
     def _told(self, trees: Iterable[n.Node]) -> Iterator[Guess]:
         for tree in trees:
-            if isinstance(bare(tree), n.Name | n.Number):
-                yield self._alone(tree)
+            if isinstance(lone := _term_alone(bare(tree)), n.Name | n.Number):
+                yield self._alone(lone)
             else:
-                yield Guess(self._value(tree), lambda tree=tree: written(_THIS, other=self._shown(tree)))  # type: ignore[misc]
+                yield Guess(self._value(tree), lambda tree=tree: instead(self._shown(tree)))  # type: ignore[misc]
 
     def _taken(self) -> Iterator[n.Node]:
-        """Yield the formula with one given value in place of another, and with one that is misread."""
-        yield from self._confused(n.Name | n.Number)
+        """Yield the formula with one given value that is misread."""
         for leaf in leaves_of(self._tree):
             for number in misread(self._value(leaf)):
                 yield n.substitute(self._tree, leaf, number_node(number))
 
-    def _confused(self, kinds: type | UnionType) -> Iterator[n.Node]:
-        """Yield the formula with one of its values, of these kinds, in place of another."""
+    def _confused(self, kinds: type | UnionType, others: Iterable[n.Node] = ()) -> Iterator[n.Node]:
+        """Yield the formula with one of its values, of these kinds, or another in place of one of them."""
         leaves = [leaf for leaf in leaves_of(self._tree) if isinstance(leaf, kinds)]
-        names = {self._shown(leaf): leaf for leaf in leaves}
+        names = {self._shown(leaf): leaf for leaf in (*leaves, *others)}
         for leaf in leaves:
             for name, other in names.items():
                 if name != self._shown(leaf):
@@ -130,9 +147,8 @@ class Worked:
     def instead(self, given: float) -> str:
         """Return with which value in place of a given one a number would be right: of several that of the fewest digits."""
         found: list[tuple[int, float, float, str]] = []
-        for leaf in leaves_of(self._tree):
-            is_given = isinstance(leaf, n.Name) or self._value(leaf) in self.stated
-            value = self._solved(leaf, given) if is_given else 0
+        for leaf in self._given:
+            value = self._solved(leaf, given)
             ratio = value / self._value(leaf)
             if 1 / _MOST_APART < ratio < _MOST_APART and f"{value:.4g}" != f"{self._value(leaf):.4g}":
                 found.append((len(f"{value:.4g}"), abs(ratio - 1), value, self._shown(leaf)))
@@ -176,9 +192,37 @@ class Worked:
         return self._claim.read(self.latex)
 
     @cached_property
+    def _given(self) -> list[n.Name | n.Number]:
+        """The letters and numbers in the formula that are given: not π, nor a number of the rule."""
+        stated = {*map(abs, self.stated)}
+        return [
+            leaf
+            for leaf in leaves_of(self._tree)
+            if (leaf.key in self.known if isinstance(leaf, n.Name) else self._value(leaf) in stated)
+        ]
+
+    @property
+    def _elsewhere(self) -> list[n.Node]:
+        """The given values that the formula does not take."""
+        there = {self._value(leaf) for leaf in leaves_of(self._tree)}
+        names = [name for name, value in self.known.items() if LETTER.fullmatch(name) and value not in there]
+        return [*map(self._claim.read, names), *(number_node(value) for value in self.stated if value not in there)]
+
+    @cached_property
     def _claim(self) -> Claim:
         return Claim({"symbols": {name: FREE for name in self.known if LETTER.fullmatch(name)}})
 
     @cached_property
     def _evaluate(self) -> Callable[[n.Node], np.ndarray | None]:
         return self._claim.evaluated_over({name: np.array([value]) for name, value in self.known.items()})
+
+
+def _written(leaf: n.Name | n.Number) -> str:
+    return leaf.key if isinstance(leaf, n.Name) else leaf.text
+
+
+def _term_alone(node: n.Node) -> n.Node:
+    """Return the one term of a sum that has no other and no minus."""
+    return (
+        bare(node.terms[0][1]) if isinstance(node, n.Sum) and len(node.terms) == 1 and node.terms[0][0] == "+" else node
+    )

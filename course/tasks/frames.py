@@ -542,6 +542,11 @@ LESSON = Lesson(
                     own=True,
                 ),
                 Wrong(
+                    lambda d, theta, b: carriage(b, theta, d),
+                    "the factors stand in the reverse order: the carriage slides first, then the bar turns on it",
+                    own=True,
+                ),
+                Wrong(
                     lambda d, theta, b: carriage(d + b, theta, 0),
                     "the bar turns with the frame: its end is not b further along x",
                     own=True,

@@ -326,7 +326,7 @@ LESSON = Lesson(
                 Wrong(lambda *of: [-each for each in cross(*of)], "this is w × v: the order makes the sign", own=True),
                 Wrong(
                     CROSS.replace("v_3 w_1 - v_1 w_3", "v_1 w_3 - v_3 w_1"),
-                    "the middle row has the wrong sign: 3 1 − 1 3",
+                    "the middle row has the wrong sign: it begins with the third component of v",
                     own=True,
                 ),
                 Wrong(
@@ -859,6 +859,11 @@ LESSON = Lesson(
                 Wrong(
                     lambda q, b: [-b * np.sin(q[0]) * np.cos(q[1]), b * np.cos(q[0]) * np.cos(q[1]), 0, 0, 0, 1],
                     "this is column 1, of the turning column: joint 2 has a horizontal axis",
+                    own=True,
+                ),
+                Wrong(
+                    lambda q, b: [*boom_column(q, b)[:3], 0, 0, 1],
+                    "the lower half is axis 1, upright: joint 2 turns about its own axis",
                     own=True,
                 ),
                 Wrong(

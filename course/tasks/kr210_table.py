@@ -323,6 +323,16 @@ LESSON = Lesson(
                     "that starts at the joint 6 of the URDF: O_6 is 0.193 m behind it, in the wrist's centre",
                     own=True,
                 ),
+                Wrong(
+                    [0.75, 1.25, 0.303],
+                    "1.25 m is the upper arm, from axis 2 to axis 3: here the forearm counts",
+                    own=True,
+                ),
+                Wrong(
+                    [0.75, float(np.hypot(1.5, 0.054)), 0.303],
+                    "this is the oblique distance from axis 3: along axis 4 it is a side of that triangle",
+                    own=True,
+                ),
                 Wrong([0.75, 0.96, 0.303], "O_4 is not at joint 4: it is on axis 4 where axis 5 crosses it", own=True),
                 Wrong(
                     [0.33, 1.5, 0.303], "O_1 stands at the height of axis 2, so that no d is left for row 2", own=True

@@ -298,6 +298,7 @@ LESSON = Lesson(
                     "0.5 is the distance to the point that happens to be given; the least distance to the axis is 0.3",
                     own=True,
                 ),
+                Wrong([0.3, 0.4, 1, 0.3], "this is the point that happens to be given: O_1 lies on axis 1", own=True),
                 Wrong([0.15, 0, 1, 0.3], "an origin lies on an axis, not in the middle of the normal", own=True),
                 Wrong([0.3, 0.4, 1, 0.5], "the given point need not be the nearest one: slide along axis 2", own=True),
             ),

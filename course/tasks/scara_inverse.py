@@ -233,7 +233,10 @@ LESSON = Lesson(
             text="The tool covers a ring about the first axis. How many postures $(\\theta_1, \\theta_2)$ bring it above a point $(X, Y)$ that lies "
             "(1) inside the ring, not on its edges, (2) on the outer circle, (3) beyond that? Give the three numbers in this order; joint limits "
             "do not count.",
-            asks=Number((2, 1, 0), labels=("inside the ring it", "on the outer circle it", "beyond that it")),
+            asks=Number(
+                (2, 1, 0),
+                labels=("the number inside the ring", "the number on the outer circle", "the number beyond it"),
+            ),
             hints=(
                 "Draw two circles: one of radius $a_1$ about the first axis, one of radius $a_2$ about the target. The elbow is on both.",
                 "In how many points can two circles meet, and when do they touch?",
@@ -245,7 +248,7 @@ LESSON = Lesson(
                 Wrong([1, 1, 0], "inside the ring there is an elbow on each side of the line to the target", own=True),
                 Wrong([2, 1, 1], "beyond that it is not 1"),
                 Wrong([2, 1, 2], "an arccos of more than 1 has no value, with either sign", own=True),
-                Wrong([4, 2, 0], "inside the ring it is not 4, on the outer circle it is not 2"),
+                Wrong([4, 2, 0], "the number inside the ring is not 4, the number on the outer circle is not 2"),
                 Wrong(2, "3 numbers"),
             ),
         ),

@@ -191,6 +191,7 @@ LESSON = Lesson(
                     "nine direction cosines are the orientation alone: the position belongs to X too",
                     own=True,
                 ),
+                Wrong([4, 12, 3], "three angles are the orientation alone: the position belongs to X too", own=True),
                 Wrong([4, 9, 3], "this is the orientation alone: the position has three entries more", own=True),
                 Wrong([6, 12, 6], "q has one entry a joint, and the SCARA has four joints", own=True),
                 Wrong(
@@ -257,7 +258,7 @@ LESSON = Lesson(
                 ),
                 Wrong(
                     SLIDING.replace("n_z a_x - n_x a_z", "n_x a_z - n_z a_x"),
-                    "the middle row has the wrong sign: z x − x z there",
+                    "the middle row has the wrong sign: it begins with the z of n",
                     own=True,
                 ),
                 Wrong(

@@ -308,22 +308,27 @@ def _dropped_terms(node: n.Node) -> Iterator[Change]:
 
 
 def _numbers(root: n.Node) -> Iterator[Edit]:
-    """Another number, and in the place of a power a lower or a higher one."""
+    """No divisor 2, another number, and in the place of a power a lower or a higher one."""
     powers = [node for node in n.walk(root) if isinstance(node, n.Power) and isinstance(node.exponent, n.Number)]
     exponents = {id(power.exponent) for power in powers}
     quotients = [node for node in n.walk(root) if isinstance(node, n.Quotient)]
     below = {id(part) for quotient in quotients for part in n.walk(quotient.denominator)}
     ones = {id(quotient.numerator) for quotient in quotients if quotient.numerator == n.Number(Fraction(1), "1")}
+    for quotient in quotients:
+        if quotient.denominator == n.Number(Fraction(2), "2") and id(quotient.numerator) not in ones:
+            yield Edit(n.substitute(root, quotient, n.Group(quotient.numerator)), "number", say(Kind.EXTRA_DIVISOR))
     for node in sorted(n.walk(root), key=lambda node: id(node) not in below):
         if isinstance(node, n.Number) and node.value and id(node) not in exponents | ones:
             for value in (node.value * 2, node.value / 2, node.value + 1):
                 changed = n.substitute(root, node, n.Number(value, span=node.span))
-                yield Edit(changed, "number", say(Kind.WRONG_NUMBER, number=node.text))
+                size = "small" if value > node.value else "large"
+                yield Edit(changed, "number", say(Kind.WRONG_NUMBER, number=node.text, size=size))
     for power in powers:
         assert isinstance(power.exponent, n.Number)
         higher = n.Number(power.exponent.value + 1, str(power.exponent.value + 1), span=power.exponent.span)
-        for other in (_first_power(power.base), replace(power, exponent=higher)):
-            yield Edit(n.substitute(root, power, other), "number", say(Kind.WRONG_POWER))
+        for other, size in ((_first_power(power.base), "large"), (replace(power, exponent=higher), "small")):
+            finding = say(Kind.WRONG_POWER, number=power.exponent.text, size=size)
+            yield Edit(n.substitute(root, power, other), "number", finding)
 
 
 def _first_power(base: n.Node) -> n.Node:

@@ -60,7 +60,8 @@ def _cells(formula: n.Node) -> Iterator[Edit]:
         other = _OTHER.get(cell.value) if isinstance(cell, n.Number) else None
         if other is not None:
             changed = n.substitute(formula, cell, n.Number(other, str(other), span=cell.span))
-            yield Edit(changed, "number", say(Kind.WRONG_NUMBER, number=_written(cell)))
+            size = "small" if other else "large"
+            yield Edit(changed, "number", say(Kind.WRONG_NUMBER, number=_written(cell), size=size))
         yield Edit(n.substitute(formula, cell, n.Sum((("-", n.Group(cell)),))), "sign", say(Kind.WRONG_SIGN))
 
 

@@ -24,6 +24,7 @@ from armproof.verification.evaluation.exact import ArmAlgebra, ExactAlgebra
 
 SAMPLES = 1000
 SEED = 2019
+_ALL_BUT_ZERO = 1e-4  # of a denominator, beside its largest values
 
 
 def plant_samples(exact: ExactAlgebra) -> SampledAlgebra:
@@ -103,10 +104,12 @@ class SampledAlgebra(ArmAlgebra):
     def divide_by(self, denominator: np.ndarray) -> None:
         """Leave the samples out at which a denominator is all but zero: rounding decides the quotient there."""
         size = np.abs(denominator)
+        if size.min() > _ALL_BUT_ZERO * size.max():  # which no percentile exceeds
+            return
         if not np.isfinite(size).any():
             self.regular[:] = False
             return
-        self.regular &= size > 1e-4 * np.nanpercentile(size, 95)
+        self.regular &= size > _ALL_BUT_ZERO * np.nanpercentile(size, 95)
 
     def cos_sin(self, angle: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         return np.cos(angle), np.sin(angle)

@@ -16,7 +16,7 @@ from armproof.models.errors import MessageKind
 WORDS = frozenset(
     [
         "closed form",
-        *"table matrices classic modified left right linear angular revolute prismatic fixed low high proved confirmed degrees radians millimetres kilometres".split(),
+        *"table matrices classic modified left right linear angular revolute prismatic fixed low high proved confirmed degrees radians millimetres kilometres large small".split(),
     ]
 )
 
@@ -381,8 +381,8 @@ class Kind(MessageKind):
     MISSING_BRACKETS = "missing_brackets", "brackets are missing: a factor or a divisor of several terms stands at one of them"
     EXTRA_TERM = "extra_term", "the {term:nth} term does not belong"
     MISSING_TERM = "missing_term", "the term ${term}$ is missing"
-    WRONG_NUMBER = "wrong_number", "the number {number}", "the number {number} is wrong"
-    WRONG_POWER = "wrong_power", "the power", "the power is wrong"
+    WRONG_NUMBER = "wrong_number", "the number {number}", "the number {number} is too {size}"
+    WRONG_POWER = "wrong_power", "the power", "the exponent {number} is too {size}"
     MISSING_SQUARE = "missing_square", "a square is missing"
 
     # -- a matrix as a whole: what was printed or computed instead ------------------------------------------------------

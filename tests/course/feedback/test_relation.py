@@ -78,7 +78,7 @@ def squared(answer: str) -> str:
         (SPEED, r"\frac{30 t^2 (t_f - t)^2}{t_f^5}", "q_0, q_f have no effect in your answer"),
         (SPEED, lambda t, q_0, q_f, t_f: q_0 + (q_f - q_0) * t / t_f, "the units do not fit: with twice"),
         (SQUARE, lambda theta_2, l_1, l_2: (l_1 + l_2 * np.cos(theta_2)) ** 2, "minus l_2^2 (sin \\theta_2)^2"),
-        (SQUARE, r"l_1^2 + l_2^2 + 2 l_1 l_2 \cos^2\theta_2", "the power is wrong"),
+        (SQUARE, r"l_1^2 + l_2^2 + 2 l_1 l_2 \cos^2\theta_2", "the exponent 2 is too large"),
         (SQUARE, r"\sqrt{l_1^2 + l_2^2 + 2 l_1 l_2 \cos\theta_2}", "your answer is the root"),
         (RADIUS, "(x^2 + y^2)", "your answer is the square of what is asked"),
         (RADIUS, r"\frac{1}{\sqrt{x^2 + y^2}}", "a quotient is upside down"),

@@ -16,6 +16,10 @@ REACH = Number((0.05, 0.55), "m", ("near", "far"), {"a": 0.3, "b": 0.25}, ways=(
 ROOT = Number(0.6, "m", ways=(r"\sqrt{(0.48^2 + 0.36^2)}",))
 TURN = Number(2.0, "m", ways=(r"2 \sin 90^\circ",))
 PEAK = Number(0.375, "m/s", ways=(r"15/8 \cdot 0.4/2",)).told_in("0.4 m in 2 s")
+TIPS = Number((0.25, 0.85), "m", ("near", "far"), {"a": 0.25, "b": 0.3}, (1.0,), ("a", "a + 2 b"))
+RATES = Number((0.2, 0.7), "m/s", ("v", "w"), ways=(r"-1 \cdot (-0.4) + 2 \cdot (-0.1)", ""))
+RATE = Number(2.0, "rad/s")
+ROUND = Number(2 * np.pi, "m", ways=(r"2 \pi",))
 HEIGHT = Number(1.946, "m", ("z",))
 ANGLES = Number((0.64, -1.57, -0.93), "rad", ("θ_1", "θ_2", "θ_4"), ways=("", "", r"\theta_1 + \theta_2"))
 
@@ -33,6 +37,10 @@ ANGLES = Number((0.64, -1.57, -0.93), "rad", ("θ_1", "θ_2", "θ_4"), ways=("",
         (TURN, 1.788, "an angle in degrees is taken as radians"),
         (PEAK, 1.5, "this is 15/8 · 0.4 · 2"),
         (PEAK, 0.36, "it would be right with 0.384 in place of 0.4"),
+        (REACH, [0.05, 0.05], "this is a - b"),
+        (TIPS, [0.3, 0.8], "a and b are exchanged"),
+        (RATES, [0.6, 0.7], "v: this is -1 · (-0.4) - 2 · (-0.1)"),
+        (RATE, 2 / (2 * np.pi), "in turns a second?"),
         (HEIGHT, 1.964, "two neighbouring digits are exchanged"),
         (HEIGHT, 1.46, "one digit is missing"),
         (HEIGHT, 1.9946, "one digit is written twice"),
@@ -46,7 +54,7 @@ def test_a_wrong_number_is_told_what_it_comes_from(asks: Any, answer: Any, words
 
 @pytest.mark.parametrize(
     ("asks", "answer", "words"),
-    [(REACH, [0.05, 0.4], "this is"), (HEIGHT, 1.896, "digit"), (ANGLES, [0.5, -1.57, -1.2], "follows"), (TURN, 1.7, "degrees")],
+    [(REACH, [0.05, 0.4], "this is"), (HEIGHT, 1.896, "digit"), (ANGLES, [0.5, -1.57, -1.2], "follows"), (TURN, 1.7, "degrees"), (ROUND, 6.8, "in place of"), (Number(1.5, "m"), 1.50097, "rounded"), (RATES, [1.4, 0.7], "factor")],
 )  # fmt: skip
 def test_of_any_other_number_nothing_of_the_kind_is_said(asks: Any, answer: Any, words: str) -> None:
     assert words not in asks.judge(answer).message
