@@ -18,8 +18,10 @@ from armproof.models.language import look_up, noted, number_text
 OF_ANGLES = ("rad", "rad/s")
 _FUNCTIONS = {"sin": noted("sine"), "cos": noted("cosine"), "tan": noted("tangent")}
 _INVERSES: Mapping[str, Callable[[float], float]] = {"sin": np.arcsin, "cos": np.arccos, "tan": np.arctan}
+_SQUARE = noted("this is the square of what is asked")
 _SMALL = 0.1  # rad: below it an angle and its tangent are nearly one
 _MOST_STATED = 6
+_FEW_STATED = 3  # numbers, of which one is soon taken for the answer
 _TWO = {"+": operator.add, "·": operator.mul, "/": operator.truediv, "-": operator.sub}
 
 
@@ -51,10 +53,12 @@ class Asked:
         yield from shortened(given, self.right)
         yield from digits_exchanged(given, self.right)
         yield from self._of_parts(own)
+        if is_soon := self.worked is None or len(self.stated) <= _FEW_STATED:
+            yield from self._copied()
         if self.worked is not None:
             yield from self.worked.parts()
             yield from self.worked.slips()
-        yield from self._copied()
+            yield from () if is_soon else self._copied()
         yield from self._another()
         if self.worked is not None:
             yield from self.worked.confusions()
@@ -89,6 +93,7 @@ class Asked:
                 with np.errstate(invalid="ignore"):
                     angle = float(_INVERSES[name](right))
                 yield from (Guess(angle, told), Guess(float(np.degrees(angle)), told))
+                yield Guess(right**2, lambda: look_up(_SQUARE))
             if self.unit == "rad" and abs(right) > _SMALL:
                 told = partial(_with_function, noted("this is the {function} of the angle: the angle itself is asked"), words)  # fmt: skip
                 yield Guess(float(getattr(np, name)(right)), told)
@@ -153,7 +158,7 @@ class Asked:
 
     def _of_powers(self) -> Iterator[Guess]:
         """Yield the square and the root of the number."""
-        yield Guess(self.right**2, lambda: look_up("this is the square of what is asked"))
+        yield Guess(self.right**2, lambda: look_up(_SQUARE))
         if self.right > 0:
             yield Guess(float(np.sqrt(self.right)), lambda: look_up("this is the root: its square is asked"))
 

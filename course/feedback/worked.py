@@ -29,6 +29,7 @@ _SPELLINGS = (
     (re.compile(r"\^°\s*"), "°"),
     (re.compile(r"°(?=[-+])"), "° "),
     (re.compile(r"(?<=cos|sin) (?=\()"), ""),
+    (re.compile(r"^-\(([^()+\- ]+)\)$"), r"-\1"),
 )
 _PLACES = (2, 1)  # decimals that are left of a number on the way
 _STEPS = 12  # of the secant

@@ -751,6 +751,7 @@ LESSON = Lesson(
             ),
             right=(8, "8", 8.0),
             wrong=(
+                Wrong(1, "shoulder, elbow and wrist can each be on two sides", own=True),
                 Wrong(2, "there are three choices with two sides each", own=True),
                 Wrong(4, "one choice is missing: shoulder, elbow and wrist", own=True),
                 Wrong(6, "the choices multiply: two times two times two", own=True),

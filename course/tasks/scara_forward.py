@@ -168,6 +168,8 @@ def _predict(a_2=0.3, a_3=0.25):
                 own=True,
             ),
             Wrong([a_2, a_3, -0.1], "the two arms have changed places: the first one points along y_0 here", own=True),
+            Wrong([0, a_2 + a_3, -0.1], "θ_2 is forgotten: this is the arm stretched along y_0", own=True),
+            Wrong([a_2 + a_3, 0, -0.1], "both angles are forgotten: this is the arm stretched along x_0", own=True),
             Wrong([-a_3, a_2, -0.1], "θ_2 is negative: seen from above, the elbow bends to the right", own=True),
             Wrong([a_3, a_2], "3 numbers"),
         ),
