@@ -280,9 +280,7 @@ class Claim:
             if name.key == "Xi" or (not self.names and self._is_of_the_arm(name)):
                 shown = latex[name.span[0] : name.span[1]]
                 if _PARAMETER.fullmatch(name.key):
-                    raise AnswerError(
-                        "{shown} is no letter of this task; {letters}", shown=shown, letters=self._letters()
-                    )
+                    raise self._no_letter(name.key, shown)
                 raise AnswerError("work the entries out: the answer may not name {shown} of the arm itself", shown=shown)  # fmt: skip
         return self._size_problem(node)
 
@@ -301,10 +299,16 @@ class Claim:
         for name in _names_in(node):
             if name.key not in known and (names.is_free(name) or name.key in self.front.get("symbols", {})):
                 shown = latex[name.span[0] : name.span[1]]
-                if len(angles := _angles_in(name.key)) > 1 and {*angles} <= {*known}:
-                    terms = " + ".join(map(symbol_as_latex, angles))
-                    raise AnswerError("write {terms} for {shown}: the letters here are single angles", terms=terms, shown=shown)  # fmt: skip
-                raise AnswerError("{shown} is no letter of this task; {letters}", shown=shown, letters=self._letters())
+                raise self._no_letter(name.key, shown)
+
+    def _no_letter(self, key: str, shown: str) -> AnswerError:
+        """Return that a letter is none of the task's, and of an angle with several digits which sum to write."""
+        if len(angles := _angles_in(key)) > 1 and {*angles} <= {*self.letters}:
+            terms = " + ".join(map(symbol_as_latex, angles))
+            return AnswerError(
+                "write {terms} for {shown}: the letters here are single angles", terms=terms, shown=shown
+            )
+        return AnswerError("{shown} is no letter of this task; {letters}", shown=shown, letters=self._letters())
 
     def _size_problem(self, node: n.Node) -> str:
         try:

@@ -316,7 +316,9 @@ def _numbers(root: n.Node) -> Iterator[Edit]:
     ones = {id(quotient.numerator) for quotient in quotients if quotient.numerator == n.Number(Fraction(1), "1")}
     for quotient in quotients:
         if quotient.denominator == n.Number(Fraction(2), "2") and id(quotient.numerator) not in ones:
-            yield Edit(n.substitute(root, quotient, n.Group(quotient.numerator)), "number", say(Kind.EXTRA_DIVISOR))
+            above = quotient.numerator
+            whole = n.Group(above) if isinstance(above, n.Sum) else above
+            yield Edit(n.substitute(root, quotient, whole), "number", say(Kind.EXTRA_DIVISOR))
     for node in sorted(n.walk(root), key=lambda node: id(node) not in below):
         if isinstance(node, n.Number) and node.value and id(node) not in exponents | ones:
             for value in (node.value * 2, node.value / 2, node.value + 1):

@@ -48,6 +48,7 @@ DETERMINANT = Formula(
     quantities={"J_v": {"jacobian": 2, "rows": [1, 2]}},
 )
 DAMPED = Formula(r"\frac{1}{2\lambda}", ("lambda",))
+SUM_OF_ANGLES = Formula(r"l_1 \sin(\theta_1 + \theta_2)", ("theta_1", "theta_2", "l_1"))
 ANGLE = Formula(
     r"\beta", ("X", "Y"), given={"X": r"\rho\cos\beta", "Y": r"\rho\sin\beta"}, symbols={"rho": "free"}, unit="rad"
 )
@@ -207,6 +208,7 @@ def test_a_stub_is_not_attempted(asks: Any) -> None:
         (POSITION, "x" * 30_000, "too long"),
         (POSITION, np.zeros((2, 2, 2)), "not an array of more dimensions"),
         (COSINE, "\\begin{bmatrix}".replace("\\b", "\b"), 'write r"'),
+        (SUM_OF_ANGLES, r"l_1 \sin\theta_{12}", r"write \theta_1 + \theta_2 for \theta_{12}"),
         (COSINE, "k + x", "k is no letter of this task; the letters are x, y, l_1, l_2"),
         (ANGLE, r"\beta", "is no letter of this task; the letters are X, Y"),
         (DETERMINANT, "l_1 l_2 s_2 = 0", "without = 0"),
