@@ -128,7 +128,6 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
         and not (right.size == 3 and near(np.linalg.norm(right), 1))  # a direction
         and (kinds := sorted(set(right.tolist()))) in ([0, 1], [-1, 1])
         and not set(given.tolist()) <= {*kinds}
-        and near(given, np.round(given))
     ):
         yield written("each of them is {one:g} or {other:g}", one=kinds[1], other=kinds[0])
     if unit not in OF_ANGLES and near(given, 1000 * right):
