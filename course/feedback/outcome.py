@@ -43,6 +43,9 @@ _LETTER = re.compile(rf"\\({one_of(GREEK)})(?![A-Za-z])")
 _FUNCTION = re.compile(r"\\(sin|cos|tan|arcsin|arccos|arctan)(?![A-Za-z])")
 _POWER = re.compile(r"(?<=[\w)₀-₉])\^(\d)(?![\w.])")
 _ABOVE = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+_BEGINS_WITH_WORD = re.compile(  # theta_1, θ and z × p stay as they are
+    r"(?:[a-zà-ÿ]{2,}|a(?= [a-z]{2}))(?!\w)|(?:qu|[cdjlmnst])['’](?=[a-zà-ÿ])"
+)
 _CODE = re.compile(r"`([^`]*)`")
 _BELOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
@@ -244,10 +247,7 @@ def pretty(text: str) -> str:
 
 
 def _sentence(text: str) -> str:
-    begins_with_word = (
-        re.match(r"(?:[a-zà-ÿ]{2,}|a(?= [a-z]{2}))(?!\w)", text) is not None
-    )  # theta_1, θ and z × p stay so
-    return pretty(text[:1].upper() + text[1:] if begins_with_word else text)
+    return pretty(text[:1].upper() + text[1:] if _BEGINS_WITH_WORD.match(text) else text)
 
 
 def _number(value: float | str) -> str:

@@ -68,9 +68,13 @@ def test_what_is_wrong_offers_the_next_hint_and_then_the_solution(task: Task) ->
 
 
 def test_a_sentence_begins_with_a_capital_and_a_symbol_stays_small() -> None:
-    page = {words: Feedback(Outcome.WRONG, words)._repr_html_() for words in ("z × p is no column", "a sign is wrong")}
+    page = {
+        words: Feedback(Outcome.WRONG, words)._repr_html_()
+        for words in ("z × p is no column", "a sign is wrong", "l'exposant 2 est trop grand")
+    }
     assert "<p>z × p is no column" in page["z × p is no column"]
     assert "<p>A sign is wrong" in page["a sign is wrong"]
+    assert "<p>L&#39;exposant" in page["l'exposant 2 est trop grand"]
 
 
 @pytest.mark.parametrize("column", [1, 2])
