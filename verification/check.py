@@ -383,6 +383,7 @@ class DocumentChecker:
         if not display.closed:
             return replace(record, findings=(say(Kind.NEVER_ENDS, opening=display.opening),))
         self.names.state.enter(display.section)
+        self.names.state.listed = display.listed
         self.ring.forget_signs()
         try:
             with self.ring.budget.of(SECONDS_TO_DECIDE):

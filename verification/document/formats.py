@@ -13,8 +13,9 @@ from armproof.verification.document.cells import percent_cells
 from armproof.verification.document.formula_links import shows_its_latex
 from armproof.verification.document.front_matter import read_any_text, suffix_of
 from armproof.verification.document.heading import encloses
+from armproof.verification.document.listings import assignments, with_listings
 from armproof.verification.document.markdown import read_markdown_file
-from armproof.verification.document.model import INLINE, Display, Document
+from armproof.verification.document.model import CODE, INLINE, Display, Document, Listing
 from armproof.verification.document.notebook import read_notebook, read_percent
 from armproof.verification.document.rst import read_rst
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
@@ -96,12 +97,22 @@ def _with_what_is_said(document: Document) -> Document:
     displays: list[Display] = []
     between: list[list[Display]] = [[]]  # what is said before each display, and behind the last
     for display in document.displays:
+        if display.opening == CODE:
+            continue
         if display.opening != INLINE:
             displays.append(_with_what_is_before(display, between[-1]))
             between.append([])
         elif _SAYS.search(display.latex):
             between[-1].append(display)
-    return replace(document, displays=tuple(_with_what_is_behind(displays, between[1:])))
+    told = _with_what_is_behind(displays, between[1:])
+    return replace(document, displays=tuple(with_listings(told, [*_listings(document)])))
+
+
+def _listings(document: Document) -> Iterator[Listing]:
+    """Yield the values in the code of a document, each with its heading."""
+    for display in document.displays:
+        if display.opening == CODE and (values := assignments(display.latex)):
+            yield Listing(display.line, values, display.section)
 
 
 def _with_what_is_before(display: Display, said: Sequence[Display]) -> Display:

@@ -22,7 +22,7 @@ from armproof.verification.document.formula_links import formulas_in_html, formu
 from armproof.verification.document.front_matter import FrontMatter, split_front_matter
 from armproof.verification.document.heading import begin_section
 from armproof.verification.document.html_tables import read_html_tables
-from armproof.verification.document.model import INLINE, Display, Document, Piece, Table
+from armproof.verification.document.model import CODE, INLINE, Display, Document, Piece, Table
 from armproof.verification.document.postures import postures
 from armproof.verification.document.units import with_unit
 
@@ -67,7 +67,7 @@ def place_displays(displays: Sequence[Display], lines: Sequence[str], first: int
     placed: list[Display] = []
     row, column = 0, 0
     for display in displays:
-        if display.opening in (INLINE, PICTURE):
+        if display.opening in (INLINE, PICTURE, CODE):
             placed.append(display)
             continue
         if display.line - first > row:
@@ -218,6 +218,8 @@ def _read_blocks(
                 more, more_tables = _read_blocks(content, line + 1, cell, section, erratum)
                 displays += more
                 tables += more_tables
+            else:
+                displays.append(Display(line, content, cell=cell, section=section, opening=CODE))
     return displays, tables
 
 

@@ -28,6 +28,16 @@ class Piece:
 
 
 @dataclass(frozen=True)
+class Listing:
+    """Equations that give joints and lengths numbers: of a piece of code, or at the ends of what is worked out; `decimals` of the latter."""
+
+    line: int
+    values: tuple[str, ...]
+    section: str = ""
+    decimals: int | None = None
+
+
+@dataclass(frozen=True)
 class Display:
     """One display: its LaTeX, the line of its opening (from 1), the notebook cell if any.
 
@@ -47,6 +57,7 @@ class Display:
     said_above: int = 0  # how many of them stand above the last heading
     said_outside: int = 0  # and how many of those in sections that are not around that of the display
     said_behind: tuple[str, ...] = ()  # those of the next text below it, under the same heading
+    listed: tuple[Listing, ...] = ()  # the values in code under its heading, and those that are worked out above it
     pieces: tuple[Piece, ...] = field(default=(), compare=False, repr=False)
 
     @property
@@ -56,6 +67,7 @@ class Display:
 
 
 INLINE = "$"  # the opening of what stands in the text: readers hand it over in its place among the displays
+CODE = "```"  # that of code, which they hand over likewise
 
 
 @dataclass(frozen=True)

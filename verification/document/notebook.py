@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from armproof.verification.document.cells import Cell, comment_width, notebook_cells, percent_cells
 from armproof.verification.document.front_matter import FrontMatter, split_front_matter
 from armproof.verification.document.markdown import read_markdown
-from armproof.verification.document.model import Document, Piece
+from armproof.verification.document.model import CODE, Display, Document, Piece
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
 
@@ -49,10 +49,15 @@ def _moved(piece: Piece, margins: list[int]) -> Piece:
     return replace(piece, column=piece.column + margins[piece.line - 1])
 
 
-def _read_cells(path: Path, cells: Iterable[Cell]) -> Document:
+def _read_cells(path: Path, cells: Sequence[Cell]) -> Document:
     front, texts = split_cells(path, cells)
     read = [read_markdown(*text) for text in texts]
-    displays = tuple(display for found, _ in read for display in found)
+    code = (
+        Display(cell.line, cell.text, cell=number, opening=CODE)
+        for number, cell in enumerate(cells)
+        if cell.kind == "code"
+    )
+    displays = (*code, *(display for found, _ in read for display in found))
     tables = tuple(table for _, found in read for table in found)
     return Document(path, front.values, displays, tables, front.lines, remarks=front.remarks)
 

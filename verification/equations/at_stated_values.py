@@ -12,6 +12,7 @@ from armproof.verification.algebra.calculus import are_rates, is_rate, substitut
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document.heading import encloses
 from armproof.verification.equations.alignment import Pair, angle_places, exactly_equal
+from armproof.verification.equations.at_listed_values import ListedValues
 from armproof.verification.equations.decimals import FEW, Rounding, finest_decimals, roundings, slacks
 from armproof.verification.equations.length_values import length_values
 from armproof.verification.equations.outcome import Outcome
@@ -64,8 +65,10 @@ class StatedValues:
         one, other = (symbols_in(side.cells) for side in (pairs[0].true, pairs[0].printed))
         if arm is None:  # numbers beside letters are those of a configuration that nobody can tell
             values = (pairs[0].printed if one else pairs[0].true).cells
-            is_there = bool(one) is not bool(other) and not all(value.is_zero() for value in values)
-            return outcome.left_open(say(Kind.NUMBERS_OF_NOWHERE)) if is_there else None
+            if bool(one) is bool(other) or all(value.is_zero() for value in values):
+                return None
+            listed = self._listed(outcome, pairs, _sides(outcome)[bool(one)].node, one | other)
+            return listed or outcome.left_open(say(Kind.NUMBERS_OF_NOWHERE))
         of_arm = {joint.symbol for joint in arm.joints} | set(arm.lengths)
         if not (one and other) and of_arm & (one | other):
             numbers = _sides(outcome)[bool(one)]
@@ -119,12 +122,21 @@ class StatedValues:
             outcome.pair = replace(best.pair, true=sides[0], printed=sides[1])
         elif best.open and not best.wrong and self._says_that_it_vanishes(outcome):
             return None
+        elif listed := self._listed(outcome, pairs, numbers, symbols_in(_differences(best.pair))):
+            return listed
         elif best.wrong or best.open:
             outcome.verdict, outcome.findings = Verdict.UNCHECKED, (say(Kind.NUMBERS_OF_NOWHERE),)
         else:
             outcome.verdict, outcome.samples, outcome.max_error = Verdict.CONFIRMED, 1, best.largest
             outcome.findings = (say(Kind.TO_DECIMALS_THERE),)
         return outcome
+
+    def _listed(self, outcome: Outcome, pairs: Sequence[Pair], numbers: n.Node, names: set[str]) -> Outcome | None:
+        """Return what becomes of numbers that are those at the values that code gives, or all but one; None where they are not."""
+        if not self.names.state.listed:
+            return None
+        stated = {name: self._of_variable(name, each.node) for name, each in self._stated(names).items()}
+        return ListedValues(self.members).judge(outcome, pairs, numbers, stated)
 
     def _says_that_it_vanishes(self, outcome: Outcome) -> bool:
         """z_3 × (p_4 − p_3) = 0 says so of every configuration; p_4 = 0 does not."""

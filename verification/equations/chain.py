@@ -39,8 +39,9 @@ from armproof.verification.equations.places import (
     left_open_for_section,
 )
 from armproof.verification.equations.readings import Check, Readings
-from armproof.verification.equations.second_route import SecondRoute
+from armproof.verification.equations.second_route import SecondRoute, is_distance
 from armproof.verification.equations.sides import Member, Members
+from armproof.verification.equations.signed_distances import named_with_sign
 from armproof.verification.equations.skew import unless_skewed
 from armproof.verification.equations.table_angles import TableAngles
 from armproof.verification.equations.torques import Torques
@@ -225,6 +226,8 @@ class ChainChecker:
                 outcomes.append(self.rows.kept(compared) if now.define and now.of_jacobian else compared)
             elif not member.known:
                 outcomes.append(now.definitions.define(true, member, equation))
+        if now.define and any(finding.kind is Kind.SIGNED_DISTANCE for each in outcomes for finding in each.findings):
+            outcomes = named_with_sign(self.names, self.members, now.chain, outcomes, is_distance)
         return outcomes
 
     def _judged(self, now: _Pass, outcomes: list[Outcome]) -> list[Outcome]:

@@ -114,10 +114,15 @@ class Conventions:
         return [self._bound(member, known) for member in members]
 
     def _as_shown(self, members: list[Member]) -> tuple[list[Member], list[Member]]:
-        """h = WC: a name alone beside nothing that is known is what an equation under this heading has shown it to be."""
+        """h = WC: a name alone beside nothing that is known is what an equation under this heading has shown it to be.
+
+        Or what equations under others have, if that is always the same and what convention says first: B = p_z in a summary.
+        """
         for place, member in enumerate(members):
             name = _plain(member.node)
-            usual = self._usual(name.key) if name is not None and isinstance(member.problem, UnboundName) else None
+            usual = (
+                self._shown(member.node, name) if name is not None and isinstance(member.problem, UnboundName) else None
+            )
             if name is not None and usual is not None and self.names.is_open(name):
                 shown = self._tried(member.node, name, usual)
                 others = [each if each is member else self.members.evaluate(each.node) for each in members]
@@ -271,6 +276,11 @@ class Conventions:
         if not usual:
             return None
         return next((usual[key, each] for each in (section, *sections_around(section)) if (key, each) in usual), None)
+
+    def _shown(self, node: n.Node, name: n.Name) -> Quantity | None:
+        shown = {quantity for (key, _), quantity in self.names.state.usual.items() if key == name.key}
+        first = self._candidates(node, name)[:1] if len(shown) == 1 and is_usual(name) else ()
+        return self._usual(name.key) or next((quantity for quantity in first if quantity in shown), None)
 
     def _candidates(self, node: n.Node, name: n.Name) -> tuple[Quantity, ...]:
         arm = self.names.arm

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from itertools import pairwise
 from typing import Any
@@ -10,6 +11,7 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.alignment import align, different_entries, exactly_equal
 from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.link_letters import letterings
 from armproof.verification.equations.misreadings import ELEMENTARY
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError
@@ -49,13 +51,14 @@ class GeneralStatements:
         names = checker.names
         links = {link.key: Quantity("link", convention) for convention, link in LINKS.items()}
         general = replace(names, arm=None, quantities={**names.quantities, **links}, general=True)
-        self._general = ChainChecker(general, replace_arm(checker), checker.sampled)
+        self._general = self._usual = ChainChecker(general, replace_arm(checker), checker.sampled)
 
     def check(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome] | None:
         """Return the outcomes of a chain with a link matrix of any link if they are about that, else None."""
         chain = _of_link_i(chain)
         if any(m.key in self.checker.names.quantities for m in chain.members if isinstance(m, n.Name)):
             return None
+        self._general = self._nearest_letters(chain)
         self._general.confirm = self.checker.confirm
         heads = self._heads(chain)
         if any(head is not None and _of_another_link(m) for head, m in zip(heads, chain.members, strict=True)):
@@ -74,6 +77,31 @@ class GeneralStatements:
         if define and outcomes and all(outcome.verdict is Verdict.PROVED for outcome in outcomes):
             self._bind_links(chain)
         return [self._noted(outcome, convention) for outcome in outcomes] or None
+
+    def _nearest_letters(self, chain: n.Chain) -> ChainChecker:
+        """Return the checker in which the letters for a and d mean what makes fewest entries of the link matrix wrong."""
+        tried = [self._in_letters(meant) for meant in letterings(chain)]
+        nearest = min(tried, key=lambda each: self._wrong_in(each, chain)) if len(tried) > 1 else tried[0]
+        if nearest is not self._usual:
+            self._write_in(nearest.names.symbols, chain)
+        return nearest
+
+    def _write_in(self, meant: Mapping[str, str], chain: n.Chain) -> None:
+        """Let what is corrected be written in the document's letters."""
+        state = self.checker.names.state
+        names = [below for member in chain.members for below in n.walk(member) if isinstance(below, n.Name)]
+        own = {meant[name.key]: name.text for name in names if name.key in meant and name.text}
+        state.notation = replace(state.notation, symbols={**state.notation.symbols, **own})
+
+    def _in_letters(self, meant: dict[str, str]) -> ChainChecker:
+        if not meant:
+            return self._usual
+        names = replace(self._usual.names, symbols={**self._usual.names.symbols, **meant})
+        return ChainChecker(names, replace_arm(self.checker), self.checker.sampled)
+
+    def _wrong_in(self, checker: ChainChecker, chain: n.Chain) -> int:
+        self._general = checker
+        return self._nearest(chain, [self._is_inverse(member) for member in chain.members])
 
     def _bind_links(self, chain: n.Chain) -> None:
         """Let T_1, T_2, … be the links of the arm where T_i is the link matrix of any: else they are usually poses in the base."""
@@ -180,11 +208,14 @@ class GeneralStatements:
         for quantity in self.checker.names.quantities.values():
             if quantity.kind == "link":
                 return (quantity.frame,)
-        subs = {
-            (below.base, below.sub) for member in chain.members for below in n.walk(member) if isinstance(below, n.Name)
+        meant = self._general.names.symbols
+        keys = {
+            meant.get(below.key, below.key)
+            for member in chain.members
+            for below in n.walk(member)
+            if isinstance(below, n.Name)
         }
-        modified = any(base in ("a", "alpha") and sub == "i-1" for base, sub in subs)
-        classic = any(base in ("a", "alpha") and sub == "i" for base, sub in subs)
+        modified, classic = not keys.isdisjoint(("a_i-1", "alpha_i-1")), not keys.isdisjoint(("a_i", "alpha_i"))
         return (("classic",) if classic else ()) + (("modified",) if modified else ())
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from armproof.verification.algebra.angles import has_arcs
@@ -98,7 +99,29 @@ class SecondRoute:
         if outcome.verdict is not Verdict.REFUTED or self.weighs or not any(map(self._has_roots, outcome.nodes)):
             return outcome
         letters = [each for each in self._coordinates(outcome) if not self._fails_for_negative(each, outcome, branches)]
-        return outcome.left_open(say(Kind.NEGATIVE_ALONE, letters=", ".join(letters))) if letters else outcome
+        if letters:
+            return outcome.left_open(say(Kind.NEGATIVE_ALONE, letters=", ".join(letters)))
+        counts = self._as_signed_distance(outcome, branches)
+        if counts is None:
+            return outcome
+        return outcome.left_open(say(Kind.SIGNED_DISTANCE, holding=counts[0], configurations=counts[1]))
+
+    def _as_signed_distance(self, outcome: Outcome, branches: bool) -> tuple[int, int] | None:
+        """Return at how many of how many configurations √(x² + y²) is what is printed; None where it is no branch.
+
+        The arm reaches forwards there, and backwards elsewhere.
+        """
+        assert outcome.true is not None and outcome.printed is not None
+        sides = [self._named(side.node) for side in (outcome.true, outcome.printed)]
+        own = self.sampled_errors(outcome, branches) if any(map(is_distance, sides)) else None
+        if own is None or not all(e.on_a_branch(TOLERANCE) for e in self._for_other_lengths(outcome, branches)):
+            return None
+        return own.on_a_branch(TOLERANCE)
+
+    def _named(self, node: n.Node) -> n.Node:
+        """Return what a name was defined as, else a tree itself."""
+        definition = self.names.state.definitions.get(node.key) if isinstance(node, n.Name) else None
+        return node if definition is None or definition.node is None else definition.node
 
     def confirm_only(
         self, true: n.Node, printed: n.Node, equation: int, branches: bool, problem: EvaluationError
@@ -269,6 +292,15 @@ def _is_of_both_sides(node: n.Node, by: n.Node) -> bool:
     sides = (quotient.numerator, quotient.denominator) if isinstance(quotient, n.Quotient) else ()
     calls = [side for side in map(bare, sides) if isinstance(side, n.Call) and side.arguments == (node,)]
     return [call.function for call in calls] == ["sin", "cos"]
+
+
+def is_distance(node: n.Node) -> bool:
+    """Whether a tree is the root of a sum of squares."""
+    node = bare(node)
+    inner = bare(node.arguments[0]) if isinstance(node, n.Call) and node.function == "sqrt" else None
+    terms = inner.terms if isinstance(inner, n.Sum) else ()
+    squares = [isinstance(bare(t), n.Power) and bare(t).exponent == n.Number(Fraction(2)) for _, t in terms]  # type: ignore[attr-defined]
+    return len(squares) > 1 and all(squares) and all(sign == "+" for sign, _ in terms)
 
 
 def _holds_arcs(outcome: Outcome) -> bool:

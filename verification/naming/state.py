@@ -11,6 +11,7 @@ from typing import Any
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.document.heading import encloses, sections_around
+from armproof.verification.document.model import Listing
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
@@ -184,6 +185,7 @@ class DocumentState:
         balanced: letters of torques that are said to be J^T F, each with its exercise.
         beyond: a frame the document adds → (on which of the arm's, name).
         configuration: joint variables, rates and lengths → the value that a display gave them.
+        listed: the values that code gives under the heading at hand, and those that are worked out above.
         told: what the text between displays says: no display is judged there, but what holds there is not refuted.
         told_lengths: lengths → the value that the text between displays gave them last.
         given_last: joint variables and lengths → the value that a display or the text gave them last, under whatever heading.
@@ -221,6 +223,7 @@ class DocumentState:
     told_lengths: dict[str, Stated] = field(default_factory=dict)
     given_last: dict[str, Stated] = field(default_factory=dict)
     held: set[tuple[str, int]] = field(default_factory=set)
+    listed: tuple[Listing, ...] = ()
     compares_lengths: bool = False
     comparisons: list[n.Chain] = field(default_factory=list)
     rounded: dict[str, int] = field(default_factory=dict)

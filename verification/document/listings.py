@@ -1,0 +1,98 @@
+"""Values that stand in a document's code and at the end of what it works out: `l1 = 0.3;`, θ_1 = arctan(…) = 1.738 rad."""
+
+from __future__ import annotations
+
+import ast
+import re
+import unicodedata
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+
+from armproof.verification.document.heading import encloses
+from armproof.verification.document.model import Display, Listing
+
+_LETTERS = {"theta": r"\theta", "th": r"\theta", "alpha": r"\alpha", "beta": r"\beta", "phi": r"\phi"}
+_LETTERS |= {letter: letter for letter in "adhlLqr"}
+_ASSIGNED = re.compile(
+    rf"(?<![\w.\[(])({'|'.join(sorted(_LETTERS, key=len, reverse=True))})_?(\d{{1,2}})\s*=(?!=)\s*(.+)"
+)
+_COMMENT = re.compile(r"[#%].*|//.*")
+_PREFIX = re.compile(r"(?<![\w.])(?:numpy|np|math|sympy|sp)\.")
+_DEGREES = re.compile(r"(?<!\w)(?:deg2rad|radians)\(")
+_OPERATORS: dict[type[ast.operator], str] = {ast.Add: "{} + {}", ast.Sub: "{} - {}", ast.Mult: r"{} \cdot {}"}
+NEAREST = 4  # pieces of code that are looked at for a display
+MOST = 40  # assignments of a listing that are looked at
+_WORKED = re.compile(
+    r"\s*(\\theta|q)\s*_\s*\{?(\d)\}?\s*=.*=\s*(-?\s*\d+(?:\.\d+)?)\s*(?:\\[ ,;:]|~)*\s*"
+    r"(?:(?:\\(?:text|mathrm|rm)\s*\{?\s*)?(?P<unit>rad|deg|°|\^\{?\\circ\}?|\^\{?°\}?)[a-zé]*\s*\}?)?\s*[.,;]?\s*",
+    re.DOTALL,
+)
+
+
+def assignments(code: str) -> tuple[str, ...]:
+    """Return the numbers that code gives to joints and lengths, as equations in LaTeX; none that it gives two of."""
+    found: dict[str, set[str]] = {}
+    for name, value in list(_assigned(code))[:MOST]:
+        found.setdefault(name, set()).add(value)
+    return tuple(f"{name} = {values.pop()}" for name, values in found.items() if len(values) == 1)
+
+
+def _assigned(code: str) -> Iterator[tuple[str, str]]:
+    for line in code.split("\n"):
+        for statement in _COMMENT.sub("", line).split(";"):
+            found = _ASSIGNED.fullmatch(statement.strip().rstrip(","))
+            value = _in_latex(found[3]) if found else None
+            if found and value is not None:
+                yield f"{_LETTERS[found[1]]}_{{{found[2]}}}", value
+
+
+def _in_latex(value: str) -> str | None:
+    """Return a number of code as LaTeX, None for anything else."""
+    plain = _DEGREES.sub("pi/180*(", _PREFIX.sub("", value)).strip()
+    try:
+        return _written(ast.parse(plain, mode="eval").body)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return None
+
+
+def _written(node: ast.expr) -> str:
+    if isinstance(node, ast.Constant) and type(node.value) in (int, float):
+        text = f"{node.value:f}".rstrip("0").rstrip(".") if isinstance(node.value, float) else str(node.value)
+        return text or "0"
+    if isinstance(node, ast.Name) and node.id == "pi":
+        return r"\pi"
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+        return f"(-{_written(node.operand)})"
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div):
+        return rf"\frac{{{_written(node.left)}}}{{{_written(node.right)}}}"
+    if isinstance(node, ast.BinOp) and type(node.op) in _OPERATORS:
+        return f"({_OPERATORS[type(node.op)].format(_written(node.left), _written(node.right))})"
+    raise ValueError
+
+
+def worked_value(latex: str) -> tuple[str, str] | None:
+    r"""Return the joint and the number that a chain ends with, \theta_1 = \arctan(…) = 1.738; None where it ends otherwise."""
+    plain = unicodedata.normalize("NFKC", latex).replace("θ", r"\theta").replace("\N{MINUS SIGN}", "-")
+    found = _WORKED.fullmatch(plain) if plain.count("=") > 1 else None
+    if found is None:
+        return None
+    in_degrees = (found["unit"] or "rad") != "rad"
+    number = re.sub(r"\s", "", found[3])
+    return f"{found[1]}_{{{found[2]}}}", rf"{number} \cdot \frac{{\pi}}{{180}}" if in_degrees else number
+
+
+def with_listings(displays: Iterable[Display], code: Sequence[Listing]) -> Iterator[Display]:
+    """Yield displays with the values that code under their headings gives, the nearest first, and what is worked out above."""
+    worked: dict[str, str] = {}
+    for display in displays:
+        own = [each for each in code if encloses(each.section, display.section)]
+        near = sorted(own, key=lambda each: (each.section != display.section, abs(each.line - display.line)))[:NEAREST]
+        ends = tuple(f"{name} = {value}" for name, value in worked.items())
+        above = [Listing(display.line, ends, decimals=min(map(_decimals, worked.values())))] if worked else []
+        yield replace(display, listed=(*near, *above)) if near or above else display
+        if (found := worked_value(display.latex)) is not None:
+            worked[found[0]] = found[1]
+
+
+def _decimals(value: str) -> int:
+    return len(value.split(" ")[0].partition(".")[2])

@@ -1,0 +1,145 @@
+"""Numbers that a document prints for formulas at the values of its code, or of what it works out above.
+
+A number is wrong there only where all that it depends on is confirmed by others: code may have other values than the text.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from math import remainder, tau
+from typing import Any
+
+from armproof.verification.algebra.calculus import substitute, symbols_in
+from armproof.verification.algebra.ring import Scalar
+from armproof.verification.document.model import Listing
+from armproof.verification.equations.alignment import Pair, angle_places
+from armproof.verification.equations.decimals import roundings
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.sides import Members
+from armproof.verification.errors import EvaluationError, ReadError, TooComplex
+from armproof.verification.findings import Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.verdict import Verdict
+
+Values = Mapping[str, Any]
+Place = tuple[int, int]
+FEWEST = 9  # entries of a matrix of 0 and 1 alone that tell something
+
+
+@dataclass
+class _Compared:
+    """The differences of a pair's entries, those that are wrong at the values, and the largest error of the others."""
+
+    differences: dict[Place, Scalar] = field(default_factory=dict)
+    wrong: list[Place] = field(default_factory=list)
+    largest: float = 0.0
+
+
+@dataclass(frozen=True)
+class ListedValues:
+    """Judges numbers that may be those of a formula at the values that a listing in reach gives."""
+
+    members: Members
+
+    def judge(self, outcome: Outcome, pairs: Sequence[Pair], numbers: n.Node, stated: Values) -> Outcome | None:
+        """Return the outcome where the numbers of a pair are right for one of the listings, or all but one; else None.
+
+        What displays and the text have `stated` holds, whatever code says.
+        """
+        for listing in self.members.names.state.listed:
+            for values in self._readings(listing):
+                known = {**values, **stated}
+                for pair in pairs:
+                    found = self._compared(pair, numbers, known, listing)
+                    if found is not None and not found.wrong:
+                        return self._confirmed(outcome, pair, listing, found.largest)
+                    if found is not None and self._is_slip(pair, found):
+                        return self._refuted(outcome, pair, found, known)
+        return None
+
+    @staticmethod
+    def _confirmed(outcome: Outcome, pair: Pair, listing: Listing, largest: float) -> Outcome:
+        found = say(Kind.AT_LISTED_VALUES if listing.decimals is None else Kind.AT_WORKED_VALUES, line=listing.line)
+        return replace(
+            outcome, verdict=Verdict.CONFIRMED, findings=(found,), pair=pair, wrong=[], samples=1, max_error=largest
+        )
+
+    def _is_slip(self, pair: Pair, found: _Compared) -> bool:
+        """Whether the values on which the one wrong number depends are those of numbers that are right."""
+        right = [each for place, each in found.differences.items() if place not in found.wrong and _tells(pair, place)]
+        wrong = symbols_in(found.differences[place] for place in found.wrong)
+        return len(found.wrong) == 1 and bool(wrong) and wrong <= symbols_in(right)
+
+    def _refuted(self, outcome: Outcome, pair: Pair, found: _Compared, values: Values) -> Outcome:
+        names = symbols_in(found.differences.values())
+        sides = [
+            side.map(lambda cell: substitute(cell, {k: values[k] for k in symbols_in([cell])}))
+            for side in (pair.true, pair.printed)
+        ]
+        there = {name: self.members.number(values[name]) for name in sorted(names)}
+        return replace(
+            outcome, pair=replace(pair, true=sides[0], printed=sides[1]), wrong=found.wrong, there=there, findings=()
+        )
+
+    def _readings(self, listing: Listing) -> Iterator[dict[str, Any]]:
+        """Yield what a listing gives symbols; a joint's letter is its variable, or else the angle of the DH table."""
+        names, exact = self.members.names, self.members.exact
+        given = [
+            (key, value) for latex in listing.values if (read := self._read(latex)) is not None for key, value in [read]
+        ]
+        symbols = {(names.known_symbol(key) or key): (key, value) for key, value in given}
+        yield {symbol: value for symbol, (_, value) in symbols.items()}
+        if names.offset_joints.keys() & symbols.keys():
+            yield {symbol: names.variable_at(symbol, value, exact, key) for symbol, (key, value) in symbols.items()}
+
+    def _read(self, latex: str) -> tuple[str, Any] | None:
+        try:
+            [chain] = self.members.names.reader.read(latex)
+        except (ReadError, ValueError):
+            return None
+        if not isinstance(chain, n.Chain) or not isinstance(name := chain.members[0], n.Name):
+            return None
+        value = self.members.evaluate(chain.members[1]).value
+        return (name.key, value) if isinstance(value, Scalar) else None
+
+    def _compared(self, pair: Pair, numbers: n.Node, values: Values, listing: Listing) -> _Compared | None:
+        """Compare entry by entry; None where one depends on what has no value, or where nothing is told."""
+        allowed, angles = roundings(numbers, pair.true.shape), angle_places(pair)
+        if len(allowed) < len(pair.true.cells) or not (
+            len(allowed) >= FEWEST or any(_tells(pair, each) for each in allowed)
+        ):
+            return None
+        slack = 0.0 if listing.decimals is None else len(listing.values) * 10.0**-listing.decimals
+        found = _Compared()
+        for (row, column), rounding in allowed.items():
+            difference = pair.true.rows[row][column] - pair.printed.rows[row][column]
+            value = self._at(difference, values)
+            if value is None:
+                return None
+            found.differences[row, column] = difference
+            size = self.members.number(value)
+            error = abs(remainder(size, tau) if (row, column) in angles else size)
+            if error > rounding.far + slack:
+                found.wrong.append((row, column))
+            else:
+                found.largest = max(found.largest, error)
+        return found
+
+    def _at(self, difference: Scalar, values: Values) -> Scalar | None:
+        used = symbols_in([difference])
+        if not used <= values.keys():
+            return None
+        try:
+            return substitute(difference, {name: values[name] for name in used})
+        except TooComplex:
+            raise
+        except EvaluationError:
+            return None
+
+
+def _tells(pair: Pair, place: Place) -> bool:
+    """Whether a number is hardly right by chance: it is neither 0 nor ±1."""
+    cells = [side.rows[place[0]][place[1]] for side in (pair.true, pair.printed)]
+    number = next((cell.as_fraction() for cell in cells if not symbols_in([cell])), None)
+    return number is not None and number not in (0, 1, -1)
