@@ -7,6 +7,7 @@ import re
 import unicodedata
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from math import pi
 
 from armproof.verification.document.heading import encloses
 from armproof.verification.document.model import Display, Listing
@@ -23,10 +24,12 @@ _OPERATORS: dict[type[ast.operator], str] = {ast.Add: "{} + {}", ast.Sub: "{} - 
 NEAREST = 4  # pieces of code that are looked at for a display
 MOST = 40  # assignments of a listing that are looked at
 _WORKED = re.compile(
-    r"\s*(\\theta|q)\s*_\s*\{?(\d)\}?\s*=.*=\s*(-?\s*\d+(?:\.\d+)?)\s*(?:\\[ ,;:]|~)*\s*"
+    r"\s*(\\theta|q)\s*_\s*\{?(\d)\}?\s*=(?P<between>[^,;&]*[^\W\d_][^,;&]*)=\s*(?P<number>-?\s*\d+\.\d+)\s*(?:\\[ ,;:]|~)*\s*"
     r"(?:(?:\\(?:text|mathrm|rm)\s*\{?\s*)?(?P<unit>rad|deg|°|\^\{?\\circ\}?|\^\{?°\}?)[a-zé]*\s*\}?)?\s*[.,;]?\s*",
     re.DOTALL,
 )
+_SEVERAL = re.compile(r"\\\\|\\q?quad|\\text|\\begin|\n\s*\n")  # no single chain
+FEWEST_DECIMALS = {"rad": 3, "deg": 1}
 
 
 def assignments(code: str) -> tuple[str, ...]:
@@ -74,10 +77,12 @@ def worked_value(latex: str) -> tuple[str, str] | None:
     r"""Return the joint and the number that a chain ends with, \theta_1 = \arctan(…) = 1.738; None where it ends otherwise."""
     plain = unicodedata.normalize("NFKC", latex).replace("θ", r"\theta").replace("\N{MINUS SIGN}", "-")
     found = _WORKED.fullmatch(plain) if plain.count("=") > 1 else None
-    if found is None:
+    if found is None or _SEVERAL.search(found["between"]):
         return None
     in_degrees = (found["unit"] or "rad") != "rad"
-    number = re.sub(r"\s", "", found[3])
+    number = re.sub(r"\s", "", found["number"])
+    if _decimals(number) < FEWEST_DECIMALS["deg" if in_degrees else "rad"]:
+        return None
     return f"{found[1]}_{{{found[2]}}}", rf"{number} \cdot \frac{{\pi}}{{180}}" if in_degrees else number
 
 
@@ -88,10 +93,15 @@ def with_listings(displays: Iterable[Display], code: Sequence[Listing]) -> Itera
         own = [each for each in code if encloses(each.section, display.section)]
         near = sorted(own, key=lambda each: (each.section != display.section, abs(each.line - display.line)))[:NEAREST]
         ends = tuple(f"{name} = {value}" for name, value in worked.items())
-        above = [Listing(display.line, ends, decimals=min(map(_decimals, worked.values())))] if worked else []
+        above = [Listing(display.line, ends, off=max(map(_off, worked.values())))] if worked else []
         yield replace(display, listed=(*near, *above)) if near or above else display
         if (found := worked_value(display.latex)) is not None:
             worked[found[0]] = found[1]
+
+
+def _off(value: str) -> float:
+    """Return how far a value may be from what it is rounded from."""
+    return 0.5 * 10.0 ** -_decimals(value) * (pi / 180 if "pi" in value else 1.0)
 
 
 def _decimals(value: str) -> int:

@@ -29,12 +29,15 @@ class Piece:
 
 @dataclass(frozen=True)
 class Listing:
-    """Equations that give joints and lengths numbers: of a piece of code, or at the ends of what is worked out; `decimals` of the latter."""
+    """Equations that give joints and lengths numbers: of a piece of code, or at the ends of what is worked out.
+
+    `off`: how far from what they are rounded from the latter may be.
+    """
 
     line: int
     values: tuple[str, ...]
     section: str = ""
-    decimals: int | None = None
+    off: float | None = None
 
 
 @dataclass(frozen=True)

@@ -20,10 +20,12 @@ from armproof.verification.equations.sides import Members
 from armproof.verification.errors import EvaluationError, ReadError, TooComplex
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.reader import key_as_latex
 from armproof.verification.verdict import Verdict
 
 Values = Mapping[str, Any]
 Place = tuple[int, int]
+_AT_VALUES = (Kind.AT_LISTED_VALUES, Kind.AT_WORKED_VALUES, Kind.AT_ZERO)
 FEWEST = 9  # entries of a matrix of 0 and 1 alone that tell something
 
 
@@ -47,7 +49,8 @@ class ListedValues:
 
         What displays and the text have `stated` holds, whatever code says.
         """
-        for listing in self.members.names.state.listed:
+        nearly = None
+        for listing in (*self.members.names.state.listed, *self._at_zero()):
             for values in self._readings(listing):
                 known = {**values, **stated}
                 for pair in pairs:
@@ -56,14 +59,43 @@ class ListedValues:
                         return self._confirmed(outcome, pair, listing, found.largest)
                     if found is not None and self._is_slip(pair, found):
                         return self._refuted(outcome, pair, found, known)
-        return None
+                    if nearly is None and listing.line and found is not None and len(found.wrong) == 1:
+                        nearly = self._doubted(outcome, pair, found, known, listing)
+        return nearly
+
+    def _doubted(
+        self, outcome: Outcome, pair: Pair, found: _Compared, values: Values, listing: Listing
+    ) -> Outcome | None:
+        """Return the outcome left open where one number is not that of the values, and others are."""
+        [(row, column)] = found.wrong
+        if not any(
+            _tells(pair, each) and symbols_in([found.differences[each]])
+            for each in found.differences
+            if each != (row, column)
+        ):
+            return None
+        sides = [self._at(side.rows[row][column], values) for side in (pair.true, pair.printed)]
+        correct, printed = (
+            f"{self.members.number(each):.4f}".rstrip("0").rstrip(".") for each in sides if each is not None
+        )
+        if not symbols_in([pair.true.rows[row][column]]):
+            correct, printed = printed, correct
+        said = say(Kind.LISTED_OTHERWISE, printed=printed, correct=correct, line=listing.line)
+        return outcome.left_open(said.at(row=row + 1, column=column + 1))
 
     @staticmethod
     def _confirmed(outcome: Outcome, pair: Pair, listing: Listing, largest: float) -> Outcome:
-        found = say(Kind.AT_LISTED_VALUES if listing.decimals is None else Kind.AT_WORKED_VALUES, line=listing.line)
+        kind = Kind.AT_LISTED_VALUES if listing.off is None else Kind.AT_WORKED_VALUES
+        found = say(kind, line=listing.line) if listing.line else say(Kind.AT_ZERO)
         return replace(
             outcome, verdict=Verdict.CONFIRMED, findings=(found,), pair=pair, wrong=[], samples=1, max_error=largest
         )
+
+    def _at_zero(self) -> Iterator[Listing]:
+        """Yield the configuration in which no joint is moved, which nobody needs to state for an arm of numbers."""
+        arm = self.members.names.arm
+        if arm is not None and arm.joints and not arm.lengths:
+            yield Listing(0, tuple(f"{key_as_latex(joint.symbol)} = 0" for joint in arm.joints))
 
     def _is_slip(self, pair: Pair, found: _Compared) -> bool:
         """Whether the values on which the one wrong number depends are those of numbers that are right."""
@@ -110,7 +142,6 @@ class ListedValues:
             len(allowed) >= FEWEST or any(_tells(pair, each) for each in allowed)
         ):
             return None
-        slack = 0.0 if listing.decimals is None else len(listing.values) * 10.0**-listing.decimals
         found = _Compared()
         for (row, column), rounding in allowed.items():
             difference = pair.true.rows[row][column] - pair.printed.rows[row][column]
@@ -118,10 +149,13 @@ class ListedValues:
             if value is None:
                 return None
             found.differences[row, column] = difference
+            slack = (listing.off or 0.0) * len(symbols_in([difference]))
             size = self.members.number(value)
             error = abs(remainder(size, tau) if (row, column) in angles else size)
             if error > rounding.far + slack:
                 found.wrong.append((row, column))
+            elif error > rounding.near + slack:
+                return None
             else:
                 found.largest = max(found.largest, error)
         return found
@@ -136,6 +170,11 @@ class ListedValues:
             raise
         except EvaluationError:
             return None
+
+
+def holds_at_listed_values(outcome: Outcome) -> bool:
+    """Whether an equation holds as one of numbers at the values of code, at those worked out above, or where no joint is moved."""
+    return outcome.verdict is Verdict.CONFIRMED and any(each.kind in _AT_VALUES for each in outcome.findings)
 
 
 def _tells(pair: Pair, place: Place) -> bool:

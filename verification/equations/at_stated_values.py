@@ -122,9 +122,9 @@ class StatedValues:
             outcome.pair = replace(best.pair, true=sides[0], printed=sides[1])
         elif best.open and not best.wrong and self._says_that_it_vanishes(outcome):
             return None
-        elif listed := self._listed(outcome, pairs, numbers, symbols_in(_differences(best.pair))):
-            return listed
         elif best.wrong or best.open:
+            if listed := self._listed(outcome, pairs, numbers, symbols_in(_differences(best.pair))):
+                return listed
             outcome.verdict, outcome.findings = Verdict.UNCHECKED, (say(Kind.NUMBERS_OF_NOWHERE),)
         else:
             outcome.verdict, outcome.samples, outcome.max_error = Verdict.CONFIRMED, 1, best.largest
@@ -133,8 +133,6 @@ class StatedValues:
 
     def _listed(self, outcome: Outcome, pairs: Sequence[Pair], numbers: n.Node, names: set[str]) -> Outcome | None:
         """Return what becomes of numbers that are those at the values that code gives, or all but one; None where they are not."""
-        if not self.names.state.listed:
-            return None
         stated = {name: self._of_variable(name, each.node) for name, each in self._stated(names).items()}
         return ListedValues(self.members).judge(outcome, pairs, numbers, stated)
 

@@ -270,6 +270,8 @@ class Kind(MessageKind):
     TO_DECIMALS_THERE = "to_decimals_there", "to the decimals printed, at the configuration given before"
     WRONG_THERE = "wrong_there", "at the configuration given before", ""
     AT_LISTED_VALUES = "at_listed_values", "to the decimals printed, at the values of the code at line {line}"
+    AT_ZERO = "at_zero", "to the decimals printed, where all joint variables are zero"
+    LISTED_OTHERWISE = "listed_otherwise", "{printed} is {correct} at the values of line {line}, with which the other numbers are right: one of the two is wrong"
     AT_WORKED_VALUES = "at_worked_values", "to the decimals printed, at the joint values that are worked out above"
     NUMBERS_OF_NOWHERE = "numbers_of_nowhere", "which configuration, and which lengths? state the values before, as in \\theta_1 = 0"
     HOLDS_THERE = "holds_there", "at the configuration given before"

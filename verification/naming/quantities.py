@@ -128,7 +128,7 @@ def implied_quantity(name: n.Name, arm: Arm, transforms: str) -> Quantity | None
 def _frame(arm: Arm, text: str) -> str | None:
     if text in arm.frames:
         return text
-    return numbered_frames(arm)[-1] if text == "n" else None
+    return numbered_frames(arm)[-1] if text in ("n", "N") else None
 
 
 def transform_pair(name: n.Name, arm: Arm, transforms: str) -> tuple[str, str] | None:

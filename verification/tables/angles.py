@@ -36,9 +36,23 @@ def to_radians(value: Scalar, unit: str) -> tuple[Scalar, Finding | None]:
     constant = rational_part(value)
     if unit == "deg":
         return in_radians(value), None
+    if constant and (turns := _rounded_part_of_pi(constant)) is not None:
+        return value + (
+            value.ring.generator(("pi", "")) * value.ring.rational(turns) - value.ring.rational(constant)
+        ), None
     if not constant or unit == "rad" or constant % 15 or abs(constant) > 360:
         return value, None
     return in_radians(value), say(Kind.READ_IN_DEGREES, angle=str(constant))
+
+
+def _rounded_part_of_pi(constant: Fraction) -> Fraction | None:
+    """Return k/12 or, of two decimals, k/4, if a number of radians is that part of π to its decimals: 1.5708, 0.785, 3.14."""
+    decimals = next((n for n in range(2, 10) if (constant * 10**n).denominator == 1), 0)
+    if not decimals:
+        return None
+    parts = 4 if decimals == 2 else 12
+    turns = Fraction(round(float(constant) * parts / math.pi), parts)
+    return turns if turns and abs(float(constant) - float(turns) * math.pi) <= 0.5 * 10.0**-decimals + 1e-12 else None
 
 
 def within_a_turn(angle: Scalar, more: Fraction) -> Scalar:

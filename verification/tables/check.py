@@ -16,7 +16,7 @@ from armproof.verification.tables.origins import check_origins
 from armproof.verification.verdict import Record, Verdict
 
 _OPENING = re.compile(
-    r"\s*(?:\\(?:displaystyle|small|footnotesize|normalsize|centering|large)\s*)*(?:\\left\s*\\?[\[({|.]\s*)?\\begin\s*"
+    r"\s*(?:(?:\\text\w*\s*\{[^{}]*\}|[A-Za-z]|\s)+(?:=|:)\s*)?(?:\\(?:displaystyle|small|footnotesize|normalsize|centering|large)\s*)*(?:\\left\s*\\?[\[({|.]\s*)?\\begin\s*"
     r"\{(?:(?P<ruled>array|tabular)\}\s*(?:\[\w\])?\s*\{(?:[^{}]|\{[^{}]*\})*\}|(?P<plain>[bpvB]?matrix|aligned)\})"
 )
 TWIST = re.compile(r"alpha|α|twist|torsi", re.IGNORECASE)  # no DH table without that column

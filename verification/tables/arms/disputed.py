@@ -110,12 +110,35 @@ def _others(part: Inference, letters: Sequence[str]) -> Iterator[_Other]:
             for correct in _lengths(printed, letters, is_joint) if column in ("a", "d") else _angles(printed, is_joint):
                 rows = [{**each, column: correct} if each is row else each for each in arm["rows"]]
                 yield _Other(k + 1, column, printed, correct, {**front, "arm": {**arm, "rows": rows}})
+    yield from _turning(part) if is_table else ()
+
+
+def _turning(part: Inference) -> Iterator[_Other]:
+    """Yield the arms in which a row turns that does not in the table, or slides: 0 for θ_1 leaves d_1 as its variable."""
+    front = part.document.front
+    arm = {key: value for key, value in front["arm"].items() if key != "frames"}
+    turning = [joint for row in arm["rows"] for joint in _joints_in(row, arm["joints"], "theta")]
+    letter = turning[0].partition("_")[0] if turning and re.fullmatch(r"[a-z]+_\d+", turning[0]) else ""
+    for k, row in enumerate(arm["rows"]):
+        joint = f"{letter}_{k + 1}"
+        if not letter or joint in arm["joints"] or _joints_in(row, arm["joints"], "theta"):
+            continue
+        rows = [{**each, "theta": joint} if each is row else each for each in arm["rows"]]
+        own = [joint, *arm["joints"]]
+        joints = [name for each in rows for name in _joints_in(each, own, "theta", "d")[:1]]
+        yield _Other(
+            k + 1, "theta", str(row["theta"]), joint, {**front, "arm": {**arm, "rows": rows, "joints": joints}}
+        )
+
+
+def _joints_in(row: Mapping[str, Any], joints: Sequence[str], *columns: str) -> list[str]:
+    return [name for column in columns for name in _NAME.findall(str(row[column])) if name in joints]
 
 
 def _letters(part: Inference, lost: Sequence[Record]) -> set[str]:
     """Return the lengths of an arm, what its document writes with one of their letters and another digit, and what is not bound."""
     arm, own = part.document.front["arm"], _own_letters(part)
-    bases = {name.partition("_")[0] for name in own if "_" in name}
+    bases = {name.partition("_")[0] for name in own if "_" in name} | {"a", "d"}
     alike = (f"{base}_{k + 1}" for base in sorted(bases) for k in range(len(arm["rows"])))
     unbound = {str(each.terms["name"]) for record in lost for each in record.findings if each.kind is Kind.NOT_BOUND}
     unbound = {name for name in unbound if _NAME.fullmatch(name)}

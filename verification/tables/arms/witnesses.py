@@ -15,6 +15,7 @@ from armproof.verification.algebra.matrix import as_matrix
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.document import Display, Document
 from armproof.verification.equations.alignment import is_constant
+from armproof.verification.equations.at_listed_values import holds_at_listed_values
 from armproof.verification.equations.chain import ChainChecker, no_samples
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.readings import side_by_side
@@ -77,6 +78,7 @@ class _Trial:
     def take(self, display: Display) -> None:
         """Count which equations of a display that rest on the arm hold."""
         self.checker.names.state.enter(display.section)
+        self.checker.names.state.listed = display.listed
         budget = self.checker.exact.budget
         self.checker.exact.ring.forget_signs()
         with suppress(Exception), budget.of(SECONDS):  # a fault of ours must not cost the document its verdicts
@@ -96,7 +98,7 @@ class _Trial:
             self.joints.add(key)
         for outcome in outcomes:
             tells = bool(links_of(outcome, self.checker.members))
-            self.held += tells and outcome.verdict is Verdict.PROVED
+            self.held += tells and (outcome.verdict is Verdict.PROVED or holds_at_listed_values(outcome))
             self.failed += tells and outcome.verdict is Verdict.REFUTED
             if tells and outcome.verdict is Verdict.PROVED and outcome.pair is not None:
                 self.entries += sum(not is_constant(as_matrix(cell)) for cell in outcome.pair.true.cells)
