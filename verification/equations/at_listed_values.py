@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from math import remainder, tau
 from typing import Any
 
-from armproof.verification.algebra.calculus import substitute, symbols_in
+from armproof.verification.algebra.calculus import derivative, substitute, symbols_in
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document.model import Listing
 from armproof.verification.equations.alignment import Pair, angle_places
@@ -26,6 +26,7 @@ from armproof.verification.verdict import Verdict
 Values = Mapping[str, Any]
 Place = tuple[int, int]
 _AT_VALUES = (Kind.AT_LISTED_VALUES, Kind.AT_WORKED_VALUES, Kind.AT_ZERO)
+STEEP = 1e-3
 FEWEST = 9  # entries of a matrix of 0 and 1 alone that tell something
 
 
@@ -57,7 +58,7 @@ class ListedValues:
                     found = self._compared(pair, numbers, known, listing)
                     if found is not None and not found.wrong:
                         return self._confirmed(outcome, pair, listing, found.largest)
-                    if found is not None and self._is_slip(pair, found):
+                    if found is not None and self._is_slip(found, known):
                         return self._refuted(outcome, pair, found, known)
                     if nearly is None and listing.line and found is not None and len(found.wrong) == 1:
                         nearly = self._doubted(outcome, pair, found, known, listing)
@@ -97,11 +98,25 @@ class ListedValues:
         if arm is not None and arm.joints and not arm.lengths:
             yield Listing(0, tuple(f"{key_as_latex(joint.symbol)} = 0" for joint in arm.joints))
 
-    def _is_slip(self, pair: Pair, found: _Compared) -> bool:
-        """Whether the values on which the one wrong number depends are those of numbers that are right."""
-        right = [each for place, each in found.differences.items() if place not in found.wrong and _tells(pair, place)]
-        wrong = symbols_in(found.differences[place] for place in found.wrong)
-        return len(found.wrong) == 1 and bool(wrong) and wrong <= symbols_in(right)
+    def _is_slip(self, found: _Compared, values: Values) -> bool:
+        """Whether each value that the one wrong number depends on there is confirmed by right ones that depend on it.
+
+        These are as many as the values, or more: one number may be right for other values, too.
+        """
+        if len(found.wrong) != 1:
+            return False
+        wrong = found.differences[found.wrong[0]]
+        moving = [name for name in symbols_in([wrong]) if self._moves(wrong, name, values)]
+        right = [each for place, each in found.differences.items() if place not in found.wrong]
+        confirmed = [{name for name in moving if self._moves(each, name, values)} for each in right]
+        return bool(moving) and sum(map(bool, confirmed)) >= len(moving) and set(moving) == set().union(*confirmed)
+
+    def _moves(self, difference: Scalar, name: str, values: Values) -> bool:
+        """Whether a difference depends on a symbol at the values."""
+        if name not in symbols_in([difference]):
+            return False
+        slope = self._at(derivative(difference, difference.ring.symbol(name)), values)
+        return slope is not None and abs(self.members.number(slope)) > STEEP
 
     def _refuted(self, outcome: Outcome, pair: Pair, found: _Compared, values: Values) -> Outcome:
         names = symbols_in(found.differences.values())

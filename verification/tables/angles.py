@@ -36,23 +36,20 @@ def to_radians(value: Scalar, unit: str) -> tuple[Scalar, Finding | None]:
     constant = rational_part(value)
     if unit == "deg":
         return in_radians(value), None
-    if constant and (turns := _rounded_part_of_pi(constant)) is not None:
-        return value + (
-            value.ring.generator(("pi", "")) * value.ring.rational(turns) - value.ring.rational(constant)
-        ), None
     if not constant or unit == "rad" or constant % 15 or abs(constant) > 360:
         return value, None
     return in_radians(value), say(Kind.READ_IN_DEGREES, angle=str(constant))
 
 
-def _rounded_part_of_pi(constant: Fraction) -> Fraction | None:
-    """Return k/12 or, of two decimals, k/4, if a number of radians is that part of π to its decimals: 1.5708, 0.785, 3.14."""
-    decimals = next((n for n in range(2, 10) if (constant * 10**n).denominator == 1), 0)
-    if not decimals:
-        return None
-    parts = 4 if decimals == 2 else 12
-    turns = Fraction(round(float(constant) * parts / math.pi), parts)
-    return turns if turns and abs(float(constant) - float(turns) * math.pi) <= 0.5 * 10.0**-decimals + 1e-12 else None
+def with_parts_of_pi(angle: Scalar) -> Scalar:
+    """Return an angle in radians with k π/12 for a number of four decimals or more that is that, 1.5708: no equation means another."""
+    constant = rational_part(angle)
+    decimals = next((n for n in range(10) if (constant * 10**n).denominator == 1), 0)
+    turns = Fraction(round(float(constant) * 12 / math.pi), 12)
+    if decimals < 4 or abs(float(constant) - float(turns) * math.pi) > 0.5 * 10.0**-decimals + 1e-12:
+        return angle
+    ring = angle.ring
+    return angle - ring.rational(constant) + ring.generator(("pi", "")) * ring.rational(turns)
 
 
 def within_a_turn(angle: Scalar, more: Fraction) -> Scalar:

@@ -13,6 +13,7 @@ import armproof.course
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.check import DocumentChecker, check_document, load_arm_of
 from armproof.verification.document import Display, Document, find_documents, parse_document
+from armproof.verification.document.model import Listing
 from armproof.verification.errors import DocumentError
 from armproof.verification.latex.nodes import Chain, Name
 from armproof.verification.latex.writer import Notation
@@ -49,6 +50,7 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "usual": lambda state: state.usual.update({("p_x", "A title"): Quantity("origin", "2")}),
     "used": lambda state: state.used.add("a"),
     "used_in_general": lambda state: state.used_in_general.add("a"),
+    "listed": lambda state: setattr(state, "listed", (Listing(3, ("q_{1} = 0",)),)),
     "adopted": lambda state: state.adopted.add("L_3"),
     "balanced": lambda state: state.balanced.add(("tau", "")),
     "beyond": lambda state: state.beyond.update(E=("2", "T_E")),

@@ -14,7 +14,7 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import is_number
 from armproof.verification.naming.names import Names
-from armproof.verification.tables.angles import letter_of, symbols_of, to_radians
+from armproof.verification.tables.angles import letter_of, symbols_of, to_radians, with_parts_of_pi
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
 from armproof.verification.tables.arms.frame_names import end_effectors, frame_names, is_tool
 from armproof.verification.tables.cells import Cell, read_cell, read_kind
@@ -149,7 +149,7 @@ def _value(names: Names, algebra: ExactAlgebra, columns: Columns, column: int, p
     if others and row.kind == "fixed" and parameter == "theta":
         value = others[-1]  # θ_7 = 0
     if parameter in ANGLES:
-        return to_radians(value, unit)[0]
+        return with_parts_of_pi(to_radians(value, unit)[0])
     return value * SCALES.get(unit, 1) if value.as_fraction() is not None and not cell.has_unit else value
 
 
