@@ -175,6 +175,8 @@ def _scalar_function(evaluator: Evaluating, function: str, arguments: list[Any])
     if function in ("cos", "sin", "tan", "cot", "sec", "csc"):
         c, s = evaluator.algebra.cos_sin(arguments[0])
         one = evaluator.algebra.rational(Fraction(1))
+        if function not in ("cos", "sin"):
+            evaluator.algebra.divide_by(c if function in ("tan", "sec") else s)
         return {"cos": lambda: c, "sin": lambda: s, "tan": lambda: s / c, "cot": lambda: c / s, "sec": lambda: one / c,
                 "csc": lambda: one / s}[function]()  # fmt: skip
     if function == "sqrt":

@@ -44,7 +44,12 @@ def unapplied(node: n.Node) -> n.Node:
 
 
 def value_in_letters(node: n.Node, names: Names, algebra: ExactAlgebra) -> tuple[Value, tuple[n.Name, ...]] | None:
-    """Return the value of a formula in its own letters, with them; None where it has none."""
+    """Return the value of a formula in its own letters, with them; None where it has none.
+
+    Nor where it is one of half an angle: tan(θ/2) would make functions of that of all cos θ and sin θ.
+    """
+    if any(_is_of_half_an_angle(below) for below in n.walk(node)):
+        return None
     letters = tuple(below for below in n.walk(node) if isinstance(below, n.Name) and below.key != "pi")
     try:
         return Evaluator(replace(names, symbols={name.key: name.key for name in letters}), algebra).evaluate(
@@ -52,3 +57,12 @@ def value_in_letters(node: n.Node, names: Names, algebra: ExactAlgebra) -> tuple
         ), letters
     except (EvaluationError, RecursionError):
         return None
+
+
+def _is_of_half_an_angle(node: n.Node) -> bool:
+    quotients = n.walk(node) if isinstance(node, n.Call) and node.function in ("cos", "sin", "tan") else ()
+    return any(isinstance(each, n.Quotient) and _holds_a_joint(each.numerator) for each in quotients)
+
+
+def _holds_a_joint(node: n.Node) -> bool:
+    return any(isinstance(below, n.Name) and _JOINT.fullmatch(below.key) for below in n.walk(node))
