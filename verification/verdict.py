@@ -59,12 +59,16 @@ def worst(verdicts: list[Verdict]) -> Verdict:
 
 @dataclass(frozen=True)
 class SlipBefore:
-    """The one change of what a display before says of a name, with which an equation that is refuted would hold, and what it then says."""
+    """The one change of what a display before says of a name, with which an equation that is refuted would hold, and what it then says.
+
+    It has a rival where one slip in the equation itself would mend that, too.
+    """
 
     name: str
     line: int
     change: Finding
     formula: object
+    has_rival: bool = False
 
 
 @dataclass(frozen=True)

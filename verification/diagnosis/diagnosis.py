@@ -78,16 +78,15 @@ class Diagnostician:
     def slip_before(self, record: Record, outcome: Outcome, again: Callable[[], bool]) -> SlipBefore | None:
         """Return the slip in a definition before with which a refuted equation holds, as it is found `again`; None where there is none.
 
-        One slip in the equation itself is as likely, and is told. That a term is missing, or a number wrong, says what is
+        One slip in the equation itself is as likely, and is told: a rival. That a term is missing, or a number wrong, says what is
         wrong, and not how that came about.
         """
         entries = [entry.finding for entry in record.entries if entry.equation == outcome.equation]
         told = [
             each for each in entries if each is not None and each.kind not in (Kind.MISSING_TERM, Kind.WRONG_NUMBER)
         ]
-        if len(entries) == len(told) == 1:
-            return None
-        return slip_before(self.checker, self.learnt, outcome, again)
+        found = slip_before(self.checker, self.learnt, outcome, again)
+        return found and replace(found, has_rival=len(entries) == len(told) == 1)
 
     def slip_as_usual(self, latex: str, outcome: Outcome) -> list[WrongEntry]:
         """Return the entry that one slip mends of an equation which is left open, if its names mean what they usually do."""

@@ -51,7 +51,8 @@ def slip_before(
 def _edits(formula: n.Node, around: Iterable[n.Node], letters: Letters) -> Iterator[Edit]:
     """Yield a definition with a slip, of the letters and the sines that stand in it and around it; nobody turns all signs of a sum."""
     found = chain(_cells(formula), _exchanged(formula, around), single_edits(formula, letters))
-    return (each for each in found if not (isinstance(formula, n.Sum) and each.finding == say(Kind.WRONG_SIGN)))
+    is_sum = isinstance(formula, n.Sum) and len(formula.terms) > 1
+    return (each for each in found if not (is_sum and each.finding == say(Kind.WRONG_SIGN)))
 
 
 def _cells(formula: n.Node) -> Iterator[Edit]:

@@ -126,8 +126,11 @@ def _jacobian_rows(true: Matrix, count: int) -> Iterator[tuple[int, ...]]:
     nonzero = tuple(i for i in range(len(true.rows)) if not all(is_zero(cell) for cell in true.rows[i]))
     candidates: list[tuple[int, ...]] = [tuple(range(count))] if count <= 3 else []
     candidates.append(nonzero)
-    if count == 3:
-        candidates += [(3, 4, 5), (0, 1, 5)] if len(true.rows) == 6 else []
+    if count == 3 and len(true.rows) == 6:
+        candidates += [(3, 4, 5)] if {3, 4, 5} & {*nonzero} else []
+        candidates += (
+            [(0, 1, 5)] if 5 in nonzero or 2 not in nonzero else []
+        )  # what never turns, and lifts, is in no plane
     if count == 2:  # motion in the plane x, z or y, z
         candidates += [(i, 2) for i in (0, 1) if 1 - i not in nonzero]
     if count == 1 and len(true.rows) == 6:

@@ -27,7 +27,7 @@ def asked_of_the_tool(names: Names, outcomes: list[Outcome], again: Callable[[],
     of_both = zip(outcomes, tried, strict=True) if len(tried) == len(outcomes) else ((each, each) for each in outcomes)
     judged = [_judged(each, other, given[0]) if _moves(names, each) else each for each, other in of_both]
     if all(outcome.verdict in HOLDS for outcome in judged):
-        names.state.consulted -= {*given} & {*names.state.doubted()}  # under another heading nothing rests on them
+        names.state.consulted -= {*given}  # nothing rests on them
     return judged
 
 

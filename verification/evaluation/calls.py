@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -17,6 +18,7 @@ from armproof.verification.evaluation.evaluating import Evaluating
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import call_key
+from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import numbered_frames, transform_pair
 
 WHOLE_VECTORS = ("q", "t", "theta", "Theta")  # and time: what everything depends on
@@ -53,6 +55,8 @@ def name_value(evaluator: Evaluating, node: n.Name) -> Value:
         return names.table_angle(symbol, algebra, node.key)
     if node.key in names.state.definitions:
         return names.defined_value(node.key, algebra)
+    if (square := _power_of_length(node, names)) is not None:
+        return evaluator.evaluate(square)
     if (quantity := names.quantity(node)) is not None:
         return algebra.quantity(quantity)
     if node.key == "pi":
@@ -73,6 +77,14 @@ def name_value(evaluator: Evaluating, node: n.Name) -> Value:
         return _to_added_frame(evaluator, node, *added)
     _reject_unknown_frame(evaluator, node)
     raise UnboundName(node.key)
+
+
+def _power_of_length(node: n.Name, names: Names) -> n.Power | None:
+    """Return the power that p_1^2 is where p_1 is a length of the arm, and no point seen from frame 2."""
+    plain = replace(node, sup="")
+    if not node.sup.isdigit() or node.pre_sup or node.pre_sub or names.known_symbol(plain.key) is None:
+        return None
+    return n.Power(plain, n.Number(Fraction(node.sup), node.sup), span=node.span)
 
 
 def joint_angle_sum(evaluator: Evaluating, node: n.JointAngles) -> Any:

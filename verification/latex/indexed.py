@@ -178,6 +178,8 @@ class NameReader:
         if canonical == "0":
             return True
         digits = canonical.isdigit()
+        if digits and f"{base}_{sub}" in self.spelling.lengths:
+            return False
         if base in TRANSFORM_LETTERS and sub and not prescripted:
             return True
         if base in VECTOR_LETTERS and sub and not prescripted:

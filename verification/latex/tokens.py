@@ -163,6 +163,7 @@ class Spelling:
     sums: tuple[tuple[str, tuple[int, ...]], ...] = ()  # digits of θ_{34} = θ_3 - θ_4 → the signs that it says
     letters: frozenset[str] = frozenset()  # S and C that it gives a meaning: S(…) is a product
     reference_below: bool = False  # {}_0^1T is the pose of frame 1 in frame 0
+    lengths: frozenset[str] = frozenset()  # p_1 of p_1 cos θ_1: p_1^2 is its square, and no point seen from frame 2
 
     def joint_signs(self, digits: str) -> tuple[int, ...]:
         """Return the signs of the angles that the digits of c_{34} add: as the document says, else all are positive."""

@@ -44,6 +44,10 @@ _OWN_SUM = re.compile(
 
 _OWN_LETTER = re.compile(r"(?:^|[,;]|\\\\|quad|\\begin\{\w+\*?\})\s*([cCsS])\s*&?\s*:?=")  # S = sin(θ_1 + θ_2)
 
+_LENGTH = re.compile(
+    r"(?<![A-Za-z])([pP])_\{?(\d)\}?\s*(?:\\[,;!]\s*|\\cdot\s*)?(?:\\cos|\\sin|[cCsS]_)"
+)  # p_1 cos θ_1
+
 
 def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
     """Return the bindings of a front matter; raises DocumentError with the key and the valid choices."""
@@ -95,7 +99,8 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
     angle = "q" if of_q & of_cosine and not of_theta else "theta"
     sums = tuple(dict(_own_sums(texts)).items())
     own = frozenset(letter for each in texts for letter in _OWN_LETTER.findall(each))
-    return Spelling(words, frozenset(apart), comma, variables, angle, sums, own, _refers_below(text))
+    lengths = frozenset(f"{letter}_{index}" for letter, index in _LENGTH.findall(text))
+    return Spelling(words, frozenset(apart), comma, variables, angle, sums, own, _refers_below(text), lengths)
 
 
 def _own_sums(said: Iterable[str]) -> Iterator[tuple[str, tuple[int, ...]]]:

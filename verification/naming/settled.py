@@ -21,8 +21,10 @@ def settle_definitions(records: Iterable[Record], tells: Tells = lambda *_: True
     mistake: neither is decided. A display clears it that `tells` a slip: it holds without it alone.
     """
     records = tuple(records)
-    wrong = contradicted([record for record in records if not record.erratum], tells)
-    records = tuple(record if record.erratum else _unless_doubted(record, wrong) for record in records)
+    claims = [record for record in records if not record.erratum]
+    wrong = contradicted(claims, tells)
+    against = unsupported(claims) | contradicted(claims, tells, with_rivals=True)  # these are not to pass
+    records = tuple(record if record.erratum else _unless_doubted(record, wrong, against) for record in records)
     used = used_names([each for record in records if not record.erratum for each in record.outcomes])
     return tuple(_settled(record, used) for record in records)
 
@@ -39,10 +41,13 @@ def used_names(results: Iterable[EquationResult]) -> frozenset[Key]:
     return frozenset(used)
 
 
-def contradicted(records: Sequence[Record], tells: Tells = lambda *_: True) -> dict[Key, list[int]]:
+def contradicted(
+    records: Sequence[Record], tells: Tells = lambda *_: True, *, with_rivals: bool = False
+) -> dict[Key, list[int]]:
     """Return the definitions that several displays contradict, more than agree with them, and the lines of those.
 
     One is enough where nothing agrees, and a slip in the definition mends it: which of the two has the slip, nothing tells.
+    Of those that a slip of their own mends as well, two are, if the same slip mends both.
 
     A name said to be something else, K = …, is a second definition, and tells nothing of the first.
     """
@@ -55,9 +60,7 @@ def contradicted(records: Sequence[Record], tells: Tells = lambda *_: True) -> d
         right.update(key for verdict in HOLDS for key in used[verdict] - refuted)
         for key in refuted:
             wrong.setdefault(key, []).append(record.line)
-    mends = {
-        (o.slip_before.name, o.slip_before.line): o.slip_before for r in records for o in r.outcomes if o.slip_before
-    }
+    mends = _mends([o.slip_before for r in records for o in r.outcomes if o.slip_before], with_rivals)
     for key in wrong.keys() & mends.keys():
         agreeing = (each for each in records if any(o.verdict in HOLDS and key in o.uses for o in each.outcomes))
         right[key] = sum(tells(each, mends[key]) for each in agreeing)
@@ -65,13 +68,37 @@ def contradicted(records: Sequence[Record], tells: Tells = lambda *_: True) -> d
     return {key: lines for key, lines in wrong.items() if len(lines) >= max(least[key], right[key] + 1)}
 
 
+def _mends(slips: Sequence[SlipBefore], with_rivals: bool) -> dict[Key, SlipBefore]:
+    """Return the slips in definitions that explain what is refuted: better than slips there do, or each for several."""
+    times = Counter((slip.name, slip.line, str(slip.change)) for slip in slips)
+    several = {slip for slip, count in times.items() if count >= SEVERAL}
+    telling = (s for s in slips if with_rivals or not s.has_rival or (s.name, s.line, str(s.change)) in several)
+    return {(slip.name, slip.line): slip for slip in telling}
+
+
+def unsupported(records: Sequence[Record]) -> dict[Key, list[int]]:
+    """Return the definitions with which more claims do not hold than do, without an arm that would tell; and their lines."""
+    results = [(record.line, each) for record in records for each in record.outcomes]
+    held = Counter(key for _, each in results if each.verdict in HOLDS for key in _rested_on(each))
+    open_: dict[Key, list[int]] = {}
+    for line, key in ((line, key) for line, each in results if _differs(each) for key in _rested_on(each)):
+        open_.setdefault(key, []).append(line)
+    return {key: lines for key, lines in open_.items() if len(lines) > held[key]}
+
+
+def _differs(result: EquationResult) -> bool:
+    """Whether the sides of a claim that is left open differ."""
+    differs = any(each.kind is Kind.NO_ARM_TO_COMPARE for each in result.findings)
+    return result.role is Role.CLAIM and result.verdict is Verdict.UNCHECKED and differs
+
+
 def _rested_on(result: EquationResult) -> frozenset[Key]:
     return frozenset(key for key in result.uses if key[0] not in result.alone)
 
 
-def _unless_doubted(record: Record, wrong: Mapping[Key, list[int]]) -> Record:
-    """Leave open the definitions that are contradicted, and what is refuted by them."""
-    doubts = [_doubt(each, wrong) for each in record.outcomes]
+def _unless_doubted(record: Record, wrong: Mapping[Key, list[int]], against: Mapping[Key, list[int]]) -> Record:
+    """Leave open the definitions that something speaks against, and what is refuted by those that are contradicted."""
+    doubts = [_doubt(each, wrong, against) for each in record.outcomes]
     if not any(doubts):
         return record
     outcomes = tuple(
@@ -81,10 +108,10 @@ def _unless_doubted(record: Record, wrong: Mapping[Key, list[int]]) -> Record:
     return record.with_outcomes(outcomes)
 
 
-def _doubt(result: EquationResult, wrong: Mapping[Key, list[int]]) -> Finding | None:
-    own = sorted(result.defines & wrong.keys())
-    if own and result.verdict is Verdict.DEFINED:
-        return say(Kind.CONTRADICTED, name=own[0][0], lines=wrong[own[0]])
+def _doubt(result: EquationResult, wrong: Mapping[Key, list[int]], against: Mapping[Key, list[int]]) -> Finding | None:
+    own = sorted(result.defines & against.keys())
+    if own and result.verdict is Verdict.DEFINED and (result.role is Role.DEFINITION or own[0] in wrong):
+        return say(Kind.CONTRADICTED, name=own[0][0], lines=against[own[0]])
     slip = result.slip_before
     if slip is not None and result.verdict is Verdict.REFUTED and (slip.name, slip.line) in wrong:
         return say(Kind.SLIP_BEFORE, name=slip.name, line=slip.line, change=slip.change)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document import Display, Document, Table
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.rigid import is_rotation
@@ -35,6 +36,9 @@ class Inference:
 
 # beside its links: where a chain's frames lie, which of its joints comes first, and how the joint before an inner one turns
 FRAMES, ORDER, TOLD = 0, -1, -2
+# which coordinates of a closed form it tells of, x first, and of which what they hold without a joint
+AXES, HEIGHTS = -3, -6
+_MOVES = ("jacobian", "velocity", "determinant")
 
 
 def links_of(outcome: Outcome, members: Members, source: str = "", told_by: str = "") -> frozenset[int]:
@@ -50,14 +54,42 @@ def links_of(outcome: Outcome, members: Members, source: str = "", told_by: str 
         return _links([each for node in nodes for each in _quantities(node, members)], members, source)
     if outcome.verdict is Verdict.REFUTED and (rows := _angle_rows(outcome, members)):
         return rows
-    if outcome.true is None or outcome.printed is None or _quantities(outcome.printed.node, members):
+    if outcome.true is None or outcome.printed is None:
         return frozenset()
-    return _links(_quantities(outcome.true.node, members), members, source)
+    told, others = (_quantities(side.node, members) for side in outcome.sides)
+    if told and others and outcome.verdict is not Verdict.REFUTED:  # J^{-1} = J^T of another arm, too
+        return frozenset()
+    return _links([*told, *others], members, source)
 
 
 def _links(quantities: Sequence[Quantity], members: Members, source: str) -> frozenset[int]:
     links = frozenset(link for quantity in quantities for link in _span(quantity, members))
-    return links.union(*(_untold(quantity, members) for quantity in quantities)) if source == "closed form" else links
+    if source != "closed form":
+        return links
+    is_linear = sum(quantity.kind in _MOVES for quantity in quantities) < 2  # J J^T is the same of -x
+    axes = (_axes(quantity, members) for quantity in quantities if is_linear)
+    return links.union(*(_untold(quantity, members) for quantity in quantities), *axes)
+
+
+def _axes(quantity: Quantity, members: Members) -> Iterator[int]:
+    """Yield the coordinates of the tool that a quantity tells of, and of which it tells what they hold without a joint: its rates do not."""
+    arm = members.names.arm
+    if arm is None or (quantity.frame, quantity.reference) != (arm.frames[-1], arm.frames[0]):
+        return
+    if quantity.kind not in ("origin", "pose", *_MOVES):
+        return
+    axes = [row - 1 for row in quantity.rows or (1, 2, 3) if row <= 3]
+    yield from (AXES - axis for axis in axes)
+    if quantity.kind in ("origin", "pose"):
+        place = members.exact.quantity(Quantity("origin", quantity.frame, quantity.reference))
+        joints = {joint.symbol for joint in arm.joints}
+        yield from (HEIGHTS - axis for axis in axes if _has_constant(place.rows[axis][0], joints))
+
+
+def _has_constant(value: Scalar, joints: set[str]) -> bool:
+    """Whether a coordinate has a term without any joint."""
+    terms = value.ring.terms(value.normal().numerator)
+    return any(joints.isdisjoint(name for _, name in powers) for powers, _ in terms)
 
 
 def _untold(quantity: Quantity, members: Members) -> Iterable[int]:
@@ -124,8 +156,18 @@ def _symbols(value: Matrix) -> set[str]:
 
 
 def _quantities(side: n.Node, members: Members) -> list[Quantity]:
-    found = (members.quantity_of(node) or _up_to_the_arm(node, members) for node in n.walk(side))
+    found = (
+        members.quantity_of(node) or _up_to_the_arm(node, members) or _of_rate(node, members) for node in n.walk(side)
+    )
     return [quantity for quantity in found if quantity is not None]
+
+
+def _of_rate(node: n.Node, members: Members) -> Quantity | None:
+    """Return the velocity that the rate of a place is, the quantity itself of another."""
+    if not isinstance(node, n.Name) or not node.dots:
+        return None
+    quantity = members.quantity_of(replace(node, dots=0))
+    return replace(quantity, kind="velocity") if quantity is not None and quantity.kind == "origin" else quantity
 
 
 def _up_to_the_arm(node: n.Node, members: Members) -> Quantity | None:
@@ -157,8 +199,18 @@ def settle_data(
         any(_is_sure(taken, each, confirmed) for each in claims) or _shown_twice(taken, tables),
         {key: each.links for each in claims for key in each.defines},
         _never_as_usual(inferred, equations),
+        _against(taken, equations),
     )
     return tuple(map(settled.display, equations)), tuple(map(settled.table, tables))
+
+
+def _against(taken: TakenArm, records: Iterable[Record]) -> Mapping[int, frozenset[int]]:
+    """Return, for each link, the lines that do not hold of the arm that a closed form or a table gave."""
+    found: dict[int, frozenset[int]] = {}
+    for record in records if taken.source != "matrices" else ():
+        for link in (link for each in record.outcomes if each.verdict is Verdict.REFUTED for link in each.links):
+            found[link] = found.get(link, frozenset()) | ({record.line} if not record.erratum else set())
+    return found
 
 
 def _is_sure(taken: TakenArm, claim: EquationResult, confirmed: frozenset[int]) -> bool:
@@ -166,7 +218,7 @@ def _is_sure(taken: TakenArm, claim: EquationResult, confirmed: frozenset[int]) 
     if claim.verdict in HOLDS:
         return bool(claim.links or claim.usual)
     is_own = taken.source == "matrices" and not claim.links & taken.mended
-    sure = is_own or claim.links - {FRAMES, ORDER, TOLD} <= confirmed
+    sure = is_own or {link for link in claim.links if link > 0} <= confirmed
     return claim.is_decided and bool(claim.links) and sure
 
 
@@ -225,6 +277,7 @@ class _Settled:
         is_used: whether anything else is decided with this arm.
         named: what defined names tell of.
         never_as_usual: the names that convention binds and that are none of the arm's.
+        against: the lines that do not hold, for each link that they tell of.
     """
 
     taken: TakenArm
@@ -232,6 +285,7 @@ class _Settled:
     is_used: bool
     named: Mapping[tuple[str, int], frozenset[int]]
     never_as_usual: frozenset[str] = frozenset()
+    against: Mapping[int, frozenset[int]] = field(default_factory=dict)
 
     def table(self, record: Record) -> Record:
         """Return the record of a table: data, or another table, which is not refuted by this one."""
@@ -266,7 +320,7 @@ class _Settled:
             return result if result.links <= self.confirmed else self._data(result.index, result.links)
         links = result.links.union(*(self.named.get(key, ()) for key in result.uses))
         doubtful = links - self.confirmed
-        is_of_links = len(doubtful) == 1 and not doubtful & {FRAMES, ORDER, TOLD}
+        is_of_links = len(doubtful) == 1 and min(doubtful) > 0
         if is_of_links and result.explained_by is not None and not doubtful & result.explained_by:
             links = doubtful = self.confirmed & links  # no link in its place makes it right
         has_entry = any(entry.equation == result.index for entry in record.entries)
@@ -287,6 +341,8 @@ class _Settled:
         return replace(result, verdict=Verdict.UNCHECKED, findings=(doubt.at(result.index), *result.findings))
 
     def _data(self, index: int, links: frozenset[int] = frozenset()) -> EquationResult:
-        verdict = Verdict.DEFINED if self.is_used else Verdict.UNCHECKED
+        lines = sorted(frozenset[int]().union(*(self.against.get(link, ()) for link in links - self.confirmed)))
+        verdict = Verdict.DEFINED if self.is_used and not lines else Verdict.UNCHECKED
         gives = say(Kind.GIVES_ARM, convention=self.taken.convention)
-        return EquationResult(index, Role.DATA, verdict, findings=(gives,), links=links)
+        doubt = (say(Kind.CONTRADICTED, lines=lines),) if lines else ()
+        return EquationResult(index, Role.DATA, verdict, findings=(gives, *doubt), links=links)
