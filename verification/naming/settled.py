@@ -23,7 +23,7 @@ def settle_definitions(records: Iterable[Record], tells: Tells = lambda *_: True
     records = tuple(records)
     claims = [record for record in records if not record.erratum]
     wrong = contradicted(claims, tells)
-    against = unsupported(claims) | contradicted(claims, tells, with_rivals=True)  # these are not to pass
+    against = unsupported(claims) | wrong  # these are not to pass
     records = tuple(record if record.erratum else _unless_doubted(record, wrong, against) for record in records)
     used = used_names([each for record in records if not record.erratum for each in record.outcomes])
     return tuple(_settled(record, used) for record in records)
@@ -41,9 +41,7 @@ def used_names(results: Iterable[EquationResult]) -> frozenset[Key]:
     return frozenset(used)
 
 
-def contradicted(
-    records: Sequence[Record], tells: Tells = lambda *_: True, *, with_rivals: bool = False
-) -> dict[Key, list[int]]:
+def contradicted(records: Sequence[Record], tells: Tells = lambda *_: True) -> dict[Key, list[int]]:
     """Return the definitions that several displays contradict, more than agree with them, and the lines of those.
 
     One is enough where nothing agrees, and a slip in the definition mends it: which of the two has the slip, nothing tells.
@@ -60,7 +58,7 @@ def contradicted(
         right.update(key for verdict in HOLDS for key in used[verdict] - refuted)
         for key in refuted:
             wrong.setdefault(key, []).append(record.line)
-    mends = _mends([o.slip_before for r in records for o in r.outcomes if o.slip_before], with_rivals)
+    mends = _mends([o.slip_before for r in records for o in r.outcomes if o.slip_before])
     for key in wrong.keys() & mends.keys():
         agreeing = (each for each in records if any(o.verdict in HOLDS and key in o.uses for o in each.outcomes))
         right[key] = sum(tells(each, mends[key]) for each in agreeing)
@@ -68,11 +66,11 @@ def contradicted(
     return {key: lines for key, lines in wrong.items() if len(lines) >= max(least[key], right[key] + 1)}
 
 
-def _mends(slips: Sequence[SlipBefore], with_rivals: bool) -> dict[Key, SlipBefore]:
+def _mends(slips: Sequence[SlipBefore]) -> dict[Key, SlipBefore]:
     """Return the slips in definitions that explain what is refuted: better than slips there do, or each for several."""
     times = Counter((slip.name, slip.line, str(slip.change)) for slip in slips)
     several = {slip for slip, count in times.items() if count >= SEVERAL}
-    telling = (s for s in slips if with_rivals or not s.has_rival or (s.name, s.line, str(s.change)) in several)
+    telling = (s for s in slips if not s.has_rival or (s.name, s.line, str(s.change)) in several)
     return {(slip.name, slip.line): slip for slip in telling}
 
 

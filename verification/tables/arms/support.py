@@ -57,9 +57,11 @@ def links_of(outcome: Outcome, members: Members, source: str = "", told_by: str 
     if outcome.true is None or outcome.printed is None:
         return frozenset()
     told, others = (_quantities(side.node, members) for side in outcome.sides)
-    if told and others and outcome.verdict is not Verdict.REFUTED:  # J^{-1} = J^T of another arm, too
-        return frozenset()
-    return _links([*told, *others], members, source)
+    if source == "closed form":  # q_3 = h - z tells of z
+        told, others = [*told, *_rates(outcome.sides[0].node, members)], [*others, *_rates(outcome.sides[1].node, members)]
+        is_of_one = not (told and others) or outcome.verdict is Verdict.REFUTED
+        return _links([*told, *others], members, source) if is_of_one else frozenset()
+    return frozenset() if others else _links(told, members, source)
 
 
 def _links(quantities: Sequence[Quantity], members: Members, source: str) -> frozenset[int]:
@@ -78,10 +80,10 @@ def _axes(quantity: Quantity, members: Members) -> Iterator[int]:
         return
     if quantity.kind not in ("origin", "pose", *_MOVES):
         return
-    axes = [row - 1 for row in quantity.rows or (1, 2, 3) if row <= 3]
+    place = members.exact.quantity(Quantity("origin", quantity.frame, quantity.reference))
+    axes = [row - 1 for row in quantity.rows or (1, 2, 3) if row <= 3 and not place.rows[row - 1][0].is_zero()]
     yield from (AXES - axis for axis in axes)
     if quantity.kind in ("origin", "pose"):
-        place = members.exact.quantity(Quantity("origin", quantity.frame, quantity.reference))
         joints = {joint.symbol for joint in arm.joints}
         yield from (HEIGHTS - axis for axis in axes if _has_constant(place.rows[axis][0], joints))
 
@@ -156,18 +158,17 @@ def _symbols(value: Matrix) -> set[str]:
 
 
 def _quantities(side: n.Node, members: Members) -> list[Quantity]:
-    found = (
-        members.quantity_of(node) or _up_to_the_arm(node, members) or _of_rate(node, members) for node in n.walk(side)
-    )
+    found = (members.quantity_of(node) or _up_to_the_arm(node, members) for node in n.walk(side))
     return [quantity for quantity in found if quantity is not None]
 
 
-def _of_rate(node: n.Node, members: Members) -> Quantity | None:
-    """Return the velocity that the rate of a place is, the quantity itself of another."""
-    if not isinstance(node, n.Name) or not node.dots:
-        return None
-    quantity = members.quantity_of(replace(node, dots=0))
-    return replace(quantity, kind="velocity") if quantity is not None and quantity.kind == "origin" else quantity
+def _rates(side: n.Node, members: Members) -> list[Quantity]:
+    """Return the velocities of the places whose rates stand in a side."""
+    dotted = (node for node in n.walk(side) if isinstance(node, n.Name) and node.dots)
+    found = (members.quantity_of(replace(name, dots=0)) for name in dotted)
+    return [
+        replace(quantity, kind="velocity") for quantity in found if quantity is not None and quantity.kind == "origin"
+    ]
 
 
 def _up_to_the_arm(node: n.Node, members: Members) -> Quantity | None:
@@ -319,16 +320,18 @@ class _Settled:
         if result.verdict in HOLDS and _is_data(self.taken, record, result.links):
             return result if result.links <= self.confirmed else self._data(result.index, result.links)
         links = result.links.union(*(self.named.get(key, ()) for key in result.uses))
-        doubtful = links - self.confirmed
+        doubtful = frozenset(
+            link for link in links - self.confirmed if link > AXES or len(self.against.get(link, ())) > 1
+        )
         is_of_links = len(doubtful) == 1 and min(doubtful) > 0
         if is_of_links and result.explained_by is not None and not doubtful & result.explained_by:
-            links = doubtful = self.confirmed & links  # no link in its place makes it right
+            links, doubtful = self.confirmed & links, frozenset()  # no link in its place makes it right
         has_entry = any(entry.equation == result.index for entry in record.entries)
         has_sides = (
             bool(links) or has_entry or result.role is Role.CONDITION
         )  # else a shape, or an inverse that this arm's Jacobian does not have
         is_own = self.taken.source == "matrices" and not (links - self.confirmed) & self.taken.mended
-        is_sure = has_sides and (is_own or links <= self.confirmed)
+        is_sure = has_sides and (is_own or not doubtful)
         is_sure = is_sure and (not self.taken.told_by or TOLD in self.confirmed)
         if result.verdict is not Verdict.REFUTED or record.erratum:
             return result
