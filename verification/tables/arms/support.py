@@ -56,9 +56,10 @@ def links_of(outcome: Outcome, members: Members, source: str = "", told_by: str 
         return rows
     if outcome.true is None or outcome.printed is None:
         return frozenset()
-    told, others = (_quantities(side.node, members) for side in outcome.sides)
+    one, other = outcome.true.node, outcome.printed.node
+    told, others = _quantities(one, members), _quantities(other, members)
     if source == "closed form":  # q_3 = h - z tells of z
-        told, others = [*told, *_rates(outcome.sides[0].node, members)], [*others, *_rates(outcome.sides[1].node, members)]
+        told, others = [*told, *_rates(one, members)], [*others, *_rates(other, members)]
         is_of_one = not (told and others) or outcome.verdict is Verdict.REFUTED
         return _links([*told, *others], members, source) if is_of_one else frozenset()
     return frozenset() if others else _links(told, members, source)
