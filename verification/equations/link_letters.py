@@ -14,7 +14,9 @@ _INDEX = ("i", "i-1")
 def letterings(chain: n.Chain) -> tuple[dict[str, str], ...]:
     """Return what the letters of a link matrix may stand for, by key; only the usual letters are no choice, and more than two none."""
     names = [below for member in chain.members for below in n.walk(member) if isinstance(below, n.Name)]
-    of_lengths = [name for name in names if name.base in LENGTHS and name.sub in _INDEX and not name.sup]
+    of_lengths = [
+        name for name in names if name.base in LENGTHS and name == n.Name(name.base, name.sub) and name.sub in _INDEX
+    ]
     bases = tuple(sorted({name.base for name in of_lengths}))
     if set(bases) <= set(USUAL) or len(bases) > len(USUAL):
         return ({},)
