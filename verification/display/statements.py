@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from functools import cached_property
 
 from armproof.models.errors import together
@@ -18,7 +19,7 @@ from armproof.verification.conditions.implication import (
 from armproof.verification.conditions.implications import Implications, Judgement
 from armproof.verification.conditions.wording import is_alternative, is_concluded, tell_words_that_change
 from armproof.verification.display.claims import Claims
-from armproof.verification.display.prepared import asked, prepared
+from armproof.verification.display.prepared import asked, of_all_joints, prepared
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome, with_role
 from armproof.verification.equations.series import unless_added, written_out
@@ -93,8 +94,13 @@ class Statements:
         if "\\sum" in latex or "\\prod" in latex:
             statements = [written_out(statement, latex, self.names) for statement in statements]
         statements = [self._with_subject(statement) for statement in statements]
+        if self.names.arm is None:
+            statements = [of_all_joints(statement) for statement in statements]
         if len(statements) > 1 or any(isinstance(each, n.Chain) and len(each.members) > 2 for each in statements):
             statements = prepared(statements, self.names)
+        told = self.names.state.told
+        if told.of_singularities and told.line == line and (found := self._of_singularities(statements, line)):
+            return found
         display = _Display(statements, line, define, latex)
         while display.index < len(statements):
             self.ring.budget.check()
@@ -116,6 +122,27 @@ class Statements:
         if isinstance(statement, n.Chain) and statement.members[0] is PREVIOUS and subject is not None:
             return replace(statement, members=(subject, *statement.members[1:]))
         return statement
+
+    def _of_singularities(
+        self, statements: list[n.Statement], line: int
+    ) -> tuple[list[Outcome], dict[str, float]] | None:
+        """ "The singularities are θ_2 = 0 or θ_2 = π": det J = 0 there and nowhere else. What leaves some out is open."""
+        chains = [each for each in statements if isinstance(each, n.Chain)]
+        if self.names.arm is None or not all(is_condition(each) and each.relations == ("=",) for each in chains):
+            return None
+        vanishes = n.Chain((n.Call("det", (n.Name("J"),), "\\det"), n.Number(Fraction(0))), ("=",))
+        for kind, decided in (("⇔", HOLDS), ("⇐", (Verdict.REFUTED,))):
+            implied = [vanishes, n.Connective(kind, kind), *statements]
+            implication = find_implication(implied, 0)
+            if implication is None or implication.after < len(implied):
+                return None
+            display, before = _Display(implied, line, False, ""), self.names.state.copy()
+            self._take_implication(display, implication)
+            self.names.state.become(before)
+            if [each.verdict in decided for each in display.outcomes] == [True]:
+                display.outcomes[0].also(say(Kind.OF_SINGULARITIES))
+                return display.outcomes, display.counterexample
+        return None
 
     def _take_next(self, display: _Display) -> None:
         statement = display.statements[display.index]

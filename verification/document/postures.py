@@ -18,6 +18,28 @@ _POSTURE = re.compile(
     re.IGNORECASE,
 )
 
+SINGULAR = r"\text{singular}"  # what is said right before the conditions of singularities
+_OF_ARM = rf"(?: (?:of|du|del|de la) (?:the |this |a )?(?:planar |two-link )?(?:{_ARM}|Jacobian|mechanism|jacobienne))?"
+_SINGULARITIES = re.compile(
+    rf"\b(?:(?:singularit(?:y|ies)|singularités?|singularidad(?:es)?|singularità|(?:singular|kinematic) {_PLACE}s?|{_PLACE}s? singulières?|"
+    rf"configuraciones singulares){_OF_ARM}(?: (?:then|thus|therefore|here|donc|alors))?"
+    r" (?:are|is|are given by|is given by|occurs?|arises?|are at|(?:occurs?|arises?|appears?) (?:at|when|where|if|for)|when|sont|est|"
+    r"sont données? par|(?:se produisent|apparaissent) (?:pour|lorsque|quand|si)|son|ocurren (?:cuando|en|si)|sono)"
+    rf"|{_ARM}{_OF_ARM} (?:is|becomes|est|devient|es|è) (?:singular|singulier|singulière) (?:when|if|for|at|lorsque|quand|si|pour|cuando|si|quando))"
+    r"\s*:?\s*\Z",
+    re.IGNORECASE,
+)
+_DENIED = re.compile(
+    r"\b(?:no|not|non|without|avoid\w*|away|except|unless|sans|hors|évit\w*|sauf|pas|sin|no hay)\b", re.IGNORECASE
+)
+
+_NUMBER = r"-?\d+(?:\.\d+)?"
+_RATES = re.compile(
+    rf"\b(?:joint (?:rates|velocities|speeds)|vitesses articulaires)(?: (?:of|are|be|equal to|de|sont|sont de|valent))? "
+    rf"({_NUMBER}(?:, {_NUMBER})*,? (?:and|et) {_NUMBER}) ?rad/s",
+    re.IGNORECASE,
+)
+
 _KINDS = {
     "revolute": r"revolute|rotary|rotational|rotating|rotoïde|rotoide|pivot|rotative|revoluta|rotacional|rotativa|giratoria|rotoidale|rotatorisch",
     "prismatic": r"prismatic|sliding|translational|prismatique|glissière|translation|prismática|prismatica|prismático|prismatico|prismatisch",
@@ -36,7 +58,13 @@ def kind_of_joints(text: str) -> str:
 
 
 def postures(text: str, line: int, section: str) -> Iterator[Display]:
-    """Yield the words of a text that name a posture or a kind of joints, each as what stands in the text between displays."""
+    """Yield the words of a text that name a posture, a kind of joints or, at its end, singularities, each as what stands in the text between displays."""
     plain = " ".join(text.split())
     for found in (*_POSTURE.finditer(plain), *_OF_A_KIND.finditer(plain)):
         yield Display(line, rf"\text{{{found.group()}}}", section=section, opening=INLINE)
+    for found in _RATES.finditer(plain):
+        rates = ", ".join(re.findall(_NUMBER, found[1]))
+        yield Display(line, rf"\dot q = [{rates}]^T", section=section, opening=INLINE)
+    sentence = re.split(r"[.;:!?](?=\s+\S)", plain)[-1]
+    if _SINGULARITIES.search(sentence) and not _DENIED.search(sentence):
+        yield Display(line, SINGULAR, section=section, opening=INLINE)

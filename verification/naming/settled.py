@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from dataclasses import replace
 
 from armproof.verification.findings import Finding, Kind, say
@@ -47,7 +47,8 @@ def contradicted(records: Sequence[Record], tells: Tells = lambda *_: True) -> d
     One is enough where nothing agrees, and a slip in the definition mends it: which of the two has the slip, nothing tells.
     Of those that a slip of their own mends as well, two are, if the same slip mends both.
 
-    A name said to be something else, K = …, is a second definition, and tells nothing of the first.
+    A name said to be something else, K = …, is a second definition, and tells nothing of the first; but where several say so,
+    and nothing agrees, the first may hold the slip.
     """
     defined = {key for each in records for o in each.outcomes if o.role is Role.DEFINITION for key in o.defines}
     wrong: dict[Key, list[int]] = {}
@@ -63,7 +64,26 @@ def contradicted(records: Sequence[Record], tells: Tells = lambda *_: True) -> d
         agreeing = (each for each in records if any(o.verdict in HOLDS and key in o.uses for o in each.outcomes))
         right[key] = sum(tells(each, mends[key]) for each in agreeing)
     least = {key: 1 if key in mends else SEVERAL for key in wrong}
-    return {key: lines for key, lines in wrong.items() if len(lines) >= max(least[key], right[key] + 1)}
+    doubted = {key: lines for key, lines in wrong.items() if len(lines) >= max(least[key], right[key] + 1)}
+    return {**_said_anew(records, defined, right), **doubted}
+
+
+def _said_anew(records: Sequence[Record], defined: Set[Key], right: Mapping[Key, int]) -> dict[Key, list[int]]:
+    """Return the definitions with which nothing agrees, and of which several lines say otherwise, or one by another definition."""
+    found: dict[Key, list[int]] = {}
+    by_other: set[Key] = set()
+    rests = {
+        key: frozenset[Key]().union(*(o.uses for each in records for o in each.outcomes if key in o.defines))
+        for key in defined
+    }
+    for record in records:
+        for outcome in (each for each in record.outcomes if each.verdict is Verdict.REFUTED):
+            met = outcome.uses & defined
+            own = {key for key in met if key[0] in outcome.alone and not right.get(key)}
+            for key in own:
+                found.setdefault(key, []).append(record.line)
+            by_other |= {key for key in own if met - own - rests[key]}
+    return {key: lines for key, lines in found.items() if len(lines) >= SEVERAL or key in by_other}
 
 
 def _mends(slips: Sequence[SlipBefore]) -> dict[Key, SlipBefore]:
