@@ -200,6 +200,8 @@ class DocumentChecker:
             self.names = replace(self.names, stated_transforms="")
         self.names.reader.spelling = spelling_of(document, self.names.reader.words)
         self.ring = Ring()
+        if arm is not None:  # any numbers, as lengths are, until a display says which
+            self.names.state.adopted |= {key for key in self.names.reader.spelling.masses if self._is_unknown(key)}
         self.exact = ExactAlgebra(self.ring, arm)
         self.checker = ChainChecker(self.names, self.exact, self.sampled)
         self.checker.confirm = confirm
@@ -212,6 +214,9 @@ class DocumentChecker:
         self.lengths = self.lengths_in(document)
         self.names.state.configuration.update(self.lengths)
         self._name_entries()
+
+    def _is_unknown(self, key: str) -> bool:
+        return self.names.known_symbol(key) is None and key not in self.names.quantities
 
     @cached_property
     def _shown_transforms(self) -> str:

@@ -13,13 +13,14 @@ from armproof.verification.algebra.matrix import Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.document.heading import sections_around
-from armproof.verification.document.postures import kind_of_joints
+from armproof.verification.document.postures import SINGULAR, kind_of_joints
 from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
 from armproof.verification.equations.forces import heed_forces
 from armproof.verification.equations.given_values import GivenValues
 from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.under_rates import UnderRates
 from armproof.verification.errors import ReadError
 from armproof.verification.evaluation.blocks import cells_of, rows_of_letters
 from armproof.verification.findings import Kind, say
@@ -61,11 +62,16 @@ class Circumstances:
     def _heed(self, said: Iterable[str], line: int) -> None:
         names: set[str] = set()
         conditions: list[n.Chain] = []
+        velocities: list[n.Chain] = []
         bounds: list[n.Chain] = []
         in_words = False
         kind = ""
         of_arm = self.names.arm is not None
+        said = tuple(said)
+        is_last = said[-1:] == (SINGULAR,)
         for latex in said:
+            if latex == SINGULAR:
+                continue
             if latex.startswith("\\text{") and (of_joints := kind_of_joints(latex)):
                 kind = of_joints
                 continue
@@ -82,6 +88,7 @@ class Circumstances:
                 names |= {*self.given.joints, *self.given.lengths}
                 chains = []
             names |= {name for chain in chains for name in _equated(chain)}
+            velocities += filter(UnderRates(self.checker.members, Told()).velocity_in, chains) if of_arm else ()
             for chain in (
                 chains if of_arm else ()
             ):  # without one a letter of the text is any: it says where things hold, and no more
@@ -92,7 +99,14 @@ class Circumstances:
             in_words = in_words or not chains
         self._begin(names, conditions, in_words, line)
         before = self.names.state.told
-        self.names.state.told = replace(before, bounds=tuple(bounds) or before.bounds, kind=kind or before.kind)
+        self.names.state.told = replace(
+            before,
+            of_singularities=is_last,
+            velocities=tuple(velocities) or before.velocities,
+            bounds=tuple(bounds) or before.bounds,
+            kind=kind or before.kind,
+            line=line if velocities or is_last else before.line,
+        )
         told = self._values(conditions)
         self.names.state.given_last |= told
         self.names.state.told_lengths |= {name: told[name] for name in told if name in self.given.lengths}
@@ -356,4 +370,5 @@ def _equated(chain: n.Chain) -> Iterator[str]:
 
 
 def _value(name: str, node: n.Node) -> n.Chain:
-    return n.Chain((n.Name(*name.partition("_")[::2]), node), ("=",))
+    dots, _, letter = name.rpartition(" ")
+    return n.Chain((n.Name(*letter.partition("_")[::2], dots=dots.count("dot")), node), ("=",))

@@ -16,6 +16,7 @@ from armproof.verification.equations.misreadings import letters_held, sizes_of_c
 from armproof.verification.equations.outcome import Outcome, hold
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.naming.state import Key
 from armproof.verification.verdict import DECIDED, HOLDS, Verdict
 
 Judgement = tuple[Outcome, dict[str, float]] | None  # the verdict of an implication and what refutes it
@@ -43,6 +44,8 @@ class Implications:
             return judged[0].left_open(next(filter(None, sizes))), {}
         if judged[0].verdict is Verdict.REFUTED and not self._is_of_same_letters(implication):
             return judged[0].left_open(say(Kind.NO_ARM_TO_COMPARE)), {}
+        if judged[0].verdict is Verdict.REFUTED and (own := self._printed_once()) is not None:
+            return judged[0].left_open(say(Kind.RESTS_ON_DOUBT, name=own[0], line=own[1])), {}
         again = partial(self._judged, implication, steps, equation, links)
         doubt = self.checker.rows.others(implication.chains, [judged[0]], lambda: [(again() or judged)[0]])
         if judged[0].verdict in DECIDED:
@@ -72,6 +75,12 @@ class Implications:
             for chain in side
             if side is asked or implication.arrow == "⇔"
         )
+
+    def _printed_once(self) -> Key | None:
+        """Return the Jacobian that a document without an arm prints, and of which nothing holds yet: it may hold the slip."""
+        state = self.names.state
+        doubted = (key for key in state.consulted - state.held if key[0] == "J")
+        return None if self.names.arm is not None else min(doubted, default=None)
 
     def of_the_tool(
         self, implication: Implication, steps: list[Outcome], equation: int, links: list[Implication]

@@ -29,13 +29,14 @@ from armproof.verification.equations.misreadings import without_misreading
 from armproof.verification.equations.named_signs import unless_of_a_sign
 from armproof.verification.equations.outcome import Outcome, hold
 from armproof.verification.equations.readings import counted, side_by_side, without_count
+from armproof.verification.equations.under_rates import JACOBIAN, UnderRates
 from armproof.verification.equations.vectors import crossed_letters, of_vectors
 from armproof.verification.equations.worked_numbers import tells_values, unitless
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key, is_number
 from armproof.verification.naming.quantities import is_inverse_link
-from armproof.verification.naming.state import Key, Told
+from armproof.verification.naming.state import DocumentState, Key, Told
 from armproof.verification.verdict import DECIDED, HOLDS, Role, Verdict
 
 CLOSE = 1e-9  # so near are angles that are the same
@@ -73,7 +74,40 @@ class Claims:
             outcomes = self._at_values(chain, equation, line, define)
             self.names.state.configuration = stated
             return outcomes
-        return self._at_values(chain, equation, line, define)
+        under = UnderRates(self.checker.members, self.names.state.told)
+        if not under.concerns(chain):
+            return self._at_values(chain, equation, line, define)
+        before = self.names.state.copy()
+        outcomes = self._at_values(chain, equation, line, define)
+        is_open = not outcomes or any(outcome.verdict not in HOLDS for outcome in outcomes)
+        if not is_open or any(outcome.verdict is Verdict.REFUTED for outcome in outcomes):
+            return outcomes
+        return self._under_rates(under, chain, before, equation, line) or outcomes
+
+    def _under_rates(
+        self, under: UnderRates, chain: n.Chain, before: DocumentState, equation: int, line: int
+    ) -> list[Outcome]:
+        """Return what becomes of an equation under the rates or the velocity that are given, where it holds or is a slip away; else nothing."""
+        for reading, meanings in under.readings(chain):
+            after = self.names.state.copy()
+            self.names.state.become(before)
+            self.names.state.inferred |= meanings
+            self.names.state.told = under.told_besides
+            tried = self.chain(reading, equation, line, False)
+            self.names.state.become(before)
+            wrong = [each for each in tried if each.verdict not in HOLDS]
+            is_meant = before.told.has_shown or before.told.line in (0, line)
+            if tried and (not wrong or (is_meant and all(each.verdict is Verdict.REFUTED for each in wrong))):
+                tried = [under.unless_data(each) for each in tried] if len(tried) == 1 else tried
+                tried = [each.unless_slip(say(Kind.OTHER_AS_TOLD)) for each in tried]
+                for each in tried:
+                    each.read_as = each.read_as if JACOBIAN.key not in each.read_as else ""
+                    if each.verdict in HOLDS:
+                        each.also(say(Kind.UNDER_RATES))
+                self.names.state.told = replace(before.told, has_shown=True)
+                return tried
+            self.names.state.become(after)
+        return []
 
     def chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         """Return the outcomes of a chain, each with the definitions that it rests on."""

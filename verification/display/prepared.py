@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TypeGuard
 
 from armproof.verification.equations.index_ranges import without_index_range
+from armproof.verification.evaluation.calls import WHOLE_VECTORS
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.vocabulary import ASKED
 from armproof.verification.naming.names import Names
@@ -25,6 +27,23 @@ def asked(statement: n.Statement) -> n.Statement:
     if not isinstance(statement, n.Chain):
         return statement
     return replace(statement, relations=tuple("=" if r == ASKED else r for r in statement.relations))
+
+
+def of_all_joints(chain: n.Statement) -> n.Statement:
+    """Return a chain with J for J(q), J(θ_1, θ_2): what every Jacobian is a function of tells none from another."""
+    if not isinstance(chain, n.Chain) or "J" not in n.letters(chain):
+        return chain
+    applied = {id(below): below.arguments[0] for m in chain.members for below in n.walk(m) if _is_of_all_joints(below)}
+    return replace(chain, members=tuple(n.substitute_each(m, applied) for m in chain.members)) if applied else chain
+
+
+def _is_of_all_joints(node: n.Node) -> TypeGuard[n.Call]:
+    if not (isinstance(node, n.Call) and node.function == "name"):
+        return False
+    name, *arguments = (each if isinstance(each, n.Name) else n.Name("") for each in node.arguments)
+    joints = [each for each in arguments if each.base in ("q", "theta") and each.sub.isdigit() and not each.dots]
+    is_whole = len(arguments) == 1 and arguments[0].key in WHOLE_VECTORS
+    return name.base == "J" and (is_whole or (len(joints) == len(arguments) > 1))
 
 
 def _without_for_all(statements: list[n.Statement], names: Names) -> list[n.Statement]:

@@ -30,6 +30,7 @@ JACOBIAN, RATES, OTHER_RATES, VELOCITY, FORCE, TORQUE = KINDS = (
 )  # fmt: skip
 _JOINTS, _TASK = ("q", "theta", "Theta"), ("x", "X", "p", "P", "r")
 _OF_TOOL = ("", "e", "E", "ee", "EE", "end", "tip", "t", "d", "des", "n", "c")
+_SEEN = ("J", "v", "V", "F", "f", "nu", "xi", *_TASK)  # what is seen from a frame, as torques and joint rates are not
 _SIGNS = ("d", "delta")  # of what is small; Δq = J^+ e is one step, and Δx = J Δq holds nearly
 _DAMPING = ("lambda", "mu", "rho", "k", "alpha", "epsilon", "sigma")
 
@@ -39,6 +40,7 @@ def holds_of_any_jacobian(chain: n.Chain, names: Names) -> bool:
     if len(chain.members) < 2 or set(chain.relations) != {"="} or not _may_be_of_jacobian(chain):
         return False
     spoken: set[tuple[str, str]] = set()
+    chain = _of_one_frame(chain)
     members = [_usual(member, spoken) for member in chain.members]
     kinds = [kind for kind, _ in spoken]
     if any(
@@ -53,6 +55,16 @@ def holds_of_any_jacobian(chain: n.Chain, names: Names) -> bool:
         return False  # what is said of two velocities holds of them alone
     square, *oblong = [_Size(*size, names, frozenset(kinds), damping).holds(members) for size in SIZES]
     return square is True and False not in oblong and (True in oblong or _has_inverse(members))
+
+
+def _of_one_frame(chain: n.Chain) -> n.Chain:
+    """Return a chain without the frame in which all of it is seen: τ = {}^0J^T {}^0F."""
+    named = [each for member in chain.members for each in n.walk(member) if isinstance(each, n.Name)]
+    seen = [each for each in named if each.base in _SEEN and each.sub in _OF_TOOL]
+    if {each.pre_sup for each in seen} in (set(), {""}) or len({each.pre_sup for each in seen}) > 1:
+        return chain
+    plain = {id(each): replace(each, pre_sup="") for each in seen}
+    return replace(chain, members=tuple(n.substitute_each(member, plain) for member in chain.members))
 
 
 def _has_inverse(members: Sequence[n.Node]) -> bool:

@@ -31,6 +31,7 @@ from armproof.verification.equations.letter_matrices import (
     stale,
     take_entries,
 )
+from armproof.verification.equations.of_points import OfPoints
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.places import (
     forget_ended,
@@ -166,6 +167,8 @@ class ChainChecker:
         placed = state.placed | {k: (each.line, each.section) for k, each in before.items() if each.by_place}
         is_over = define and any(each.has_ended for each in before.values())
         ended = forget_ended(self.names, chain) if is_over else {}
+        if define and (masses := self.names.reader.spelling.masses):  # g = 9.81 says what it is
+            state.adopted -= masses & {bare_key(member) or "" for member in chain.members}
         if define and self.names.arm is not None and n.letters(chain) & OF_FORCES:
             heed_forces(self.names, chain)
         chain = self.conventions.read(chain)
@@ -225,7 +228,7 @@ class ChainChecker:
                 compared = self.equality.compare(true, member, equation, now.branches)
                 outcomes.append(self.rows.kept(compared) if now.define and now.of_jacobian else compared)
             elif not member.known:
-                outcomes.append(now.definitions.define(true, member, equation))
+                outcomes.append(OfPoints(self.members).judge(now.definitions.define(true, member, equation)))
         if now.define and any(finding.kind is Kind.SIGNED_DISTANCE for each in outcomes for finding in each.findings):
             outcomes = named_with_sign(self.names, self.members, now.chain, outcomes, is_distance)
         return outcomes

@@ -148,9 +148,11 @@ class Conventions:
         """A formula's coordinates and points are those of the tool, where they can hardly be anything else."""
         if not isinstance(member.problem, UnboundName) or _plain(member.node) is not None:
             return member
-        if any(isinstance(bare(cell), n.Name) for row in written_rows(member.node) for cell in row):
+        between = [each for each in n.walk(member.node) if isinstance(each, n.Name) and "to" in each.sub]  # O_2O_3
+        of_names = any(isinstance(bare(cell), n.Name) for row in written_rows(member.node) for cell in row)
+        if of_names and not between:
             return member
-        added = self.infer_tool([member.node])
+        added = self.infer_tool(between if of_names else [member.node])
         bound = self.members.evaluate(member.node) if added else member
         if not added or not (bound.known or isinstance(bound.problem, OutsideAlgebra)):
             self.names.state.forget_usual(added)

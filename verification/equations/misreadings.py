@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
 
-from armproof.verification.algebra.calculus import are_rates, is_rate, symbol_of, symbols_in
+from armproof.verification.algebra.calculus import angles_in, are_rates, is_rate, symbol_of, symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_matrix, as_scalar, is_zero
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document.heading import encloses
@@ -90,14 +90,15 @@ def _differ_by_quarter_turns(true: Matrix, printed: Matrix) -> bool:
 
 
 def _gives_rates(outcome: Outcome) -> Finding | None:
-    """q̇ = J^{-1} (0.1, 0.2)^T says how fast the joints are to move: rates alone on one side, on the other numbers and no rate."""
-    if outcome.pair is None or not any(
-        isinstance(b, n.Number) and b.value for node in outcome.nodes for b in n.walk(node)
-    ):
+    """q̇ = J^{-1} (0.1, 0.2)^T says how fast the joints are to move: rates alone on one side, on the other numbers or angles and no rate."""
+    if outcome.pair is None:
         return None
+    numbers = any(isinstance(b, n.Number) and b.value for node in outcome.nodes for b in n.walk(node))
     sides = [outcome.pair.true.cells, outcome.pair.printed.cells]
     for rates, others in (sides, sides[::-1]):
-        if are_rates(rates) and not any(map(is_rate, symbols_in(others))):
+        if not are_rates(rates) or any(map(is_rate, symbols_in(others))):
+            continue
+        if numbers or any(map(angles_in, others)):
             return say(Kind.GIVES_RATES)
     return None
 

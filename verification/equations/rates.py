@@ -27,13 +27,13 @@ def rows_told(chain: n.Chain, names: Names) -> tuple[int, ...] | None:
 def stand_for_scalars(blocks: Sequence[Block], names: Names) -> bool:
     """Whether components stand where blocks of several rows do: [ẋ; ẏ] is not [v; ω]."""
     cells = [block.cell for block in blocks]
-    return any(block.is_larger for block in blocks) and len(cells) > 1 and all(_row_of(each, names) for each in cells)
+    return any(block.is_larger for block in blocks) and len(cells) > 1 and all(row_of(each, names) for each in cells)
 
 
 def _rows_of(cells: Sequence[n.Node], names: Names) -> tuple[int, ...]:
     if len(cells) == 2 and _is_velocity(cells[0], LINEAR_VELOCITIES) and _is_velocity(cells[1], ANGULAR_VELOCITIES):
         return WHOLE
-    rows = [_row_of(cell, names) for cell in cells]
+    rows = [row_of(cell, names) for cell in cells]
     return () if None in rows else tuple(row for row in rows if row is not None)
 
 
@@ -43,7 +43,7 @@ def _is_velocity(node: n.Node, letters: frozenset[str]) -> bool:
     return isinstance(name, n.Name) and name.base in letters and not name.dots and name.sub[-1:] not in tuple("xyz")
 
 
-def _row_of(node: n.Node, names: Names) -> int | None:
+def row_of(node: n.Node, names: Names) -> int | None:
     """Return the row of J whose product with the rates a name is, by the front matter or by convention."""
     name = bare(node)
     if names.arm is None or not isinstance(name, n.Name) or names.known_symbol(replace(name, dots=0).key) is not None:

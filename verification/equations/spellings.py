@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 
 from armproof.verification.equations.sides import Members
 from armproof.verification.latex import nodes as n
@@ -64,7 +65,7 @@ class Spellings:
                 node = n.substitute(node, below, name)
         return node
 
-    def _between(self, node: n.Node) -> n.Name | None:
+    def _between(self, node: n.Node) -> n.Name | n.Matrix | None:
         if not isinstance(node, n.Product) or len(node.factors) != 2 or node.operators != ("",):
             return None
         first, second = node.factors
@@ -77,6 +78,8 @@ class Spellings:
             (first.sub or (first.base if first.base != "O" else self.names.arm.frames[0])),
             second.sub or second.base,
         )
+        if start == end and start in self.names.arm.frames:  # O_3O_3
+            return n.Matrix(((n.Number(Fraction(0), span=node.span),),) * 3, span=node.span)
         between = n.Name("O", f"{start}to{end}", pre_sup=second.pre_sup, span=node.span)
         return between if conventional(between, self.names.arm, self.names.transforms) else None
 

@@ -15,6 +15,7 @@ from armproof.verification.errors import EvaluationError, ShapeError, UnboundNam
 from armproof.verification.evaluation.arithmetic import multiply
 from armproof.verification.evaluation.differentiation import time_derivative
 from armproof.verification.evaluation.evaluating import Evaluating
+from armproof.verification.evaluation.mass_matrix import entry_of_masses
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import call_key
@@ -61,11 +62,14 @@ def name_value(evaluator: Evaluating, node: n.Name) -> Value:
         return algebra.quantity(quantity)
     if node.key == "pi":
         return algebra.pi()
-    if node.base in ("I", "Id", "E") and not (node.pre_sub or node.pre_sup or node.sup):
+    is_inertia = node.key in names.reader.spelling.masses  # I_1 beside m_1
+    if node.base in ("I", "Id", "E") and not (node.pre_sub or node.pre_sup or node.sup or is_inertia):
         if (size := re.fullmatch(r"([1-9])(?:x\1)?", node.sub)) is not None:
             return identity(algebra, int(size.group(1)))
         if not node.sub and node.base != "E":
             return Identity(algebra.rational(Fraction(1)))
+    if (entry := entry_of_masses(evaluator, node)) is not None:
+        return entry
     if names.is_free(node):
         names.used.add(node.key)
         return algebra.symbol(node.key)

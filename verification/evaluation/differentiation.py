@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from fractions import Fraction
 
@@ -9,6 +10,7 @@ from armproof.verification.algebra.matrix import Matrix, as_matrix, column, size
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.errors import EvaluationError, UnboundName
 from armproof.verification.evaluation.evaluating import Evaluating
+from armproof.verification.evaluation.mass_matrix import entry_of_masses
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
@@ -32,7 +34,8 @@ def derivative_value(evaluator: Evaluating, node: n.Derivative) -> Value:
 def _is_unknown(evaluator: Evaluating, operand: n.Name, variable: n.Node) -> bool:
     """Whether a letter that nothing binds may depend on any other."""
     names = evaluator.names
-    return operand != variable and names.is_free(operand) and operand.key not in names.state.definitions
+    is_open = names.is_free(operand) and operand.key not in names.state.definitions
+    return operand != variable and is_open and entry_of_masses(evaluator, operand) is None
 
 
 def _may_change(evaluator: Evaluating, value: Value) -> bool:
@@ -55,6 +58,10 @@ def _differentiate(evaluator: Evaluating, value: Value, variable: n.Node) -> Val
     if isinstance(value, Matrix):
         return value.map(lambda cell: evaluator.algebra.derivative(cell, by))
     return evaluator.algebra.derivative(value, by)
+
+
+_JOINT = re.compile(r"(?:theta|q)(?:_\d+)?")  # where there is no arm, what moves, and what never does
+_JOINT_OR_LENGTH = re.compile(rf"(?:dot )*(?:{_JOINT.pattern}|[lLamgI](?:_\w+)?)")
 
 
 def time_derivative(evaluator: Evaluating, node: n.Name) -> Value:
@@ -81,16 +88,18 @@ def time_derivative(evaluator: Evaluating, node: n.Name) -> Value:
 
 
 def _is_variable(evaluator: Evaluating, symbol: str) -> bool:
-    return evaluator.names.arm is not None and any(joint.symbol == symbol for joint in evaluator.names.arm.joints)
+    if evaluator.names.arm is None:
+        return _JOINT.fullmatch(symbol) is not None
+    return any(joint.symbol == symbol for joint in evaluator.names.arm.joints)
 
 
 def _in_time(evaluator: Evaluating, value: Value) -> Value:
     """Return the derivative in time, by each joint variable, and each rate of one, that stands in a value."""
-    if evaluator.names.arm is None:
-        raise EvaluationError(say(Kind.RATE_WITHOUT_ARM))
     if isinstance(value, Matrix):
         return value.map(lambda cell: _in_time(evaluator, cell))
     algebra = evaluator.algebra
+    if evaluator.names.arm is None and not all(map(_JOINT_OR_LENGTH.fullmatch, algebra.symbols(value))):
+        raise EvaluationError(say(Kind.RATE_WITHOUT_ARM))
     total = algebra.rational(Fraction(0))
     for symbol in sorted(algebra.symbols(value)):
         if _is_variable(evaluator, symbol.rpartition(" ")[2]):

@@ -89,14 +89,22 @@ class Evaluator:
     def _at(self, node: n.At) -> Value:
         values: dict[str, Any] = {}
         for left, right in (each for pair in node.values for each in self._of_joints(*pair)):
-            symbol = self.names.known_symbol(left.key) if isinstance(left, n.Name) else None
+            symbol = self._symbol(left) if isinstance(left, n.Name) else None
             if symbol is None and isinstance(left, n.Name) and self.names.is_free(left):
                 symbol = left.key
             if symbol is None:
                 raise EvaluationError(say(Kind.NO_CONFIGURATION))
             key = left.key if isinstance(left, n.Name) else ""
-            values[symbol] = self.names.variable_at(symbol, self.scalar(right), self.algebra, key)
+            value = self.scalar(right)
+            values[symbol] = (
+                value if symbol.startswith("dot") else self.names.variable_at(symbol, value, self.algebra, key)
+            )
         return self.at_values(values, _with_ranks_there(node))
+
+    def _symbol(self, name: n.Name) -> str | None:
+        """Return the model's symbol for a name or a rate."""
+        symbol = self.names.known_symbol(replace(name, dots=0).key)
+        return symbol if symbol is None or not name.dots else "dot" * name.dots + f" {symbol}"
 
     def _of_joints(self, left: n.Node, right: n.Node) -> Iterable[tuple[n.Node, n.Node]]:
         """q = 0 and q = (0, 0) give each joint variable its value."""

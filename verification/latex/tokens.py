@@ -77,6 +77,7 @@ _FACTOR = re.compile(
     r"Rightarrow|implies|iff|to|therefore|Leftrightarrow|dots|ldots|cdots)(?![A-Za-z]))[A-Za-z{]|[A-Za-z({\[^])"
 )
 _BRACED_SCRIPTS = re.compile(r"\{\s*(?:\{\s*\}\s*)?(?:[_^]\s*(?:\{[^{}]*\}|\\[A-Za-z]+|[^\s{}\\])\s*)+\}(?=\s*\S)")
+_BRACED_OPERATOR = re.compile(r"\{\s*(?:[-+=]|\\(?:cdot|times|wedge|pm|mp)(?![A-Za-z]))\s*\}")  # θ_1{+}θ_2, set closely
 _SCRIPT_BEFORE = re.compile(r"(?:^|[=&\s}])\^\s*(?:\{\s*\w\s*\}|\w)\s*\Z")  # ^{0}\text{WC}
 _MARKED_RELATION = re.compile(r"\s*\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}\s*\{\s*(?:=|\\equiv|:=)\s*\}")  # \overset{!}{=}
 _DOTS_ABOVE = re.compile(r"\s*\{\s*((?:(?:\.|\\cdot)\s*){1,3})\}")  # \overset{\cdot}{\theta}
@@ -102,6 +103,9 @@ _PLAIN_UNDER_HAT = re.compile(
 )
 _TWO = re.compile(r"\s*(?:_\s*\{?\s*2\s*\}?|2)(?=\s*(?:\\left|\\[bB]ig|\(|\[|\{\s*\(|\\!|\\,))")  # of atan2
 _POWER_OF_UNIT = re.compile(r"\s*\^\s*(?:\{\s*-?\d\s*\}|\d)")
+_OF_FORCE = re.compile(  # N and N·m, and no letter N before another factor
+    r"\s*\{\s*N\s*(?:(?:\{?\\cdot(?![A-Za-z])\s*\}?|\\,|[.~])?\s*m\s*)?\}(?!\s*(?:[A-Za-z(\d_^]|\\(?:sin|cos|theta|frac|dot)))"
+)
 _STYLED_WORD = re.compile(r"\s*\{\s*([^\W\d_][^{}\\$]*?)\s*\}")
 _FENCES = {
     ".": ".", r"\{": "{", r"\lbrace": "{", r"\}": "{", r"\rbrace": "{",
@@ -161,6 +165,7 @@ class Spelling:
     variables: str = ""  # "both" where it has q_i beside θ_i, "told" where it says what θ_i is by q_i
     angle: str = "theta"  # what c_1 is the cosine of where there is no arm: q_1, where it has no θ_1
     sums: tuple[tuple[str, tuple[int, ...]], ...] = ()  # digits of θ_{34} = θ_3 - θ_4 → the signs that it says
+    masses: frozenset[str] = frozenset()  # m_1, I_1, l_{c1} and g of a document that speaks of masses
     letters: frozenset[str] = frozenset()  # S and C that it gives a meaning: S(…) is a product
     reference_below: bool = False  # {}_0^1T is the pose of frame 1 in frame 0
     lengths: frozenset[str] = frozenset()  # p_1 of p_1 cos θ_1: p_1^2 is its square, and no point seen from frame 2
@@ -444,6 +449,9 @@ class _Scanner:
             if brace >= 0 and not self.text[end:brace].strip():
                 self.transparent_braces.add(self._matching_brace(brace))
                 return [], brace + 1
+        unit = _OF_FORCE.match(self.text, end) if self.previous in ("NUMBER", "END") else None
+        if unit is not None and not re.search(r"[kmM]N(?![A-Za-z])", self.text):  # 2 kN = 2000 N
+            return [], unit.end()
         self.accent = self._accent(name, end)
         word = _STYLED_WORD.match(self.text, end)
         if word is None:
@@ -661,7 +669,8 @@ class _Scanner:
                 self._deeper(start)
                 return [self.token(kind, value, start, end) for kind, value in _FRACTION], end
             is_argument = self.previous in _TAKES_ARGUMENT or self.before == "FRAC"  # \frac{…} and \frac1{…}
-            if not is_argument and self._holds_equations(start):
+            operator = _BRACED_OPERATOR.match(self.text, start)
+            if not is_argument and (operator or self._holds_equations(start)):
                 self.transparent_braces.add(self._matching_brace(start))
                 return [], end
             self._deeper(start)

@@ -240,7 +240,7 @@ class Names:
         if self.arm is not None or name.pre_sub or name.pre_sup:
             return False
         component = len(name.base) == 1 and bool(COMPONENT.fullmatch(name.sub))
-        return component or bool(FREE_IN_GENERAL.fullmatch(name.base))
+        return component or name.key in self.reader.spelling.masses or bool(FREE_IN_GENERAL.fullmatch(name.base))
 
     def is_open(self, name: n.Name) -> bool:
         """Whether neither notation nor the document gives a name a meaning."""

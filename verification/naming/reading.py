@@ -15,7 +15,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import VARIANTS
 from armproof.verification.latex.nodes import call_key
 from armproof.verification.latex.reader import Reader, key_as_latex
-from armproof.verification.latex.tokens import PRE_SCRIPTS, Spelling
+from armproof.verification.latex.tokens import PRE_SCRIPTS, Spelling, canonical_script
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.latex.vocabulary import FUNCTIONS, LETTERS
 from armproof.verification.naming.names import Names
@@ -40,6 +40,15 @@ _UNREAD = re.compile(r"\\(?:left|right|mathrm|operatorname|[,;! ])|[\s{}&\\]")
 _OWN_SUM = re.compile(
     r"(?:^|[,;$])(?:theta|q|[cCsS])_(\d{2,4})=(?:(?:cos|sin|[cCsS])\(?)?(-?(?:theta|q)_\d(?:[+-](?:theta|q)_\d)+)(?![\d+*/-])"
 )
+
+
+# m_1, I_{zz_1}, l_{c1}, g: letter and subscript, and what the subscript may be
+_OF_MASSES = re.compile(r"(?<![A-Za-z\\])([mgIlLra])(?![A-Za-z])(?:\s*_\s*(\{(?:[^{}]|\{[^{}]*\})*\}|\w))?")
+_CENTRE = re.compile(r"(?:c|cm|g|G),?_?\d|\d,?c|c")
+_SCRIPT_OF_MASSES = {
+    "m": re.compile(r"\d"), "g": re.compile(""), "I": re.compile(r"(?:[xyz]{1,2}|c|C|G)?,?_?\d|\d(?:[xyz]{1,2})"),
+    **dict.fromkeys("lLa", _CENTRE), "r": re.compile(rf"{_CENTRE.pattern}|\d"),
+}  # fmt: skip
 
 
 _OWN_LETTER = re.compile(r"(?:^|[,;]|\\\\|quad|\\begin\{\w+\*?\})\s*([cCsS])\s*&?\s*:?=")  # S = sin(θ_1 + θ_2)
@@ -100,7 +109,20 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
     sums = tuple(dict(_own_sums(texts)).items())
     own = frozenset(letter for each in texts for letter in _OWN_LETTER.findall(each))
     lengths = frozenset(f"{letter}_{index}" for letter, index in _LENGTH.findall(text))
-    return Spelling(words, frozenset(apart), comma, variables, angle, sums, own, _refers_below(text), lengths)
+    return Spelling(
+        words, frozenset(apart), comma, variables, angle, sums, _masses(said), own, _refers_below(text), lengths
+    )
+
+
+def _masses(said: str) -> frozenset[str]:
+    """Return the keys of masses, moments of inertia, distances to centres of mass and g in a document that has masses."""
+    found = ((base, canonical_script(script)) for base, script in _OF_MASSES.findall(said))
+    keys = {f"{base}_{sub}" if sub else base for base, sub in found if _SCRIPT_OF_MASSES[base].fullmatch(sub)}
+    if "I_1" not in keys:  # R R^T = I_3
+        keys = {key for key in keys if not re.fullmatch(r"I_\d", key)}
+    if any(key.startswith("I_zz") for key in keys):  # then I_{c1} is a matrix
+        keys = {key for key in keys if not key.startswith(("I_c", "I_C", "I_G"))}
+    return frozenset(keys) if any(key.startswith("m_") for key in keys) else frozenset()
 
 
 def _own_sums(said: Iterable[str]) -> Iterator[tuple[str, tuple[int, ...]]]:

@@ -92,6 +92,9 @@ class Told:
         conditions: equations that it gives.
         earlier: the values stated before it, that it may leave as they are.
         in_words: whether it names a posture without an equation.
+        of_singularities: whether it ends with "the singularities are".
+        velocities: equations that may give how fast the tool moves.
+        has_shown: whether an equation holds at the rates that it gives.
         bounds: where it says that something is positive, or larger than something else, or in an interval.
         kind: of which joints it speaks alone, "revolute" or "prismatic".
         line: of the display behind it.
@@ -101,6 +104,9 @@ class Told:
     conditions: tuple[n.Chain, ...] = ()
     earlier: tuple[n.Chain, ...] = ()
     in_words: bool = False
+    of_singularities: bool = False
+    velocities: tuple[n.Chain, ...] = ()
+    has_shown: bool = False
     bounds: tuple[n.Chain, ...] = ()
     kind: str = ""
     line: int = 0

@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from armproof import verify_text
 from armproof.models.catalogue import load_arm
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Ring
@@ -334,3 +335,20 @@ def test_the_lower_index_may_be_the_reference_of_any_link() -> None:
         is_inverse_link(named("T_{i-1}^i"), "lower") is False and is_inverse_link(named("T_i^{i-1}"), "lower") is True
     )
     assert is_inverse_link(named("{}^{i-1}T_i"), "lower") is False
+
+
+MASSES = r"""
+$$ M = \begin{bmatrix} m_1 l_1^2 & 0 \\ 0 & m_2 l_2^2 FIRST \end{bmatrix} + \begin{bmatrix} m_2 l_1^2 & 0 \\ 0 & 0 \end{bmatrix} $$
+
+$$ M = \begin{bmatrix} m_1 l_1^2 + m_2 l_1^2 & 0 \\ 0 & m_2 l_2^2 s_2 \end{bmatrix} $$
+
+$$ M = \begin{bmatrix} (m_1 + m_2) l_1^2 & 0 \\ 0 & m_2 l_2^2 s_2 \end{bmatrix} $$
+"""
+
+
+def test_where_two_lines_say_otherwise_the_first_may_hold_the_slip() -> None:
+    right = verify_text(MASSES.replace("FIRST", "s_2"))
+    wrong = verify_text(MASSES.replace("FIRST", "c_2"))
+    assert [str(record.verdict) for record in right.equations] == ["defined", "proved", "proved"]
+    assert [str(record.verdict) for record in wrong.equations] == ["unchecked"] * 3
+    assert "what lines 4, 6 say does not hold with it" in wrong.equations[0].message

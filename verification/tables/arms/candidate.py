@@ -31,6 +31,7 @@ class Candidate:
         products: where matrices stand that a product shows factor by factor: all of such a display is data.
         several_tools: whether the table shows more end effectors than the one of the last row.
         mended: the links, from 1, whose matrices are none as printed, and would be with another entry.
+        is_alone: whether an equation of another display must hold: a Jacobian by itself may be any.
         told_by: the joint of which an equation must hold, where nothing else could tell that this arm is meant.
     """
 
@@ -47,6 +48,7 @@ class Candidate:
     products: tuple[tuple[int | None, int], ...] = ()
     several_tools: bool = False
     told_by: str = ""
+    is_alone: bool = False
     mended: frozenset[int] = frozenset()
 
     @property

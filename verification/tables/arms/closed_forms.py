@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from armproof.verification.algebra.calculus import angles_in, derivative, substitute, symbols_in
 from armproof.verification.algebra.matrix import as_matrix
@@ -17,6 +17,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
+from armproof.verification.tables.arms.jacobians import coordinates_of_jacobian
 from armproof.verification.tables.arms.letters import equations_of, unapplied, value_in_letters
 from armproof.verification.tables.arms.moves import Moves
 
@@ -53,16 +54,28 @@ def candidates_of_closed_form(document: Document, names: Names) -> list[Candidat
                 if axis not in found or is_next or (before is not None and not number):
                     found[axis], points[axis] = (value, display), number
                 meant = {**meant, key: value} if number else meant
-        if not {"x", "y"} <= found.keys():
-            return []
         rates = _rates(document)
-        if (
-            moves := _ClosedForm(algebra, {axis: value for axis, (value, _) in found.items()}, rates).moves()
-        ) is not None:
-            return [_candidate(moves, found, letters)]
-        tried = [(_ClosedForm(algebra, values, rates).moves(), told) for values, told in _mended(found, algebra)]
-        mended = [_candidate(moves, told, letters) for moves, told in tried if moves is not None]
-        return [each for each in mended if not _turns_back(each)] or mended
+        arms = _arms(found, letters, algebra, rates) if {"x", "y"} <= found.keys() else []
+        above = _arm_of_jacobian(document, names, algebra, rates) if not arms else []
+        told = [(display.cell or 0, display.line) for _, display in found.values()]
+        return arms or [each for each in above if all((each.cell or 0, each.line) < place for place in told)]
+
+
+def _arms(found: Found, letters: Mapping[str, n.Name], algebra: ExactAlgebra, rates: set[str]) -> list[Candidate]:
+    """Return the arm whose tool has these coordinates; those by one of two that do not fit together."""
+    moves = _ClosedForm(algebra, {axis: value for axis, (value, _) in found.items()}, rates).moves()
+    if moves is not None:
+        return [_candidate(moves, found, letters)]
+    tried = [(_ClosedForm(algebra, values, rates).moves(), told) for values, told in _mended(found, algebra)]
+    mended = [_candidate(moves, told, letters) for moves, told in tried if moves is not None]
+    return [each for each in mended if not _turns_back(each)] or mended
+
+
+def _arm_of_jacobian(document: Document, names: Names, algebra: ExactAlgebra, rates: set[str]) -> list[Candidate]:
+    """Return the arm whose tool has the Jacobian that a document prints, which another display must show to be meant."""
+    letters: dict[str, n.Name] = {}
+    found = coordinates_of_jacobian(document, names, algebra, letters)
+    return [replace(each, is_alone=True) for each in (_arms(found, letters, algebra, rates) if found else ())]
 
 
 def _are_of_another_point(given: Sequence[tuple[str, str, Scalar]], found: Found, points: Mapping[str, int]) -> bool:

@@ -116,9 +116,12 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     if more and not is_told and (found[0].source != "table" or more <= found[0].last):
         return Inference(document, None, missing, line)
     try:
-        best, *others = weigh(document, [front for candidate in found for front in _fronts(document, candidate)])
+        apart = found[0].lines if found[0].is_alone else ()
+        best, *others = weigh(document, [front for candidate in found for front in _fronts(document, candidate)], apart)
     except ArmproofError as error:
         return Inference(document, problem=say(Kind.NO_ARM_IN_TABLE, reason=finding_of(error)), line=line)
+    if found[0].is_alone and not best.held:
+        return Inference(document)
     if is_told:
         return _taken(document, found, best, bool(more)) if found[0].told_by in best.joints else Inference(document)
     rivals = _rivals(best, others)

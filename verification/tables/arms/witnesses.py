@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
@@ -75,8 +75,9 @@ class _Trial:
         self.held = self.failed = self.entries = 0
         self.joints: set[str] = set()
 
-    def take(self, display: Display) -> None:
+    def take(self, display: Display, counts: bool = True) -> None:
         """Count which equations of a display that rest on the arm hold."""
+        held, entries = self.held, self.entries
         self.checker.names.state.enter(display.section)
         self.checker.names.state.listed = display.listed
         budget = self.checker.exact.budget
@@ -89,6 +90,8 @@ class _Trial:
                         self._take_chain(
                             replace(chain, members=tuple(told), relations=("=",) * (len(told) - 1)), display.line
                         )
+        if not counts:
+            self.held, self.entries = held, entries
 
     def _take_chain(self, chain: n.Chain, line: int) -> None:
         outcomes = self.checker.check(chain, 1, line, define=not (parts := side_by_side(chain)))
@@ -108,10 +111,12 @@ class _Trial:
         return Reading(self.front, self.name, self.held, self.failed, self.entries, frozenset(self.joints))
 
 
-def weigh(document: Document, fronts: Sequence[Mapping[str, Any]]) -> list[Reading]:
+def weigh(
+    document: Document, fronts: Sequence[Mapping[str, Any]], apart: Collection[tuple[int | None, int]] = ()
+) -> list[Reading]:
     """Return the readings that an arm can be built of, the one under which most holds first; raises where there is none.
 
-    What is read is judged by its equations alone: labels often belong to another convention than the table beside them.
+    What stands at the places `apart` is no evidence. What is read is judged by its equations alone: labels often belong to another convention than the table beside them.
     """
     trials = list(_trials(document, fronts))
     time = Budget(SECONDS_IN_ALL)
@@ -120,7 +125,7 @@ def weigh(document: Document, fronts: Sequence[Mapping[str, Any]]) -> list[Readi
             break
         if display.closed and not display.erratum and "=" in display.latex:
             for trial in trials:
-                trial.take(display)
+                trial.take(display, (display.cell, display.line) not in apart)
             best, *others = sorted((trial.held for trial in trials), reverse=True)
             if best - max(others, default=0) >= LEAD:
                 break

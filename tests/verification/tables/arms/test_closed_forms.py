@@ -57,6 +57,21 @@ def test_a_turned_arm_needs_its_height() -> None:
     assert not verify_text(TURNED.partition("$$ z")[0]).arms
 
 
+def test_a_jacobian_shows_the_arm_where_another_display_holds_of_it() -> None:
+    printed = JACOBIAN.replace("LAST", "l_2 c_{12}")
+    rate = r"$$ \dot x = -l_1 s_1 \dot\theta_1 - l_2 s_{12} (\dot\theta_1 - \dot\theta_2) $$"
+    confirmed = verify_text(printed + r"$$ \det J = l_1 l_2 s_2 $$" + "\n\n" + rate)
+    assert [arm.source for arm in confirmed.arms] == ["closed form"]
+    assert [record.verdict for record in confirmed.equations] == ["proved", "proved", "refuted"]
+    assert not verify_text(printed).arms
+    assert not verify_text(printed + r"$$ \det J = l_1 l_2 c_2 $$").arms
+
+
+def test_a_jacobian_that_is_no_planar_arms_shows_none() -> None:
+    turned = JACOBIAN.replace("LAST", "-l_2 c_{12}") + r"$$ \det J = l_1 l_2 s_2 $$"
+    assert not verify_text(turned).arms
+
+
 POLAR = r"$$ x = d_2 \cos\theta_1, \quad y = d_2 \sin\theta_1 $$" + "\n\n"
 RADIUS = r"$$ x = r \cos\theta, \quad y = r \sin\theta $$" + "\n\n"
 RATE = r"$$ \dot x = \dot r \cos\theta - r \sin\theta \dot\theta $$" + "\n\n"

@@ -1,0 +1,103 @@
+"""Jacobians of points that a document gives itself: J_{v2} beside p_{c2}, and J beside x and y where there is no arm."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from armproof.verification.algebra.calculus import angles_in, derivative
+from armproof.verification.algebra.matrix import Matrix, as_matrix
+from armproof.verification.algebra.ring import Scalar
+from armproof.verification.equations.alignment import Pair, agree_exactly, different_entries, exactly_equal, is_near
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.sides import Members
+from armproof.verification.errors import EvaluationError, UnboundName
+from armproof.verification.findings import Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
+from armproof.verification.verdict import Role, Verdict
+
+_OF_POINT = re.compile(r"(?:v|P|p|L|T)?_?,?(?:c|cm|G|C)?,?_?(\d)")
+_CENTRES = ("c{}", "c_{}", "C{}", "C_{}", "G{}", "G_{}", "cm{}", "cm_{}", "c,{}")
+
+
+@dataclass(frozen=True)
+class OfPoints:
+    """Compares a matrix that gives a Jacobian its meaning with the derivatives of the point that has its index."""
+
+    members: Members
+
+    def judge(self, outcome: Outcome) -> Outcome:
+        """Return a claim where the matrix holds the derivatives; a row that is no point's is wrong, if it is a slip away."""
+        name = bare(outcome.printed.node) if outcome.printed is not None else None
+        value = outcome.true.value if outcome.true is not None else None
+        if not (isinstance(name, n.Name) and name.base == "J" and isinstance(value, Matrix)):
+            return outcome
+        if not all(isinstance(cell, Scalar) for cell in value.cells):
+            return outcome
+        for point in self._points(name):
+            by = self._variables(point, value.shape[1])
+            if by is None or not len(point) <= value.shape[0] <= 3:
+                continue
+            rows = [[derivative(cell, cell.ring.symbol(each)).normal() for each in by] for cell in point]
+            rows += [[value.cells[0].ring.zero] * len(by)] * (value.shape[0] - len(rows))
+            pair = Pair(Matrix(tuple(map(tuple, rows))), value)
+            if agree_exactly(pair):
+                said = say(Kind.DERIVATIVES_OF_POINT)
+                return replace(outcome, verdict=Verdict.PROVED, findings=(said,), role=Role.CLAIM, defines=())
+            if is_near(pair) and (wrong := different_entries(pair, exactly_equal)):
+                return self._wrong(outcome, pair, wrong, by)
+        return outcome
+
+    def _wrong(self, outcome: Outcome, pair: Pair, wrong: list[tuple[int, int]], by: Sequence[str]) -> Outcome:
+        """Refute rows that are the derivatives of nothing; where they are those of another point, that may hold the slip."""
+        assert outcome.true is not None and outcome.printed is not None
+        if any(_is_gradient(pair.printed.rows[row], by) for row, _ in wrong):
+            return outcome
+        true = replace(outcome.printed, value=pair.true, problem=None)
+        return replace(
+            outcome, verdict=Verdict.REFUTED, findings=(), role=Role.CLAIM, true=true, printed=outcome.true, pair=pair,
+            wrong=wrong, defines=(),
+        )  # fmt: skip
+
+    def _points(self, name: n.Name) -> Iterator[tuple[Scalar, ...]]:
+        """Yield the points with the index of a Jacobian, as the document gives them; x and y for J itself."""
+        found = _OF_POINT.fullmatch(name.sub)
+        subs = [each.format(found[1]) for each in _CENTRES] if found is not None else []
+        of_tool = [("x", "y", "z"), ("x", "y")] if self.members.names.arm is None and not name.sub else []
+        keys = [*((f"{letter}_{sub}",) for sub in subs for letter in "prPs"), *of_tool]
+        keys += [tuple(f"{axis}_{sub}" for axis in "xy") for sub in subs]
+        for each in keys:
+            if all(key in self.members.names.state.definitions for key in each):
+                yield from self._value(each)
+
+    def _value(self, keys: Sequence[str]) -> Iterator[tuple[Scalar, ...]]:
+        names, algebra = self.members.names, self.members.exact
+        try:
+            values = [as_matrix(names.defined_value(key, algebra)) for key in keys]  # type: ignore[arg-type]
+        except (EvaluationError, UnboundName):
+            return
+        cells = tuple(cell for value in values for cell in value.cells if value.shape[1] == 1)
+        if cells and len(cells) <= 3 and all(isinstance(cell, Scalar) for cell in cells):
+            yield cells
+
+    def _variables(self, point: Sequence[Scalar], count: int) -> tuple[str, ...] | None:
+        """Return the joints of so many columns: the arm's, or the angles of the point and those with smaller numbers."""
+        arm = self.members.names.arm
+        if arm is not None:
+            return tuple(joint.symbol for joint in arm.joints) if len(arm.joints) == count else None
+        angles = {angle for cell in point for angle in angles_in(cell)}
+        letters = {angle.partition("_")[0] for angle in angles}
+        joints = tuple(f"{letter}_{k}" for letter in letters for k in range(1, count + 1))
+        return joints if len(letters) == 1 and angles <= {*joints} else None
+
+
+def _is_gradient(row: Sequence[Scalar], by: Sequence[str]) -> bool:
+    """Whether the entries of a row may be the derivatives of one coordinate: theirs do not depend on the order."""
+    symbols = [row[0].ring.symbol(each) for each in by]
+    return all(
+        (derivative(row[a], symbols[b]) - derivative(row[b], symbols[a])).normal().is_zero()
+        for a in range(len(by))
+        for b in range(a)
+    )
