@@ -104,8 +104,10 @@ def _with_what_is_said(document: Document) -> Document:
             between.append([])
         elif _SAYS.search(display.latex):
             between[-1].append(display)
-    told = _with_what_is_behind(displays, between[1:])
-    return replace(document, displays=tuple(with_listings(told, [*_listings(document)])))
+    told = tuple(_with_what_is_behind(displays, between[1:]))
+    listings = [*_listings(document)]
+    works_out = any(display.latex.count("=") > 1 for display in told)
+    return replace(document, displays=tuple(with_listings(told, listings)) if listings or works_out else told)
 
 
 def _listings(document: Document) -> Iterator[Listing]:

@@ -44,10 +44,10 @@ class UnderRates:
         return self.members.names
 
     def concerns(self, chain: n.Chain) -> bool:
-        """Whether rates may be given for an equation that has some."""
-        is_told = bool(self.told.velocities) or any(map(self._has_rates, self.told.conditions))
-        moves = self.names.arm is not None and set(chain.relations) == {"="} and self._has_rates(chain)
-        return moves and (is_told or any(column for member in chain.members for column in columns_of_numbers(member)))
+        """Whether rates may be given for an equation of an arm that has some."""
+        is_told = bool(self.told.velocities) or any(map(n.has_rates, self.told.conditions))
+        is_told = is_told or any(column for member in chain.members for column in columns_of_numbers(member))
+        return is_told and set(chain.relations) == {"="}
 
     def unless_data(self, outcome: Outcome) -> Outcome:
         """Return an outcome, left open where it says no more than which rates the velocity asks for: q̇ = J^{-1} (0.1, 0.2)^T."""
@@ -58,7 +58,7 @@ class UnderRates:
     @property
     def told_besides(self) -> Told:
         """What the text says beside rates and velocities."""
-        conditions = tuple(each for each in self.told.conditions if not self._has_rates(each))
+        conditions = tuple(each for each in self.told.conditions if not n.has_rates(each))
         return replace(self.told, conditions=conditions, velocities=())
 
     def readings(self, chain: n.Chain) -> Iterator[tuple[n.Chain, dict[str, Quantity]]]:
@@ -72,7 +72,7 @@ class UnderRates:
             yield replace(chain, members=tuple(asked)), {JACOBIAN.key: self.jacobian(sorted(velocity))}
 
     def _rates_in(self, chain: n.Chain) -> Iterator[tuple[n.Node, n.Node]]:
-        if chain.relations == ("=",) and self._rate(chain.members[0]) and not self._has_rates(chain.members[1]):
+        if chain.relations == ("=",) and self._rate(chain.members[0]) and not n.has_rates(chain.members[1]):
             yield chain.members[0], chain.members[1]
 
     def _moved(self, member: n.Node, given: Sequence[tuple[n.Node, n.Node]]) -> n.Node:
@@ -87,7 +87,7 @@ class UnderRates:
         """Return the velocity of the tool that is given for an equation of rates alone, and of no rate on its other sides."""
         alone = [bool(self._joints(member)) for member in chain.members]
         others = (member for member, is_alone in zip(chain.members, alone, strict=True) if not is_alone)
-        if not any(alone) or any(map(self._has_rates, others)):
+        if not any(alone) or any(map(n.has_rates, others)):
             return None
         told: Velocity = {}
         for each in self.told.velocities:
@@ -132,12 +132,9 @@ class UnderRates:
             self.names.known_symbol(replace(name, dots=0).key) if isinstance(name, n.Name) and name.dots == 1 else None
         )
 
-    def _has_rates(self, node: n.Node) -> bool:
-        return any(isinstance(below, n.Name) and bool(below.dots) for below in n.walk(node))
-
     def velocity_in(self, chain: n.Chain) -> Velocity:
         r"""Return how fast an equation says that the tool moves: \dot x = 1, \dot p = (1, 0)^T."""
-        if chain.relations != ("=",) or self._has_rates(chain.members[1]):
+        if chain.relations != ("=",) or n.has_rates(chain.members[1]):
             return {}
         first, value = map(bare, chain.members)
         values = [*cells_of(value)] or [value]

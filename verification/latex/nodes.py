@@ -320,6 +320,11 @@ def is_number(node: Node) -> bool:
     )
 
 
+def has_rates(node: Node) -> bool:
+    """Whether the derivative of a name by time stands in a tree: \\dot q_1."""
+    return any(isinstance(below, Name) and below.dots > 0 for below in walk(node))
+
+
 def interval_of(relation: str, node: Node) -> Sequence | None:
     """Return the interval that stands behind ∈, (0, π) or [0, π]; a set in braces is none."""
     is_list = relation == "∈" and isinstance(node, Sequence) and len(node.items) == 2
