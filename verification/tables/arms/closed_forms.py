@@ -25,6 +25,7 @@ _COORDINATE = re.compile(r"([xyzXYZ])(?:_(?:e|E|ee|EE|tool|n|\d))?|[pP]_(?:e|E|e
 _POINTS = ("p", "P", "X", "x")
 _ENDS_OF = {letter: [f"{letter}_{end}" for end in ("e", "E", "ee", "EE", "tool", "n", "tip")] for letter in _POINTS}
 _ANGLE = re.compile(r"(?:theta|q|phi|varphi)(?:_?\d+)?")
+_SUM = re.compile(r"(theta|q)_(\d{2,})")
 _SLIDE = re.compile(r"[dqr]_?\d+")
 _LETTER = re.compile(r"(?:r|R|rho|w|k|u|D|phi|psi|beta|gamma|alpha)(?:_?\w+)?")
 _INDEX = re.compile(r"\d+")
@@ -43,7 +44,7 @@ def candidates_of_closed_form(document: Document, names: Names) -> list[Candidat
         points: dict[str, int] = {}  # the number of the point whose coordinate was found: x_1, before x_2 = x_1 + …
         for display in document.displays:
             given = [
-                (axis, key, _with_meanings(value, meant))
+                (axis, key, _with_meanings(value, {**_sums_of_angles(value, names, algebra), **meant}))
                 for axis, key, value in _coordinates(display, names, algebra, letters)
                 if "=" in display.latex
             ]
@@ -130,6 +131,18 @@ def _meanings(document: Document, names: Names, algebra: ExactAlgebra) -> dict[s
             if value is not None and any(map(_ANGLE.fullmatch, symbols_in([value]))):
                 found.setdefault(key, set()).add(value)
     return {key: values.pop() for key, values in found.items() if len(values) == 1}
+
+
+def _sums_of_angles(value: Scalar, names: Names, algebra: ExactAlgebra) -> dict[str, Scalar]:
+    """Return what θ_{12} and θ_{123} in a coordinate are, the sums of angles; nothing where θ_{11} shows that digits number legs."""
+    found = {key: match for key in symbols_in([value]) if (match := _SUM.fullmatch(key))}
+    if any([*match[2]] != sorted({*match[2]}) for match in found.values()):
+        return {}
+    ring, signs = algebra.ring, names.reader.spelling.joint_signs
+    return {
+        key: sum((ring.symbol(f"{base}_{k}") * sign for sign, k in zip(signs(digits), digits, strict=True)), ring.zero)
+        for key, (base, digits) in ((key, match.groups()) for key, match in found.items())
+    }
 
 
 def _goes_on_from(value: Scalar, before: Scalar) -> bool:

@@ -90,7 +90,7 @@ def _best(part: Inference, lost: Sequence[Record], letters: Sequence[str]) -> _O
     others = {str(other.front["arm"]["rows"]): other for other in _others(part, letters)}
     fronts = [other.front for other in others.values()][:MOST]
     try:
-        readings = weigh(replace(part.document, displays=displays), fronts)
+        readings = weigh(replace(part.document, displays=displays), fronts) if fronts else []
     except ArmproofError:
         return None
     best = [others[str(each.front["arm"]["rows"])] for each in readings if each.held == readings[0].held >= FEWEST]
