@@ -85,9 +85,10 @@ def name_value(evaluator: Evaluating, node: n.Name) -> Value:
 
 def _power_of_length(node: n.Name, names: Names) -> n.Power | None:
     """Return the power that p_1^2 is where p_1 is a length of the arm, and no point seen from frame 2."""
+    if not node.sup.isdigit() or int(node.sup) < 2 or node.pre_sup or node.pre_sub:
+        return None
     plain = replace(node, sup="")
-    is_power = node.sup.isdigit() and int(node.sup) > 1 and not (node.pre_sup or node.pre_sub)
-    if not is_power or names.known_symbol(plain.key) not in names.lengths:
+    if names.known_symbol(plain.key) not in names.lengths:
         return None
     return n.Power(plain, n.Number(Fraction(node.sup), node.sup), span=node.span)
 
