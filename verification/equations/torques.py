@@ -20,6 +20,7 @@ from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.verdict import Role, Verdict
 
 COMPONENTS = ("x", "y", "z")
+MOMENT = "M"
 
 
 @dataclass(frozen=True)
@@ -106,11 +107,16 @@ class Torques:
             yield value, sum(others, first)
 
     def _rows_of_force(self, values: list[Scalar]) -> dict[str, int]:
-        """Return the components of the one force that stands in values, and those beside them, each with its row of J."""
+        """Return the components of the one force that stands in values, and those beside them, each with its row of J.
+
+        A moment that the document introduces acts as well: values without it are not decided.
+        """
         adopted = self.members.names.state.adopted
         held = {base for base, row in map(_component, symbols_in(values) & adopted) if row is not None}
         rows = {load: row for load in sorted(adopted) for base, row in [_component(load)] if base in held}
-        return {load: row for load, row in rows.items() if row is not None} if len(held) == 1 else {}
+        acts = any(_component(load)[0] == MOMENT for load in adopted)
+        is_of_one = len(held - {MOMENT}) == 1 and acts is (MOMENT in held)
+        return {load: row for load, row in rows.items() if row is not None} if is_of_one else {}
 
     def _joints(self, node: n.Node, count: int) -> list[int]:
         """Return the joints (from 0) whose torques a side names: τ_2, a column of such, τ as a whole."""
@@ -128,7 +134,8 @@ def _column(parts: Iterable[Matrix]) -> Matrix:
 
 
 def _component(load: str) -> tuple[str, int | None]:
-    """F_x → F and the first row; a load without a direction has no row."""
+    """F_x → F and the first row, M_z → M and the last one; a load without a direction has no row."""
     base, _, direction = load.partition("_")
-    is_force = base in ("F", "f") and direction in COMPONENTS
-    return base, COMPONENTS.index(direction) if is_force else None
+    if base not in ("F", "f", MOMENT) or direction not in COMPONENTS:
+        return base, None
+    return base, COMPONENTS.index(direction) + (len(COMPONENTS) if base == MOMENT else 0)
