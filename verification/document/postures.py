@@ -25,7 +25,8 @@ _SINGULARITIES = re.compile(
     rf"configuraciones singulares){_OF_ARM}(?: (?:then|thus|therefore|here|donc|alors))?"
     r" (?:are|is|are given by|is given by|occurs?|arises?|are at|(?:occurs?|arises?|appears?) (?:at|when|where|if|for)|when|sont|est|"
     r"sont données? par|(?:se produisent|apparaissent) (?:pour|lorsque|quand|si)|son|ocurren (?:cuando|en|si)|sono)"
-    rf"|{_ARM}{_OF_ARM} (?:is|becomes|est|devient|es|è) (?:singular|singulier|singulière) (?:when|if|for|at|lorsque|quand|si|pour|cuando|si|quando))"
+    rf"|{_ARM}{_OF_ARM} (?:is|becomes|est|devient|es|è) (?:singular|singulier|singulière) "
+    r"(?:exactly |precisely |exactement )?(?:when|iff|if|for|at|lorsque|quand|si|pour|cuando|quando)(?: and only if| et seulement si)?)"
     r"\s*:?\s*\Z",
     re.IGNORECASE,
 )

@@ -35,7 +35,7 @@ class RowsOfJacobians:
         for printed in [*self._printed(chain)]:
             if not shown[printed.key].printed or shown[printed.key].section != self.names.state.section:
                 del shown[printed.key]
-        rows = rows_told(chain, self.names)
+        rows = rows_told(chain, self.names) or _rows_of_plane(chain)
         for below in n.walk(chain):
             if rows is not None and isinstance(below, n.Name) and self._is_open(below):
                 shown[replace(below, dots=0).key] = JacobianRows(rows, self.names.state.section, printed=False)
@@ -207,6 +207,14 @@ class RowsOfJacobians:
         part = replace(name, sub=f"{name.sub}rows {rows}")
         self.names.state.inferred[replace(part, dots=0).key] = replace(quantity, rows=rows)
         return part
+
+
+def _rows_of_plane(chain: n.Chain) -> tuple[int, ...] | None:
+    """Return the two rows of the plane where J = ∂p/∂q is printed in them: p has no third one there."""
+    sides = [bare(member) for member in chain.members]
+    is_derivative = any(isinstance(side, n.Derivative) for side in sides)
+    is_in_plane = any(isinstance(side, n.Matrix) and len(side.rows) == len(PLANE) for side in sides)
+    return PLANE if is_derivative and is_in_plane else None
 
 
 def _prints_whole(chain: n.Chain, name: n.Name) -> bool:

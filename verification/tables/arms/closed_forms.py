@@ -129,7 +129,7 @@ def _meanings(document: Document, names: Names, algebra: ExactAlgebra) -> dict[s
             evaluated = value_in_letters(chain.members[1], names, algebra)
             value = evaluated[0].normal() if evaluated is not None and isinstance(evaluated[0], Scalar) else None
             if value is not None and any(map(_ANGLE.fullmatch, symbols_in([value]))):
-                found.setdefault(key, set()).add(value)
+                found.setdefault(key, set()).add(_with_meanings(value, _sums_of_angles(value, names, algebra)))
     return {key: values.pop() for key, values in found.items() if len(values) == 1}
 
 
