@@ -12,7 +12,7 @@ from armproof.verification.singularities.half_angles import HalfAngles, Polynomi
 
 MOST_TERMS = 20_000
 MOST_WORK = (
-    80  # bits: the resultants of the course's arms stay below 60, one of 160 takes minutes, and FLINT cannot be stopped
+    70  # bits: the course's arms stay below 60, one of 77 with eleven variables takes minutes; FLINT cannot be stopped
 )
 
 
