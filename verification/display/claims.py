@@ -74,10 +74,8 @@ class Claims:
             outcomes = self._at_values(chain, equation, line, define)
             self.names.state.configuration = stated
             return outcomes
-        if self.names.arm is None or not n.has_rates(chain):
-            return self._at_values(chain, equation, line, define)
         under = UnderRates(self.checker.members, self.names.state.told)
-        if not under.concerns(chain):
+        if self.names.arm is None or not n.has_rates(chain) or not under.concerns(chain):
             return self._at_values(chain, equation, line, define)
         before = self.names.state.copy()
         outcomes = self._at_values(chain, equation, line, define)

@@ -79,8 +79,7 @@ def _is_any_configuration(statement: n.Statement, names: Names) -> bool:
     node = statement.members[0] if isinstance(statement, n.Chain) and not statement.relations else None
     if names.arm is None or not isinstance(node, n.Name):
         return False
-    joints = {joint.symbol for joint in names.arm.joints}
-    return node.key in ("q", "theta") or names.known_symbol(node.key) in joints
+    return node.key in ("q", "theta") or names.known_symbol(node.key) in names.joints
 
 
 def _without_vanishing_end(statement: n.Statement) -> list[n.Statement]:

@@ -69,7 +69,7 @@ class StatedValues:
                 return None
             listed = self._listed(outcome, pairs, _sides(outcome)[bool(one)].node, one | other)
             return listed or outcome.left_open(say(Kind.NUMBERS_OF_NOWHERE))
-        of_arm = {joint.symbol for joint in arm.joints} | set(arm.lengths)
+        of_arm = {*self.names.joints, *self.names.lengths}
         if not (one and other) and of_arm & (one | other):
             numbers = _sides(outcome)[bool(one)]
             if any(isinstance(each, n.JointAngles) for each in n.walk(numbers.node)):
@@ -229,8 +229,7 @@ class StatedValues:
 
     def _there(self, outcome: Outcome, pair: Pair, one: set[str], other: set[str]) -> Outcome | None:
         """P_x = l_1 behind θ_1 = 0, θ_2 = π/2: a side without the joints that have values, and equal to the other there."""
-        assert self.names.arm is not None
-        joints = {joint.symbol for joint in self.names.arm.joints}
+        joints = {*self.names.joints}
         stated = self._stated((joints & (one | other)) | set(filter(is_rate, one ^ other)))
         if not stated or not (set(stated).isdisjoint(one) or set(stated).isdisjoint(other)):
             return None

@@ -38,7 +38,7 @@ def _rates(node: n.Node) -> list[n.Name]:
 def _is_joint(name: n.Name, names: Names) -> bool:
     assert names.arm is not None
     symbol = names.known_symbol(replace(name, dots=0).key)
-    return name.base in ("q", "theta") or symbol in {joint.symbol for joint in names.arm.joints}
+    return name.base in ("q", "theta") or symbol in names.joints
 
 
 def _with_rates(node: n.Node, names: Names) -> n.Node:

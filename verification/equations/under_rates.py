@@ -122,7 +122,7 @@ class UnderRates:
             return [*range(self._count)]
         named = [*cells_of(node)] or [node]
         symbols = [self._rate(each) for each in named]
-        own = [joint.symbol for joint in self.names.arm.joints] if self.names.arm is not None else []
+        own = [*self.names.joints]
         places = [own.index(symbol) for symbol in symbols if symbol in own]
         return places if len(places) == len(named) and (len(named) == 1 or places == [*range(self._count)]) else []
 

@@ -9,7 +9,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
-from armproof.models.arm import Arm, Joint
+from armproof.models.arm import Arm, Joint, once_per_arm
 from armproof.models.dh.entry import LinearForm
 from armproof.models.dh.table import DHRow
 from armproof.verification.algebra.protocol import Algebra, Value
@@ -23,6 +23,11 @@ from armproof.verification.naming.state import Definition, DocumentState, undeci
 
 FREE_IN_GENERAL = re.compile(r"[a-z]|%s" % one_of(NUMBERS))
 COMPONENT = re.compile(r"[xyz]|\w+,[xyz]")
+
+
+@once_per_arm  # asked for at every name of a tree
+def _by_symbol(arm: Arm) -> Mapping[str, Joint]:
+    return {joint.symbol: joint for joint in arm.joints}
 
 
 @dataclass(frozen=True)
@@ -53,13 +58,14 @@ class Names:
         return self.state.used_in_general if self.general else self.state.used
 
     @property
-    def joints(self) -> dict[str, Joint]:
+    def joints(self) -> Mapping[str, Joint]:
         """The arm's joints by their symbols, base to tool; none without an arm."""
-        return {joint.symbol: joint for joint in self.arm.joints} if self.arm is not None else {}
+        return _by_symbol(self.arm) if self.arm is not None else {}
 
     def is_angle(self, symbol: str | None) -> bool:
         """Whether a symbol is the variable of a joint that turns."""
-        return symbol in self.joints and self.joints[symbol].kind == "revolute"
+        joint = self.joints.get(symbol or "")
+        return joint is not None and joint.kind == "revolute"
 
     @property
     def lengths(self) -> Mapping[str, float]:
