@@ -10,12 +10,13 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.evaluation.blocks import cells_of
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare
+from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.names import Names
 from armproof.verification.verdict import Verdict
 
 _LETTERS = frozenset("FfM")  # N_x may be an entry of a rotation, m_x a mass
-_LOADS = frozenset("FfMNQW")  # behind J^T, or in F = (0, 0, -W), where they can be nothing else
+_LOADS = frozenset("FfMNPQW")  # behind J^T, or in F = (0, 0, -W), where they can be nothing else
+_WEIGHT = ("m", "g")
 TORQUES = ("tau", "Gamma")
 LETTERS = _LETTERS | _LOADS | {*TORQUES}  # one of them stands in whatever speaks of forces
 _COMPONENT = re.compile(r"\w*,?[xyz]")
@@ -40,7 +41,7 @@ def heed_forces(names: Names, chain: n.Chain) -> None:
     if any(map(_is_torque, chain.members)):
         found += [name for below in _walked(chain) for name in _one(below) if name.base in "Ff"]
     names.state.adopted |= {name.key for name in found if names.is_open(name)}
-    names.state.balanced |= {(base, names.state.exercise) for base in _torques_in(chain)}
+    names.state.balanced |= {(base, names.state.exercise): product for base, product in _torques_in(chain)}
 
 
 def unless_left_out(outcome: Outcome, names: Names) -> Outcome:
@@ -95,19 +96,30 @@ def _force_behind_transpose(node: n.Node) -> n.Node | None:
     return second if isinstance(base, n.Name) and base.base == "J" else None
 
 
-def _torques_in(chain: n.Chain) -> Iterator[str]:
-    """Yield the letter of torques that a chain says to be J^T F, and nothing else."""
+def _torques_in(chain: n.Chain) -> Iterator[tuple[str, n.Node]]:
+    """Yield the letter of torques that a chain says to be J^T F, and nothing else, with that product."""
     sides = [bare(member) for member in chain.members]
-    if any(_force_behind_transpose(each) is not None and len(each.factors) == 2 for each in sides):  # type: ignore[attr-defined]
-        yield from (each.base for each in sides if _is_plain(each) and each.base in TORQUES and not each.sub)  # type: ignore[attr-defined]
+    products = [each for each in sides if _force_behind_transpose(each) is not None and len(each.factors) == 2]  # type: ignore[attr-defined]
+    letters = [each.base for each in sides if _is_plain(each) and each.base in TORQUES and not each.sub]  # type: ignore[attr-defined]
+    yield from ((letter, products[0]) for letter in letters if products)
 
 
 def _loads(node: n.Node) -> list[n.Name]:
     """Return the letters of a column of such and of zeros, or nothing of another one."""
     cells = [_unsigned(cell) for cell in cells_of(node)]
-    found = [cell for cell in cells if _is_plain(cell) and cell.base in _LOADS]  # type: ignore[attr-defined]
-    zeros = sum(isinstance(cell, n.Number) and cell.value == 0 for cell in cells)
-    return found if len(found) + zeros == len(cells) else []  # type: ignore[return-value]
+    loads = [cell for cell in cells if not (isinstance(cell, n.Number) and cell.value == 0)]
+    factors = [bare(factor) for load in loads for factor in (_weight(load) or (load,))]
+    return factors if all(map(_is_a_load, factors)) else []  # type: ignore[return-value]
+
+
+def _is_a_load(node: n.Node) -> bool:
+    return _is_plain(node) and (node.base in _LOADS or node.key in _WEIGHT)  # type: ignore[attr-defined]
+
+
+def _weight(node: n.Node) -> Sequence[n.Node]:
+    """Return the factors of m g."""
+    is_weight = isinstance(node, n.Product) and [*map(bare_key, node.factors)] == [*_WEIGHT]
+    return node.factors if is_weight else ()  # type: ignore[attr-defined]
 
 
 def _unsigned(node: n.Node) -> n.Node:

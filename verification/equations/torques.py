@@ -7,10 +7,12 @@ from dataclasses import dataclass, replace
 
 from armproof.verification.algebra.calculus import derivative, symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_matrix
+from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import Pair, agree_exactly, different_entries, exactly_equal, is_near
 from armproof.verification.equations.forces import TORQUES
+from armproof.verification.equations.jacobian_rows import PLANE
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Members
 from armproof.verification.evaluation.blocks import cells_of
@@ -39,6 +41,8 @@ class Torques:
             return replace(outcome, verdict=Verdict.PROVED, findings=(), role=Role.CLAIM)
         turned = [replace(pair, true=pair.true.map(lambda cell: -cell)) for pair in pairs]
         said = self._is_said_to_be(outcome)
+        if said and all(agree_exactly(pair) or self._moves_alike(pair) for pair in pairs):
+            return self._refuted(outcome, pairs)
         if all(map(agree_exactly, turned)) and not said:
             return outcome  # the torques that the force makes, and not those that hold it
         if not any(all(agree_exactly(each) or is_near(each) for each in read) for read in (pairs, turned)):
@@ -50,10 +54,17 @@ class Torques:
             self.members.names.leave_open(name, finding)
         return replace(outcome, verdict=Verdict.UNCHECKED, findings=(finding,), role=Role.DEFINITION)
 
+    def _moves_alike(self, pair: Pair) -> bool:
+        """Whether the same joints and loads stand in both: what lacks one may be said of a configuration."""
+        moving = {*self.members.names.joints, *self.members.names.state.adopted}
+        true, printed = (symbols_in(matrix.cells) & moving for matrix in (pair.true, pair.printed))
+        return true == printed != set()
+
     def _heed(self, outcome: Outcome) -> None:
         """One torque that is what J^T F makes of the force shows what the others of its letter are."""
         state = self.members.names.state
-        state.balanced |= {(letter, state.exercise) for letter in self._letters(outcome)}
+        for letter in self._letters(outcome):
+            state.balanced.setdefault((letter, state.exercise))
 
     @staticmethod
     def _letters(outcome: Outcome) -> set[str]:
@@ -63,7 +74,25 @@ class Torques:
     def _is_said_to_be(self, outcome: Outcome) -> bool:
         """Whether the exercise says, or shows, that these torques are J^T F."""
         letters, state = self._letters(outcome), self.members.names.state
-        return len(letters) == 1 and bool(state.balanced & {(*letters, state.exercise), (*letters, "")})
+        return len(letters) == 1 and any((*letters, exercise) in state.balanced for exercise in (state.exercise, ""))
+
+    def _written(self, outcome: Outcome) -> Iterator[tuple[Scalar, ...]]:
+        """Yield the torques that J^T F gives where the exercise writes that product and F has a value."""
+        state = self.members.names.state
+        for letter in self._letters(outcome):
+            product = state.balanced.get((letter, state.exercise)) or state.balanced.get((letter, ""))
+            value = self._product(product) if isinstance(product, n.Product) else None
+            if isinstance(value, Matrix) and value.shape == (len(self.members.names.joints), 1):
+                yield tuple(value.cells)
+
+    def _product(self, product: n.Product) -> Value:
+        """Return J^T F; a force of two components acts in the plane, where nothing else tells which rows J has."""
+        value, arm = self.members.evaluate(product).value, self.members.names.arm
+        force = self.members.evaluate(product.factors[1]).value if value is None else None
+        if arm is None or not isinstance(force, Matrix) or force.shape != (len(PLANE), 1):
+            return value
+        jacobian = self.members.exact.quantity(Quantity("jacobian", arm.frames[-1], arm.frames[0], rows=PLANE))
+        return jacobian.transpose @ force if isinstance(jacobian, Matrix) else None
 
     def _refuted(self, outcome: Outcome, pairs: list[Pair]) -> Outcome:
         """Return a claim of torques that are not those of J^T F; they are no more than that."""
@@ -93,7 +122,12 @@ class Torques:
         values = [*as_matrix(true.value).cells] if isinstance(true.value, Matrix | Scalar) else []
         rows = self._rows_of_force(values) if all(isinstance(each, Scalar) for each in values) else {}
         places = self._joints(printed.node, len(values))
-        if not rows or len(places) != len(values):
+        if len(places) != len(values):
+            return
+        for torques in self._written(outcome):
+            yield from ((value, torques[place]) for value, place in zip(values, places, strict=True))
+            return
+        if not rows:
             return
         jacobian = self.members.exact.quantity(Quantity("jacobian", arm.frames[-1], arm.frames[0]))
         for value, place in zip(values, places, strict=True):

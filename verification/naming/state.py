@@ -188,7 +188,7 @@ class DocumentState:
         usual: name and heading under which an equation was exactly what convention says, and what that is.
         used, used_in_general: free letters, of the displays and of the general statements among them.
         adopted: letters that only a frame the document adds brings in: a tool's length.
-        balanced: letters of torques that are said to be J^T F, each with its exercise.
+        balanced: letter of torques that are said, or shown, to be J^T F, and its exercise → that product, where it is written.
         beyond: a frame the document adds → (on which of the arm's, name).
         configuration: joint variables, rates and lengths → the value that a display gave them.
         listed: the values that code gives under the heading at hand, and those that are worked out above.
@@ -222,7 +222,7 @@ class DocumentState:
     used: set[str] = field(default_factory=set)
     used_in_general: set[str] = field(default_factory=set)
     adopted: set[str] = field(default_factory=set)
-    balanced: set[tuple[str, str]] = field(default_factory=set)
+    balanced: dict[tuple[str, str], n.Node | None] = field(default_factory=dict)
     beyond: dict[str, tuple[str, str]] = field(default_factory=dict)
     configuration: dict[str, Stated] = field(default_factory=dict)
     told: Told = field(default_factory=Told)
