@@ -156,7 +156,7 @@ def _term(term: Any, form: str, inside: Piece, audience: Audience) -> Iterator[t
         yield from pieces(term, audience)
     elif isinstance(term, list | tuple):
         items = [list(_term(item, form, inside, audience)) for item in term]
-        between = separator([text for item in items for text, kind in item if kind is not Piece.LATEX])
+        between = separator([text for item in items for text, kind in item if kind is not Piece.LATEX or "{,}" in text])
         for index, item in enumerate(items):
             yield from [(between, Piece.WORDS), *item] if index else item
     elif form == "nth":

@@ -792,7 +792,7 @@ class Kind(MessageKind):
     PRINTED_RIGHT = "printed_right", "printed: ${printed}$, right: ${correct}$"
     PRINTED_BECAUSE = "printed_because", "printed: ${printed}$, right: ${correct}$ ({change})"
     WHY = "why", "why: {reason}"
-    FOR_EXAMPLE = "for_example", "for example at `{values}`"
+    FOR_EXAMPLE = "for_example", "for example at ${values}$"
     ALSO_IN = "also_in", "the same error stands in line {lines}"
 
 

@@ -16,6 +16,7 @@ from armproof.verification.correction import corrected_latex
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.findings.finding import Piece, distinct, pieces
 from armproof.verification.latex.unicode import normalise_unicode
+from armproof.verification.latex.writer import symbol_as_latex
 from armproof.verification.report.headings import sentences_of
 from armproof.verification.report.text import ordered_records
 from armproof.verification.verdict import DocumentResult, Record, Verdict, WrongEntry
@@ -129,10 +130,15 @@ def _said(mistake: Mistake) -> Iterator[Finding]:
     reasons = [f for f in record.findings if f.kind not in _RESTATES and not any(f.holds(each) for each in told)]
     yield from (say(Kind.WHY, reason=reason) for reason in distinct(reasons))
     if record.counterexample:
-        values = [f"{symbol} = {number_text(value, '.6g')}" for symbol, value in record.counterexample.items()]
-        yield say(Kind.FOR_EXAMPLE, values=values)
+        values = record.counterexample.items()
+        yield say(Kind.FOR_EXAMPLE, values=[f"{symbol_as_latex(name)} = {_decimal(value)}" for name, value in values])
     if mistake.again:
         yield say(Kind.ALSO_IN, lines=mistake.again)
+
+
+def _decimal(value: float) -> str:
+    """Return a number as it stands in a formula: a comma with no space behind it."""
+    return number_text(value, ".6g").replace(",", "{,}")
 
 
 def _name_of_formula(latex: str, entry: WrongEntry) -> str:

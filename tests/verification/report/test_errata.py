@@ -112,4 +112,11 @@ def test_a_correction_of_a_whole_display_is_written_whole(tmp_path: Path) -> Non
     (tmp_path / "a.md").write_text(f"{FRONT}$$ \\det J_v = 0 \\iff \\cos\\theta_2 = 0 $$\n", encoding="utf-8")
     text = sheet(tmp_path, "errata.md", 1)
     whole = r"- printed: $\det J_v = 0 \iff \cos\theta_2 = 0$" + "\n" + r"- right: $\det J_v = 0 \iff \sin\theta_2 = 0$"
-    assert whole in text and "for example at `theta_2 = 0`" in text
+    assert whole in text and r"for example at $\theta_2 = 0$" in text
+
+
+def test_the_example_is_in_the_letters_of_formulas_with_the_comma_of_its_language(tmp_path: Path) -> None:
+    (tmp_path / "a.md").write_text(f"{FRONT}$$ x = l_1 c_1 - l_2 c_{{12}} $$\n", encoding="utf-8")
+    CliRunner().invoke(app, ["verify", str(tmp_path), "--errata", str(tmp_path / "errata.md"), "--lang", "fr"])
+    text = (tmp_path / "errata.md").read_text(encoding="utf-8")
+    assert re.search(r"\$\\theta_1 = -?\d\{,\}\d+\$\u00a0; \$\\theta_2 = ", text), text
