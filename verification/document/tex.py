@@ -176,7 +176,7 @@ class _Scanner:
             position = token.end()
             if token.group("section"):
                 close = closing_brace(self.visible, token.end() - 1)
-                title = " ".join(self.visible[token.end() : close].split())
+                title = " ".join(self.visible[token.end() : close].split()).replace("---", "—").replace("--", "–")
                 level = LEVELS.index(token.group("section"))
                 self.section = begin_section(
                     self.section, f"{self.exercise}: {title}" if self.exercise else title, level
