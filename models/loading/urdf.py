@@ -64,8 +64,8 @@ def _right_angle(angle: str) -> float | None:
         return None
     value = float(angle)
     exact = round(value / (pi / 4)) * pi / 4
-    digits = len(angle.partition(".")[2])
-    return exact if exact and TOLERANCE < abs(value - exact) < min(10.0**-digits, NEARLY) else None
+    digit = float(f"1e-{len(angle.partition('.')[2])}")  # which a decimal other than 0 is not below
+    return exact if TOLERANCE < abs(value - exact) < min(digit, NEARLY) else None
 
 
 def with_locks(text: str, tip: str, lock: Mapping[str, float], source: str) -> str:

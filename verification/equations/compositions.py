@@ -14,18 +14,10 @@ _TRANSFORMS = "TAHR"
 _POINTS = ("P", "p")
 FEWEST = 3  # steps of a product that tell which index is the reference
 _INDEX = re.compile(r"(?:(?P<digit>\d)|(?P<letter>[ijkn]))(?:(?P<sign>[+-])(?P<step>\d))?")
-_ENDS = {
-    "B": -1,
-    "b": -1,
-    "base": -1,
-    "G": 2000,
-    "E": 2000,
-    "e": 2000,
-    "EE": 2000,
-    "ee": 2000,
-    "tool": 2000,
-    "TCP": 2000,
-}
+_FAR = 100  # ranks: of frame i, which is behind numbered ones,
+_LAST = 2000  # of a tool,
+_UNKNOWN = 10_000  # of what nothing tells
+_ENDS = dict.fromkeys(("B", "b", "base"), -1) | dict.fromkeys(("G", "E", "e", "EE", "ee", "tool", "TCP"), _LAST)
 
 
 @dataclass(frozen=True)
@@ -66,7 +58,7 @@ def is_way_outwards(chain: n.Chain) -> bool:
     ends = {_ends(member, "lower") for member in chain.members}
     return (
         named
-        and sorted(map(len, sides))[0] == 1
+        and min(map(len, sides)) == 1
         and len(sides) == 2
         and max(map(len, sides)) >= FEWEST
         and len(ends - {None}) == 1 == len(ends)
@@ -163,9 +155,6 @@ def _before(index: str) -> str:
     return str(int(index) - 1) if index.isdigit() else f"{index}-1"
 
 
-_UNKNOWN = 10_000
-
-
 def _rank(index: str) -> int:
     """Return how far from the base a frame is, by its index: 0 < 1 < i < n-1 < n < E; _UNKNOWN where nothing tells."""
     if index in _ENDS:
@@ -173,5 +162,5 @@ def _rank(index: str) -> int:
     found = _INDEX.fullmatch(index)
     if found is None:
         return _UNKNOWN
-    first = int(found["digit"]) if found["digit"] else {"i": 100, "j": 200, "k": 300, "n": 1000}[found["letter"]]
+    first = int(found["digit"]) if found["digit"] else _FAR * " ijkn".index(found["letter"])
     return first + int(f"{found['sign'] or '+'}{found['step'] or 0}")

@@ -101,21 +101,7 @@ class Spellings:
             assert self.names.arm is not None
             placed = name.base in INDEXED and name.sub and not name.pre_sup and index in self.names.arm.frames
             return replace(name, sup=index) if placed and self.names.known_symbol(name.key) is None else node
-        if (between := self._between(inner)) is not None:
-            return between
-        if not isinstance(inner, n.Product) or len(inner.factors) != 2 or inner.operators != ("",):
-            return node
-        first, second = inner.factors
-        if not isinstance(first, n.Name):
-            return node
-        if isinstance(second, n.Group | n.Sequence) and not self.members.evaluate(first).known:
-            arguments = second.items if isinstance(second, n.Sequence) else (second.inner,)
-            if all(self._is_configuration(argument) for argument in arguments):
-                return first
-        return node
-
-    def _is_configuration(self, node: n.Node) -> bool:
-        return isinstance(node, n.Name) and (node.key in ("q", "theta", "Theta") or self.members.is_symbol(node))
+        return self._between(inner) or node
 
 
 def _unapplied(node: n.Node) -> n.Node:

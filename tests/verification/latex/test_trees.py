@@ -407,3 +407,19 @@ def test_what_stands_for_a_name_is_placed_where_the_name_is() -> None:
 
 def test_the_largest_exponent_and_the_longest_number_are_read() -> None:
     assert read("(x)^{24}") == "(x)**24" and read("1" * 40) == "1" * 40
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "false"),
+    [
+        ("0.5 x", r" 0.50 \, x", "0.05 x"),
+        (r"\mathbf{x} + 1", "x + 1", r"\mathbf{y} + 1"),
+        (r"\cos\theta_1 \sin(\theta_2)", r"\cos(\theta_1) s\theta_2", r"\cos(\theta_1) s\theta_1"),
+        (r"\frac{a}{b}", r"\dfrac{a}{b}", r"\frac{b}{a}"),
+        (r"\frac{a}{b}", "a/b", "b/a"),
+        ("a/2b", " a / 2 b", "b/2a"),
+    ],
+)
+def test_two_trees_are_equal_however_they_are_written(one: str, other: str, false: str):
+    first, second, third = map(Reader().read_expression, (one, other, false))
+    assert first == second != third and hash(first) == hash(second)

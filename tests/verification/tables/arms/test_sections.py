@@ -60,6 +60,13 @@ def test_sections_of_latex_and_of_restructuredtext() -> None:
     assert verdicts(latex.replace("-d_3", "d_3"), "tex") == ["proved", "refuted"]
 
 
+def test_headings_are_marked_or_underlined_and_those_of_cells_are_none() -> None:
+    text = FRONT.replace("\n", "\r\n") + "# One #\n\nTwo\n===\n\n~~~\n\\subsection*{Three}\nFour\n=-=\n"
+    assert parse_document(Path("sheet.md"), text).headings == ((10, "One"), (12, "Two"), (16, "Three"))
+    assert not parse_document(Path("sheet.md"), text.replace("arms:", "title:")).headings
+    assert not parse_document(Path("sheet.py"), f"# %% [markdown]\n# {FRONT}# # One\n".replace("\n", "\n# ")).headings
+
+
 @pytest.mark.parametrize(
     ("front", "message"),
     [
