@@ -7,6 +7,7 @@ import re
 import unicodedata
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from decimal import Decimal
 from math import pi
 
 from armproof.verification.document.heading import encloses
@@ -44,8 +45,7 @@ def _assigned(code: str) -> Iterator[tuple[str, str]]:
     for line in code.split("\n"):
         for statement in _COMMENT.sub("", line).split(";"):
             found = _ASSIGNED.fullmatch(statement.strip().rstrip(","))
-            value = _in_latex(found[3]) if found else None
-            if found and value is not None:
+            if found and (value := _in_latex(found[3])) is not None:
                 yield f"{_LETTERS[found[1]]}_{{{found[2]}}}", value
 
 
@@ -59,24 +59,24 @@ def _in_latex(value: str) -> str | None:
 
 
 def _written(node: ast.expr) -> str:
-    if isinstance(node, ast.Constant) and type(node.value) in (int, float):
-        text = f"{node.value:f}".rstrip("0").rstrip(".") if isinstance(node.value, float) else str(node.value)
-        return text or "0"
-    if isinstance(node, ast.Name) and node.id == "pi":
-        return r"\pi"
-    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
-        return f"(-{_written(node.operand)})"
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div):
-        return rf"\frac{{{_written(node.left)}}}{{{_written(node.right)}}}"
-    if isinstance(node, ast.BinOp) and type(node.op) in _OPERATORS:
-        return f"({_OPERATORS[type(node.op)].format(_written(node.left), _written(node.right))})"
+    match node:
+        case ast.Constant(value) if type(value) in (int, float):
+            return f"{Decimal(repr(value)):f}"
+        case ast.Name("pi"):
+            return r"\pi"
+        case ast.UnaryOp(ast.USub(), inner):
+            return f"(-{_written(inner)})"
+        case ast.BinOp(left, ast.Div(), right):
+            return rf"\frac{{{_written(left)}}}{{{_written(right)}}}"
+        case ast.BinOp(left, operator, right) if type(operator) in _OPERATORS:
+            return f"({_OPERATORS[type(operator)].format(_written(left), _written(right))})"
     raise ValueError
 
 
 def worked_value(latex: str) -> tuple[str, str] | None:
     r"""Return the joint and the number that a chain ends with, \theta_1 = \arctan(…) = 1.738; None where it ends otherwise."""
     plain = unicodedata.normalize("NFKC", latex).replace("θ", r"\theta").replace("\N{MINUS SIGN}", "-")
-    found = _WORKED.fullmatch(plain) if plain.count("=") > 1 else None
+    found = _WORKED.fullmatch(plain)
     if found is None or _SEVERAL.search(found["between"]):
         return None
     in_degrees = (found["unit"] or "rad") != "rad"

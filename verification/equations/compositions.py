@@ -47,8 +47,8 @@ def is_composition(chain: n.Chain, frames: Collection[str]) -> bool:
 
 def is_product_of_links(chain: n.Chain) -> bool:
     """Whether a name T^i_j is equated to a product A_1 A_2 of names with one index each, which tell of no direction themselves."""
-    named = [node for member in chain.members if isinstance(node := bare(member), n.Name) and node.sub and node.sup]
-    return len(chain.members) == 2 and len(named) == 1 and any(map(_is_of_links, chain.members))
+    named = any(isinstance(node := bare(member), n.Name) and node.sub and node.sup for member in chain.members)
+    return len(chain.members) == 2 and named and any(map(_is_of_links, chain.members))
 
 
 def is_way_outwards(chain: n.Chain) -> bool:
