@@ -42,7 +42,9 @@ Rule = Callable[[StateBlock, int, int, bool], bool]
 MOST_LINES = 100  # of an environment without dollars
 FARTHEST = 12  # lines between the opening of a display and its LaTeX: blank, or a directive's options
 ADMONITIONS = frozenset(["admonition", "note", "warning", "tip", "important", "caution", "error", "hint", "attention", "danger",
-                         "seealso", "erratum", "errata", "card", "dropdown", "proof", "topic", "sidebar", "margin"])  # fmt: skip
+                         "seealso", "erratum", "errata", "card", "dropdown", "proof", "topic", "sidebar", "margin", "figure", "table",
+                         "example", "exercise", "solution", "theorem", "lemma", "definition", "remark", "details", "aside", "grid",
+                         "grid-item", "grid-item-card", "tab-set", "tab-item"])  # fmt: skip
 _DIRECTIVE = re.compile(
     r"\s*\{?\s*\.?(?P<name>[\w:-]*)"
 )  # ```{math}, :::{admonition} Erratum, ::: {.erratum}, ::: warning
@@ -213,9 +215,9 @@ def _read_blocks(
         elif token.type in ("fence", "colon_fence") and (inside := _DIRECTIVE.match(token.info)) is not None:
             if inside.group("name") == "math":
                 displays.extend(_math_directive(token, line, erratum, cell, section))
-            elif token.type == "colon_fence" or inside.group("name") in ADMONITIONS:
+            elif token.type == "colon_fence" or inside["name"].removeprefix("prf:") in ADMONITIONS:
                 erratum = erratum or _ERRATUM.search(token.info) is not None or _begins_as_erratum(content)
-                more, more_tables = _read_blocks(content, line + 1, cell, section, erratum)
+                more, more_tables = _read_blocks(_without_options(content), line + 1, cell, section, erratum)
                 displays += more
                 tables += more_tables
             else:
@@ -354,14 +356,19 @@ def _begins_as_erratum(content: str) -> bool:
 
 def _math_directive(token: Token, line: int, erratum: bool, cell: int | None, section: str) -> Iterator[Display]:
     """Yield the equation of a MyST directive, its options left out."""
-    lines = token.content.split("\n")
-    if lines and lines[0].strip() == "---" and "---" in (rest := [text.strip() for text in lines[1:]]):
-        lines = lines[rest.index("---") + 2 :]
-    while lines and re.match(r"\s*(?::[\w-]+:.*)?$", lines[0]):
-        lines = lines[1:]
-    latex = "\n".join(lines).rstrip()
+    latex = _without_options(token.content).lstrip("\n").rstrip()
     if latex:
         yield Display(line, latex, erratum, cell, section, opening=f"{token.markup}{token.info}")
+
+
+def _without_options(content: str) -> str:
+    """Return what stands in a directive, the lines of its options left empty: between two rules, or each between colons."""
+    lines, after = content.split("\n"), 0
+    if lines[0].strip() == "---" and "---" in (rest := [text.strip() for text in lines[1:]]):
+        after = rest.index("---") + 2
+    while after < len(lines) and re.match(r"\s*(?::[\w-]+:.*)?$", lines[after]):
+        after += 1
+    return "\n" * after + "\n".join(lines[after:])
 
 
 def _block_displays(content: str, line: int, erratum: bool, cell: int | None, section: str) -> Iterator[Display]:

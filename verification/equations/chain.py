@@ -30,6 +30,7 @@ from armproof.verification.equations.letter_matrices import (
     forget_letters,
     stale,
     take_entries,
+    with_small_letters,
 )
 from armproof.verification.equations.of_points import OfPoints
 from armproof.verification.equations.outcome import Outcome
@@ -179,7 +180,7 @@ class ChainChecker:
         settled = frozenset(state.inferred)
         members, fresh = self._evaluated(chain)
         is_open = define and self.names.arm is not None and not all(member.known for member in members)
-        if is_open and (matrix := stale(members)) is not None:
+        if is_open and (matrix := stale(members, self.names)) is not None:
             forget_letters(self.names, matrix)
             members, fresh = self._evaluated(chain)
         check = partial(self.check, first_equation=first_equation, line=line, define=define)
@@ -309,6 +310,8 @@ class ChainChecker:
         outcomes = first
         if any(outcome.verdict is Verdict.REFUTED for outcome in first) and self.members.speaks_of_jacobian(chain):
             outcomes = self.rows.with_fewer(chain, first, check)
+        if any(outcome.verdict is Verdict.REFUTED for outcome in outcomes):
+            outcomes = self.readings.as_product_of_links(chain, outcomes, check)
         outcomes = self.readings.of_the_tool(chain, outcomes, now.settled, check)
         if outcomes is first and any(outcome.verdict is Verdict.REFUTED for outcome in first):
             outcomes = self._of_coordinates(chain, first, check)
@@ -332,12 +335,16 @@ class ChainChecker:
 
     def _of_other_matrix(self, now: _Pass, first: list[Outcome]) -> list[Outcome]:
         """Return the outcomes where r_{ij} are of another matrix than the tool's, if all hold; what else is no slip is left open."""
-        if self.of_entries or ENTRY not in n.letters(now.chain) or all(outcome.verdict in HOLDS for outcome in first):
+        if self.of_entries or all(outcome.verdict in HOLDS for outcome in first):
             return first
-        readings = [*entries_elsewhere(self.names, now.chain)]
+        is_open = all(outcome.verdict is Verdict.UNCHECKED for outcome in first)
+        chain = (with_small_letters(now.chain) if is_open else None) or now.chain
+        if ENTRY not in n.letters(chain):
+            return first
+        readings = [*entries_elsewhere(self.names, chain)]
         for entries in readings:
             self.of_entries = True
-            tried = self._aside(now.chain, now.first, now.line, partial(take_entries, self.names, entries))
+            tried = self._aside(chain, now.first, now.line, partial(take_entries, self.names, entries))
             self.of_entries = False
             if all(outcome.verdict in HOLDS for outcome in tried):
                 return tried

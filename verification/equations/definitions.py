@@ -26,12 +26,14 @@ from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import greek
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key, has_branches
+from armproof.verification.latex.vocabulary import UNWRITTEN
 from armproof.verification.naming.conventions import AXES, is_usual
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Definition
 from armproof.verification.verdict import HOLDS, Role, Verdict
 
 Check = Callable[[n.Chain], list[Outcome]]
+MOST_WRONG = 2  # entries of a pose that is a slip away, where it holds letters without a value too
 
 
 @dataclass(frozen=True)
@@ -113,7 +115,8 @@ class Definitions:
         first: dict[str, Value] = {}  # what a name is where it stands first
         wrong: list[tuple[int, int]] = []
         unknown: EvaluationError | None = None
-        for block in blocks:
+        written = [block for block in blocks if not _is_unwritten(block.cell)]
+        for block in written:
             cell, key = self.members.evaluate(block.cell), bare_key(block.cell)
             if key in self.fresh:
                 cell = Member(block.cell, None, UnboundName(str(key)))
@@ -137,12 +140,17 @@ class Definitions:
         if (other := self._of_series(blocks, wrong, first)) is not None:
             self.names.forget(first if defines else ())
             return Outcome(Verdict.UNCHECKED, (other,), equation, true, member)
+        of_other_arm = unknown is not None and value.shape == (4, 4) and len(wrong) > MOST_WRONG
+        if unknown is not None and of_other_arm:  # it has letters that this arm has not
+            return Outcome(Verdict.UNCHECKED, (finding_of(unknown),), equation, true, member)
         if wrong:
             pair = Pair(value, value) if len(blocks) == len(value.cells) else None
             findings = () if pair else (say(Kind.WRONG_BLOCK),)
             return Outcome(Verdict.REFUTED, findings, equation, true, member, pair, wrong)
         if unknown is not None:
             return Outcome(Verdict.UNCHECKED, (finding_of(unknown),), equation, true, member)
+        if written and not first:  # what is written holds
+            return Outcome(Verdict.PROVED, (), equation, true, member)
         said = say(Kind.DEFINES_ENTRIES, names=list(first))
         return Outcome(Verdict.DEFINED, (said,), equation, true, member, defines=tuple(first))
 
@@ -263,6 +271,12 @@ def _solved(member: Member, true: n.Node) -> tuple[str, n.Node] | None:
 
 def _is_angle(name: n.Name) -> bool:
     return name.base in greek.ANGLES and not name.dots and not name.sub.isdigit()
+
+
+def _is_unwritten(node: n.Node) -> bool:
+    """Whether a cell holds but a mark for what is not written."""
+    name = bare(node)
+    return isinstance(name, n.Name) and name.base == UNWRITTEN
 
 
 def _squared_name(node: n.Node) -> str | None:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from fractions import Fraction
 
+from armproof.models.arm import Arm
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.given_values import keys_alone, names_alone
 from armproof.verification.equations.outcome import Outcome
@@ -13,7 +15,7 @@ from armproof.verification.errors import UnboundName
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key
-from armproof.verification.naming.conventions import ENTRIES, is_entry
+from armproof.verification.naming.conventions import ENTRIES, ENTRY, conventional, is_entry
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import numbered_frames
 from armproof.verification.verdict import Verdict
@@ -29,10 +31,22 @@ def awaited(members: Sequence[Member]) -> tuple[str, n.Node] | None:
     return None
 
 
-def stale(members: Sequence[Member]) -> n.Node | None:
-    """Return a matrix of letters whose meaning is not known any more, beside a name with a value; else None."""
-    pairs = (letters.node for name, letters in _of_letters(members) if name.known and letters.problem is not None)
+def stale(members: Sequence[Member], names: Names) -> n.Node | None:
+    """Return a matrix of letters whose meaning is not known any more, beside a name of the arm's; else None."""
+    pairs = (
+        letters.node
+        for name, letters in _of_letters(members)
+        if letters.problem is not None and (name.known or _is_usually_a_pose(name.node, names))
+    )
     return next(pairs, None)
+
+
+def _is_usually_a_pose(node: n.Node, names: Names) -> bool:
+    """Whether a name without a value is that of a pose by convention, as T_6 is."""
+    name = n.bare(node)
+    if names.arm is None or not isinstance(name, n.Name) or not names.is_open(name):
+        return False
+    return any(each.kind == "pose" for each in conventional(name, names.arm, names.transforms))
 
 
 def entries_elsewhere(names: Names, chain: n.Chain) -> Iterator[dict[str, Quantity]]:
@@ -40,11 +54,30 @@ def entries_elsewhere(names: Names, chain: n.Chain) -> Iterator[dict[str, Quanti
     found = {each.key: each for m in chain.members for each in n.walk(m) if isinstance(each, n.Name) and is_entry(each)}
     if names.arm is None or not found:
         return
-    frames = numbered_frames(names.arm)
-    wrist = [Quantity("rotation", frames[-1], frames[-4])] if len(names.arm.joints) == len(frames) - 1 >= 6 else []
+    wrist = _of_wrist(names.arm)
     for rotation in dict.fromkeys((*filter(None, [names.state.printed]), *wrist)):
         places = {key: ((int(each.sub[0]),), (int(each.sub[-1]),)) for key, each in found.items()}
         yield {key: replace(rotation, rows=r, columns=c, scalar=True) for key, (r, c) in places.items()}
+
+
+def with_small_letters(chain: n.Chain) -> n.Chain | None:
+    """Return a chain with r_{13} for R_{13}, which is an entry where a rotation makes no sense; None where it has none."""
+    found: dict[int, n.Node] = {}
+    for each in (below for member in chain.members for below in n.walk(member) if isinstance(below, n.Name)):
+        small = n.Name(ENTRY, each.sub, text=each.text, span=each.span)
+        if each in (n.Name("R", each.sub), n.Name("R", each.sub, "2")) and is_entry(small):  # R_{13}^2 is its square
+            found[id(each)] = n.Power(small, n.Number(Fraction(2), "2"), span=each.span) if each.sup else small
+    return replace(chain, members=tuple(n.substitute_each(m, found) for m in chain.members)) if found else None
+
+
+def _of_wrist(arm: Arm) -> list[Quantity]:
+    """Return the rotation that the last three of six joints or more make, seen from before them; rows behind them are of a tool."""
+    rows = arm.dh.rows if arm.dh is not None else ()
+    of_tool = next((k for k, row in enumerate(reversed(rows)) if row.kind != "fixed"), 0)
+    for frames, behind in ((numbered_frames(arm), 0), (arm.frames, of_tool)):
+        if len(arm.joints) == len(frames) - 1 - behind >= 6:
+            return [Quantity("rotation", frames[-1], frames[-4 - behind])]
+    return []
 
 
 def take_entries(names: Names, entries: Mapping[str, Quantity]) -> None:

@@ -25,6 +25,7 @@ from armproof.verification.verdict import Verdict
 
 Check = Callable[[n.Chain], list[Outcome]]
 _COUNT = re.compile(r"\(?(?:[+-]|pm|mp|[ivIV]+|\d)\)?")
+_NUMERAL = re.compile(r"(\d+),([ivIV]+)")
 _PART = re.compile(r"(?P<part>[A-Za-z]*?)_?,?(?P<digits>\d|\d,?\d)")
 
 
@@ -56,6 +57,21 @@ class Readings:
         found = (each for each in quantities if each.kind in ("rotation", "pose") and each.rows is None)
         quantity = next(found, None) if sizes & {(3, 3), (4, 4)} else None
         return replace(quantity, kind="rotation") if quantity is not None else None
+
+    def as_product_of_links(self, chain: n.Chain, outcomes: list[Outcome], check: Check) -> list[Outcome]:
+        """A_{23} beside A_2 and A_3 may be their product: it is where that fits better than the link from frame 2 to 3."""
+        inferred = self.names.state.inferred
+        spoken = (each for member in chain.members for each in n.walk(member) if isinstance(each, n.Name))
+        found = {each.key: q for each in spoken if (q := _product_of_links(each, self.names)) is not None}
+        if not found:
+            return outcomes
+        inferred.update(found)
+        tried = check(chain)
+        if _count_wrong(tried) < _count_wrong(outcomes):
+            return tried
+        for key in found:
+            inferred.pop(key, None)
+        return outcomes
 
     def own_angle(self, member: Member, members: list[Member]) -> Member:
         """θ_{12} is θ_1 + θ_2, unless the display gives it another value: then it is the document's own name."""
@@ -203,6 +219,23 @@ class Readings:
         return say(Kind.HOLDS_IF_REFERENCE, index=index, name=indexed[0].text) if holding[0] != holding[1] else None
 
 
+def _product_of_links(name: n.Name, names: Names) -> Quantity | None:
+    """Return the product that A_{23} is of A_2 and A_3, where nothing has told what it means; else None."""
+    digits = re.fullmatch(r"([1-9])([1-9])", name.sub)
+    taken = name.key in names.quantities or name.key in names.state.definitions or name.key in names.state.inferred
+    if digits is None or int(digits[2]) != int(digits[1]) + 1 or name != n.Name(name.base, name.sub) or taken:
+        return None
+    first, last = (names.quantity(n.Name(name.base, digit)) for digit in digits.groups())
+    if name.base not in ("A", "H") or first is None or last is None or last.reference != first.frame:
+        return None
+    return replace(first, frame=last.frame)
+
+
+def _count_wrong(outcomes: Iterable[Outcome]) -> int:
+    """Count the wrong entries of what is refuted."""
+    return sum(max(1, len(outcome.wrong)) for outcome in outcomes if outcome.verdict is Verdict.REFUTED)
+
+
 def counted(chain: n.Chain, names: Names) -> Finding | None:
     """Say that a script above a letter may be no power: θ^{(2)}, θ^1, a θ^2 alone on its side, which may count solutions; a θ° alone."""
     for member in chain.members:
@@ -220,20 +253,22 @@ def counted(chain: n.Chain, names: Names) -> Finding | None:
 
 
 def without_count(chain: n.Chain, names: Names) -> n.Chain | None:
-    """Return a chain without the script above its joint variables that counts solutions: θ_2^{(1)} = …, q_1^+ = ….
+    """Return a chain without the scripts of its joint variables that count solutions: θ_2^{(1)} = …, q_1^+ = …, θ_{2,I} = … s_3^+.
 
-    None where there is none, where several are told apart or one from the variable, or where the script may be a power.
+    None where there is none, where several of one joint are told apart or one from the variable, or where the script may be a power.
     """
     below = [each for member in chain.members for each in n.walk(member)]
     found = [(node, mark) for node in below if (mark := _count(node, names)) is not None]
     alone = {id(bare(member)) for member in chain.members}
     told = any(id(node) in alone or not mark.isdigit() for node, mark in found)
-    if len({mark for _, mark in found}) != 1 or not told:
+    plain = {id(node): _uncounted(node) for node, _ in found}
+    marks = {(_spelt(plain[id(node)]), mark) for node, mark in found}
+    keys = {key for key, _ in marks}
+    numbers, signs = ({mark for _, mark in marks if (mark in "+-") is is_sign} for is_sign in (False, True))
+    if not found or not told or len(marks) != len(keys) or len(numbers) > 1 or len(signs) > 1:
         return None
-    plain = {id(node): replace(node, sup="") if isinstance(node, n.Name) else node.base for node, _ in found}  # type: ignore[attr-defined]
     inside = {id(each) for node, _ in found for each in n.walk(node)}
-    keys = {bare_key(each) for each in plain.values()}
-    if any(isinstance(each, n.Name) and each.key in keys for each in below if id(each) not in inside):
+    if any(_spelt(each) in keys for each in below if id(each) not in inside):
         return None
     is_new = any(id(node) in alone and bare_key(node) not in names.state.definitions for node, _ in found)
     if not is_new and any(bare_key(node) in names.state.definitions for node, _ in found):
@@ -244,9 +279,9 @@ def without_count(chain: n.Chain, names: Names) -> n.Chain | None:
 def _count(node: n.Node, names: Names) -> str | None:
     """Return the script above a joint variable that may count solutions, one in brackets with them."""
     if isinstance(node, n.Name):
-        plain = replace(node, sup="")
-        return node.sup if _COUNT.fullmatch(node.sup) and _is_joint(plain, names) else None
-    if isinstance(node, n.Postfix) and node.operator in ("+", "-") and _is_joint(node.base, names):
+        mark = found[2] if not node.sup and (found := _NUMERAL.fullmatch(node.sub)) else node.sup
+        return mark if _COUNT.fullmatch(mark) and _is_joint(_uncounted(node), names) else None
+    if isinstance(node, n.Postfix) and node.operator in ("+", "-") and _turns(node.base, names):
         return node.operator
     if not isinstance(node, n.Power) or not _is_joint(node.base, names):
         return None
@@ -254,6 +289,29 @@ def _count(node: n.Node, names: Names) -> str | None:
     brackets = isinstance(node.exponent, n.Group)
     is_count = isinstance(number, n.Number) and number.text.isdigit()
     return (f"({number.text})" if brackets else number.text) if is_count else None  # type: ignore[attr-defined]
+
+
+def _uncounted(node: n.Node) -> n.Node:
+    """Return what stands for a joint without the script that counts its solutions."""
+    if not isinstance(node, n.Name):
+        return node.base  # type: ignore[attr-defined, no-any-return]
+    numeral = _NUMERAL.fullmatch(node.sub)
+    return replace(node, sub=numeral[1], text="") if numeral and not node.sup else replace(node, sup="")
+
+
+def _spelt(node: n.Node) -> str:
+    """Return the key of a name, and how the sine or the cosine of a joint is written; "" of anything else."""
+    if isinstance(node, n.Call) and all(isinstance(each, n.JointAngles) for each in node.arguments):
+        return "".join(f"{node.function}{each.terms}" for each in node.arguments)  # type: ignore[attr-defined]
+    return bare_key(node) or "" if isinstance(node, n.Name) else ""
+
+
+def _turns(node: n.Node, names: Names) -> bool:
+    """Whether a node is a joint's angle, or the sine or the cosine of one."""
+    angle = node.arguments[0] if isinstance(node, n.Call) and node.function in ("sin", "cos") else node
+    if not isinstance(angle, n.JointAngles):
+        return _is_joint(angle, names)
+    return len(angle.terms) == 1 and names.is_angle(names.joint_angle(angle.terms[0][1]))
 
 
 def side_by_side(chain: n.Chain) -> tuple[n.Chain, ...]:

@@ -244,6 +244,8 @@ def postfix_value(evaluator: Evaluating, node: n.Postfix) -> Value:
     if node.operator in UNITS:
         return evaluator.scalar(node.base) / evaluator.algebra.rational(Fraction(UNITS[node.operator]))
     value = as_scalar(evaluator.evaluate(node.base))
+    if node.operator == "-":  # of several solutions, or any generalised inverse
+        raise EvaluationError(say(Kind.OPERATOR_ON_SCALAR, operator=node.operator))
     if isinstance(value, list):
         if any(isinstance(item, Matrix | Identity | list) for item in value):
             raise EvaluationError(say(Kind.LIST_OF_MATRICES))

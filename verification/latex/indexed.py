@@ -106,6 +106,10 @@ class NameReader:
             return replace(node, span=whole)
         if canonical in OPERATORS:
             return n.Postfix(node, OPERATORS[canonical], span=whole)
+        if canonical == "0" and isinstance(node, n.Call) and node.head == "s" and node.style == "index":
+            angles = node.arguments[0]  # s_6^0 stands beside n_6^0 and a_6^0: no sine is raised to nothing
+            digits = "".join(str(index) for _, index in angles.terms) if isinstance(angles, n.JointAngles) else ""
+            return n.Name("s", digits, "0", text=self.text[whole[0] : whole[1]], span=whole)
         exponent = self.parse(text, self.text.find(text, span[0]))
         if isinstance(exponent, n.Number) and exponent.value > MAX_EXPONENT:
             raise ReadError(say(Kind.LARGE_EXPONENT, exponent=exponent.text, most=MAX_EXPONENT), span[0])

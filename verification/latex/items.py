@@ -9,7 +9,7 @@ from armproof.verification.latex import nodes as n
 Script = tuple[str, str, tuple[int, int]]  # ("SUB" | "SUP" | "PRIME" | "DOT", text, span)
 
 # what may stand above an operand and act on it: the spelling → the operator
-OPERATORS = {"T": "T", "t": "T", "top": "T", "intercal": "T", "-1": "-1", "-T": "-T", "+": "+", "dagger": "+", "#": "+",
+OPERATORS = {"T": "T", "t": "T", "top": "T", "intercal": "T", "-1": "-1", "-T": "-T", "+": "+", "-": "-", "dagger": "+", "#": "+",
              "circ": "deg", "o": "deg", "cm": "cm", "mm": "mm"}  # fmt: skip
 
 

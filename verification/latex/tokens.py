@@ -40,6 +40,7 @@ from armproof.verification.latex.vocabulary import (
     TRANSPARENT,
     UNIT_NAMES,
     UNITS,
+    UNWRITTEN,
     VARIANTS,
     WORD_STYLES,
 )
@@ -66,7 +67,7 @@ _MASTER = re.compile(
     """
     % (
         SPACES,
-        r"(?<![A-Za-z\\])(?:%s)(?![A-Za-z])|WC(?=\s*(?:[-+_^=&)]|$))|EE(?=\s*_\s*\{?\s*[xyz](?![A-Za-z]))|%s"
+        r"(?<![A-Za-z\\])(?:%s)(?![A-Za-z])|WC(?=\s*(?:[-+_^=&)|]|\\\||$))|(?:EE|wc)(?=\s*_\s*\{?\s*[xyz](?![A-Za-z]))|%s"
         % ("|".join(BARE_JOINING), "|".join([*BARE_WORDS, *LONG])),
     ),
     re.VERBOSE | re.DOTALL,
@@ -101,7 +102,7 @@ _BRACED_FUNCTION = re.compile(r"\{\s*\\?([A-Za-z]+\d?)\s*\}")
 _PLAIN_UNDER_HAT = re.compile(
     r"[\s{]*(?:\\(?:math(?:bf|rm|it)|boldsymbol|bm)[\s{]*)?(?:[xyzXYZijknsaouweTRAHJ]|\\omega)(?![A-Za-z])"
 )
-_TWO = re.compile(r"\s*(?:_\s*\{?\s*2\s*\}?|2)(?=\s*(?:\\left|\\[bB]ig|\(|\[|\{\s*\(|\\!|\\,))")  # of atan2
+_TWO = re.compile(r"\s*(?:_\s*\{?\s*2\s*\}?|2)(?=[\s&]*(?:\\left|\\[bB]ig|\(|\[|\{\s*\(|\\!|\\,))")  # of atan2
 _POWER_OF_UNIT = re.compile(r"\s*\^\s*(?:\{\s*-?\d\s*\}|\d)")
 _OF_FORCE = re.compile(  # N and N·m, and no letter N before another factor
     r"\s*\{\s*N\s*(?:(?:\{?\\cdot(?![A-Za-z])\s*\}?|\\,|[.~])?\s*m\s*)?\}(?!\s*(?:[A-Za-z(\d_^]|\\(?:sin|cos|theta|frac|dot)))"
@@ -124,11 +125,15 @@ _BLANK_LINE = re.compile(r"\n[ \t]*\n")
 _NEW_EQUATION = re.compile(r"[A-Za-z{\\^](?:[^=\n&\\+]|\\[A-Za-z]){0,40}=")
 _OVER_OR_BRACE = re.compile(r"\\over(?![A-Za-z])|\\.|[{}]", re.DOTALL)
 _FRACTION = (("LBRACE", "{"), ("FRAC", "frac"), ("LBRACE", "{"))  # {\frac{ for the brace of {a \over b}
+_UNWRITTEN = frozenset(["ast", "star", "times", "bullet"])  # alone in a cell
 _CELL_ENDS = re.compile(r"\s*(?:&|\\\\|\\cr(?![A-Za-z])|\\end(?![A-Za-z])|\})")
 _OPENS_SPACED = re.compile(r"\s*\{(?:(?:\s|~|\\[ ,;:!])*[A-Za-z]{2,}(?:~|\\[ ,;:!])|(?:~|\\[ ,;:!])+\s*[A-Za-z]{2})")
 _FORMULA = re.compile(r"\$([^$]*)\$")
 _RELATES = re.compile(r"[=<>]|\\(?:approx|[lg]eq?|neq?|in)(?![A-Za-z])")
-_PARENTHESIS = re.compile(r"\s*(?:\\left|\\[bB]igg?l?)?\s*\(")
+_BROKEN_FENCE = re.compile(  # \left( a \right. \\ & \left. b \right): one bracket over two lines
+    r"\\right\s*\.(?:\s|&|\\\\|\\(?:q?quad|nonumber|notag)(?![A-Za-z])|\\[,;:! ])*\\left\s*\."
+)
+_PARENTHESIS = re.compile(r"[\s&]*(?:\\left|\\[bB]igg?l?)?\s*\(")
 _POWER_OF_UNIT = re.compile(r"\s*\^\s*(?:\d|\{\s*-?\d\s*\})")
 _TAN_TWO = re.compile(r"((?:\s|~|\\[,;:! ])*)\\?tan\s*_?\s*\{?\s*2\s*\}?")
 _QUANTITY = re.compile(r"([+-]?)(\d{1,20}(?:[.,]\d{1,20})?|[.,]\d{1,20})(?:[eE]([+-]?\d))?")
@@ -185,6 +190,7 @@ class _Scanner:
     """One pass over a display: the state that a token's meaning may depend on."""
 
     def __init__(self, text: str, spelling: Spelling) -> None:
+        text = _BROKEN_FENCE.sub(lambda found: " " * len(found.group()), text) if "\\right" in text else text
         self.text = PRE_SCRIPTS.sub(_turned, text) if spelling.reference_below else text
         self.words = spelling.words
         self.spelling = spelling
@@ -421,6 +427,8 @@ class _Scanner:
             return [self.token("BEGIN", name, start, brace.end())], brace.end()
         if name == "over" and start in self.plain_ends:
             return [self.token("RBRACE", "}", start, end), self.token("LBRACE", "{", start, end)], end
+        if name in _UNWRITTEN and self._fills_cell(end):
+            return self._unwritten(start, end)
         if name in COMMANDS:
             kind = COMMANDS[name]
             if name == "cdot" and self.previous in _BEGINS and _CELL_ENDS.match(self.text, end):
@@ -643,6 +651,14 @@ class _Scanner:
             self.member = edge, [bar.start() for bar in _BARS.finditer(self.text, start, edge) if bar["single"]]
         return self.member
 
+    def _fills_cell(self, end: int) -> bool:
+        """Whether what ends here stands in a cell of a matrix alone."""
+        return self.previous in ("AMP", "NEWLINE", "BEGIN") and _CELL_ENDS.match(self.text, end) is not None
+
+    def _unwritten(self, start: int, end: int) -> tuple[list[Token], int]:
+        """A mark for an entry that its author does not write: a name that is met nowhere else."""
+        return [self.token("LETTER", UNWRITTEN, start, end), self.token("SUB", str(start), end, end)], end
+
     def on_char(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
         if value in "|‖":
             doubled = self.text.startswith("||", start) and self.double_bar == self.bar_open
@@ -655,6 +671,10 @@ class _Scanner:
             return self._sentence_from(end, start)
         if value == "\u200b" or start in self.transparent_braces:
             return [], end
+        if value == "&" and self.previous == "FUNC" and _PARENTHESIS.match(self.text, end):  # Atan2 & (y, x)
+            return [], end
+        if value in "?*" and self._fills_cell(end):
+            return self._unwritten(start, end)
         kind = CHARACTERS.get(value)
         if kind is None:
             raise ReadError(say(Kind.CANNOT_READ, text=value), start)

@@ -52,6 +52,7 @@ BARE_WORDS = sorted(
     reverse=True,
 )
 
+UNWRITTEN = "?"  # the letter of an entry that is not written: ? or * alone in a cell of a matrix
 ASKED = "≟"  # \\overset{!}{=}, \\overset{?}{=}: what is asked for and not claimed
 RELATIONS = {
     "=": "=", "equiv": "=", "triangleq": "=", "coloneqq": "=", ":=": "=", "approx": "≈", "simeq": "≈",

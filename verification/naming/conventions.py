@@ -34,18 +34,23 @@ TWISTS = frozenset("V xi nu eta t".split())
 ORIENTATIONS = frozenset("phi varphi psi alpha gamma theta Phi".split())
 MANIPULABILITIES = frozenset("w mu m M".split())
 WHOLE_JACOBIAN = frozenset("geo G g".split())
-USUAL = frozenset("p P x y z X Y Z R T H J v V omega Omega phi varphi WC EE".split())  # seldom anything else, of an arm
+USUAL = frozenset(
+    "p P x y z X Y Z R T H J v V omega Omega phi varphi WC wc EE".split()
+)  # seldom anything else, of an arm
 AXES = "xyz"
 NORMALS = "noa"  # the columns of the tool's rotation
+COLUMNS = {"n": "x", "s": "y", "o": "y", "a": "z"}  # of a rotation: n_6^0, s_6^0, a_6^0
 ENTRY = "r"
 ENTRIES = frozenset((ENTRY, *NORMALS))  # of a rotation: in a matrix they mean what stands in their place
 LETTERS = POSITIONS | POSES | LINEAR_VELOCITIES | ANGULAR_VELOCITIES | TWISTS | ORIENTATIONS | MANIPULABILITIES
-LETTERS |= FUNCTIONS | frozenset("R J O P Delta x y z X Y Z r n o a WC EE".split())  # with a meaning; no other has one
+LETTERS |= FUNCTIONS | frozenset(
+    "R J O P Delta x y z X Y Z r n s o a WC wc EE".split()
+)  # with a meaning; no other has one
 
 
 def is_usual(name: n.Name) -> bool:
     """Whether a name is so common for a quantity of the arm that another value for it is worth a word."""
-    is_point = name.base in ("t", "o", "O") and name.sup == "0" and name.sub.isdigit()  # t_2^0, seen from the base
+    is_point = name.base in ("t", "O", *COLUMNS) and name.sup == "0" and name.sub.isdigit()  # t_2^0, seen from the base
     usual = USUAL | MODELS
     return (name.base in usual and name.sub not in PERHAPS_END) or "to" in name.sub or is_entry(name) or is_point
 
@@ -63,8 +68,8 @@ def conventional(name: n.Name, arm: Arm, transforms: str) -> tuple[Quantity, ...
         name = replace(name, sub="")
     if name.primes or (name.pre_sub and name.sub):
         return ()
-    if name.base in ("WC", "EE"):  # the centre of the wrist, its x: p_{WC}, p_{WC,x}
-        name = replace(name, base="p", sub=f"{name.base},{name.sub}".rstrip(","))
+    if name.base in ("WC", "wc", "EE"):  # the centre of the wrist, its x: p_{WC}, p_{WC,x}
+        name = replace(name, base="p", sub=f"{name.base.upper()},{name.sub}".rstrip(","))
     placed = bool(name.pre_sup or name.sup)
     if not placed:
         bases = dict.fromkeys((numbered_frames(arm)[0], arm.frames[0]))
@@ -158,6 +163,8 @@ def _of_frame(base: str, index: str, origin: Quantity, arm: Arm, placed: bool) -
             yield replace(origin, kind="task")
     if base.lower() in AXES and len(base) == 1 and index:
         yield replace(origin, kind="axis", along=base.lower())
+    if base in COLUMNS and index and placed:
+        yield replace(origin, kind="axis", along=COLUMNS[base])
     if base in POSES and (index or base in "THA"):
         yield replace(origin, kind="pose")
     if base == "R":

@@ -129,7 +129,7 @@ class MathWriter:
         if node.operator in ("cm", "mm"):
             return box.row(self.write(node.base), box.words(node.operator))
         minus = box.mark("−")
-        above = {"T": box.letter("T", upright=True), "-1": box.row(minus, box.number("1")), "+": box.mark("+"),
+        above = {"T": box.letter("T", upright=True), "-1": box.row(minus, box.number("1")), "+": box.mark("+"), "-": minus,
                  "-T": box.row(minus, box.letter("T", upright=True)), "deg": box.mark("°")}[node.operator]  # fmt: skip
         return self._raised(node.base, above)
 

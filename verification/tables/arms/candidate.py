@@ -29,6 +29,7 @@ class Candidate:
         frames: the names of all frames, where rows are fixed.
         quantities: names of the document that are usually something else.
         products: where matrices stand that a product shows factor by factor: all of such a display is data.
+        stated: the convention that the headers of a table state, α_{i-1} and a_{i-1}, or "".
         several_tools: whether the table shows more end effectors than the one of the last row.
         mended: the links, from 1, whose matrices are none as printed, and would be with another entry.
         is_alone: whether an equation of another display must hold: a Jacobian by itself may be any.
@@ -46,6 +47,7 @@ class Candidate:
     frames: tuple[str, ...] = ()
     quantities: Mapping[str, Any] = field(default_factory=dict)
     products: tuple[tuple[int | None, int], ...] = ()
+    stated: str = ""
     several_tools: bool = False
     told_by: str = ""
     is_alone: bool = False

@@ -20,8 +20,10 @@ from armproof.verification.tables.arms.candidate import Candidate, entry_text, r
 from armproof.verification.tables.arms.jacobians import coordinates_of_jacobian
 from armproof.verification.tables.arms.letters import equations_of, unapplied, value_in_letters
 from armproof.verification.tables.arms.moves import Moves
+from armproof.verification.tables.arms.poses import candidate_of_pose
 
 _COORDINATE = re.compile(r"([xyzXYZ])(?:_(?:e|E|ee|EE|tool|n|\d))?|[pP]_(?:e|E|ee|EE)?,?([xyz])")
+_OF_WRIST = re.compile(r"[pP]_(?:W|w|WC|wc),?([xyz])|(?:WC|wc)_([xyz])|([xyzXYZ])_(?:WC|wc)")
 _POINTS = ("p", "P", "X", "x")
 _ENDS_OF = {letter: [f"{letter}_{end}" for end in ("e", "E", "ee", "EE", "tool", "n", "tip")] for letter in _POINTS}
 _ANGLE = re.compile(r"(?:theta|q|phi|varphi)(?:_?\d+)?")
@@ -34,8 +36,21 @@ SECONDS = 0.3
 Found = dict[str, tuple[Scalar, Display]]
 
 
-def candidates_of_closed_form(document: Document, names: Names) -> list[Candidate]:
-    """Return the arm whose tool has the coordinates that a document gives first; those by one of two that do not fit together."""
+def candidates_of_closed_form(document: Document, names: Names, has_table: bool = False) -> list[Candidate]:
+    """Return the arm whose tool has the coordinates that a document gives first, or the pose; else that whose wrist has them.
+
+    Beside a table, which gives another arm or none, a pose may be what is wrong.
+    """
+    if found := _of_point(document, names, _COORDINATE):
+        return found
+    algebra = ExactAlgebra(Ring(), None)
+    with algebra.budget.of(SECONDS):
+        of_pose = candidate_of_pose(document, names, algebra, _frame_of_tool) if not has_table else None
+    return [of_pose] if of_pose is not None else _of_point(document, names, _OF_WRIST)
+
+
+def _of_point(document: Document, names: Names, spelt: re.Pattern[str]) -> list[Candidate]:
+    """Return the arm whose point has the coordinates, spelt so, that a document gives first; those by one of two that do not fit together."""
     algebra = ExactAlgebra(Ring(), None)
     letters: dict[str, n.Name] = {}
     with algebra.budget.of(SECONDS):
@@ -45,7 +60,7 @@ def candidates_of_closed_form(document: Document, names: Names) -> list[Candidat
         for display in document.displays:
             given = [
                 (axis, key, _with_meanings(value, {**_sums_of_angles(value, names, algebra), **meant}))
-                for axis, key, value in _coordinates(display, names, algebra, letters)
+                for axis, key, value in _coordinates(display, names, algebra, letters, spelt)
                 if "=" in display.latex
             ]
             for axis, key, value in () if _are_of_another_point(given, found, points) else given:
@@ -57,7 +72,7 @@ def candidates_of_closed_form(document: Document, names: Names) -> list[Candidat
                 meant = {**meant, key: value} if number else meant
         rates = _rates(document)
         arms = _arms(found, letters, algebra, rates) if {"x", "y"} <= found.keys() else []
-        above = _arm_of_jacobian(document, names, algebra, rates) if not arms else []
+        above = _arm_of_jacobian(document, names, algebra, rates) if not arms and spelt is _COORDINATE else []
         told = [(display.cell or 0, display.line) for _, display in found.values()]
         return arms or [each for each in above if all((each.cell or 0, each.line) < place for place in told)]
 
@@ -161,14 +176,14 @@ def _with_meanings(value: Scalar, meant: Mapping[str, Scalar]) -> Scalar:
 
 
 def _coordinates(
-    display: Display, names: Names, algebra: ExactAlgebra, letters: dict[str, n.Name]
+    display: Display, names: Names, algebra: ExactAlgebra, letters: dict[str, n.Name], spelt: re.Pattern[str]
 ) -> Iterator[tuple[str, str, Scalar]]:
     """Yield axis, name and value of the coordinates that a display gives: x = …, [x; y] = …, p = ….
 
     One that is a number or a bare length tells nothing.
     """
     for chain in equations_of(display, names):
-        for axis, key, node in _given(chain):
+        for axis, key, node in _given(chain, spelt):
             evaluated = value_in_letters(node, names, algebra)
             if evaluated is None or not isinstance(evaluated[0], Scalar):
                 continue
@@ -178,18 +193,20 @@ def _coordinates(
                 yield axis, key, value
 
 
-def _given(chain: n.Chain) -> Iterator[tuple[str, str, n.Node]]:
+def _given(chain: n.Chain, spelt: re.Pattern[str]) -> Iterator[tuple[str, str, n.Node]]:
     """Yield the axes with a name and what is printed for them: alone, in a column, or in the last column of a pose of the tool."""
     name, *others = map(unapplied, chain.members)
-    match = _COORDINATE.fullmatch(bare_key(name) or "")
+    match = spelt.fullmatch(bare_key(name) or "")
     if match is not None and not isinstance(others[-1], n.Matrix):  # x = x_1 + l_2 c_12 = l_1 c_1 + l_2 c_12
-        yield (match[1] or match[2]).lower(), match[0], others[-1]
-    column = next((cells for other in others if (cells := _column(name, other))), ())
+        yield str(match[match.lastindex or 0]).lower(), match[0], others[-1]
+    column = next((cells for other in others if (cells := _column(name, other, spelt))), ())
     yield from ((axis, axis, cell) for axis, cell in zip("xyz", column, strict=False))
 
 
-def _column(name: n.Node, printed: n.Node) -> tuple[n.Node, ...]:
+def _column(name: n.Node, printed: n.Node, spelt: re.Pattern[str]) -> tuple[n.Node, ...]:
     """Return the coordinates in a matrix that a name of the tool's position or pose, or a column of x, y and z, is equated to."""
+    if spelt is not _COORDINATE:
+        return ()
     rows = printed.rows if isinstance(printed, n.Matrix) else ()
     if [len(row) for row in rows] == [4] * 4 and isinstance(name, n.Name) and _is_pose_of_tool(name):
         return tuple(row[3] for row in rows[:3])
@@ -201,11 +218,27 @@ def _column(name: n.Node, printed: n.Node) -> tuple[n.Node, ...]:
     return tuple(row[0] for row in rows) if is_point or axes == list("xyz")[: len(rows)] else ()
 
 
+def pose_of_tool(document: Document, names: Names) -> tuple[Display, frozenset[str]] | None:
+    """Return the first display that prints the pose of a tool entry by entry, of whatever arm, with its letters; or None."""
+    for display in document.displays:
+        for chain in equations_of(display, names) if "=" in display.latex else ():
+            name, printed = unapplied(chain.members[0]), n.bare(chain.members[-1])
+            rows = printed.rows if isinstance(printed, n.Matrix) else ()
+            if isinstance(name, n.Name) and _is_pose_of_tool(name) and [len(row) for row in rows] == [4] * 4:
+                return display, frozenset(each.key for each in n.walk(printed) if isinstance(each, n.Name))
+    return None
+
+
 def _is_pose_of_tool(name: n.Name) -> bool:
     """Whether a name is that of the pose of a frame beyond the first in the base: T_2^0, {}^0_3T, T_{0E}."""
+    return _frame_of_tool(name) != ""
+
+
+def _frame_of_tool(name: n.Name) -> str:
+    """Return the frame beyond the first whose pose in the base has a name, "" for any other."""
     scripts = sorted(part for part in (name.pre_sup, name.pre_sub, name.sup, name.sub) if part)
     pair = tuple(scripts[0]) if len(scripts) == 1 and len(scripts[0]) == 2 else tuple(scripts)
-    return name.base in "THA" and len(pair) == 2 and pair[0] == "0" and pair[1] not in ("0", "1")
+    return pair[1] if name.base in "THA" and len(pair) == 2 and pair[0] == "0" and pair[1] not in ("0", "1") else ""
 
 
 def _rates(document: Document) -> set[str]:

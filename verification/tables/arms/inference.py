@@ -57,7 +57,8 @@ def infer_arm(document: Document) -> Inference:
 
 def _of_formulas(document: Document, names: Names) -> list[Candidate]:
     """Return the arms that a document's formulas pin: its tool's coordinates, else a law of cosines."""
-    found = [with_point_of_law(each, document, names) for each in candidates_of_closed_form(document, names)]
+    has_table = any(True for _ in dh_tables(document))
+    found = [with_point_of_law(each, document, names) for each in candidates_of_closed_form(document, names, has_table)]
     by_law = candidate_of_law(document, names) if not found else None
     return [with_last_turn(each, document, names) for each in found or filter(None, [by_law])]
 
@@ -125,8 +126,9 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     if is_told:
         return _taken(document, found, best, bool(more)) if found[0].told_by in best.joints else Inference(document)
     rivals = _rivals(best, others)
-    is_shown = (rivals or not best.held) and (shown := shown_convention(document, plain_names(document))) != ""
-    if is_shown:  # by the link matrix that it prints for any link
+    shown = shown_convention(document, plain_names(document)) or found[0].stated if rivals or not best.held else ""
+    is_shown = shown != ""
+    if is_shown:  # by the link matrix that it prints for any link, else by the headers of its table
         best, *others = [each for each in (best, *others) if each.convention == shown]
         rivals = _rivals(best, others)
     alike = any(one.counts == best.counts and one.front["arm"] == best.front["arm"] for one in others)

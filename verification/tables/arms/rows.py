@@ -18,10 +18,11 @@ from armproof.verification.tables.angles import letter_of, symbols_of, to_radian
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
 from armproof.verification.tables.arms.frame_names import end_effectors, frame_names, is_tool
 from armproof.verification.tables.cells import Cell, read_cell, read_kind
-from armproof.verification.tables.columns import CONVENTIONS, Columns, Reading
+from armproof.verification.tables.columns import CONVENTIONS, Columns, Reading, plain
 from armproof.verification.tables.row import ANGLES, PARAMETERS, SCALES
 
 _MARK = re.compile(r"\*|\\ast|\\star|\bvar", re.IGNORECASE)  # of a variable
+_OF_ANY_ROW = re.compile(r"(?<![A-Za-z])(q|(?:var)?theta|θ|ϑ)(?:_?\{?i\}?)?(?!\s*[A-Za-z_0-9₀-₉^<{(*\['])")
 _GENERAL = frozenset("ijkn")
 _SLIDES = frozenset("dqrs")  # letters of a joint that slides; l, h and their like are lengths
 
@@ -61,8 +62,9 @@ def candidates(table: Table, columns: Columns, names: Names, in_metres: bool = T
         in_line = all(row["a"] == row["alpha"] == "0" for row in entries)  # one arm in both conventions
         conventions = CONVENTIONS[:1] if in_line else CONVENTIONS
         found = Candidate(
-            "table", table.line, table.cell, entries, joints, renamed(letters), conventions, several_tools=bool(ends)
-        )
+            "table", table.line, table.cell, entries, joints, renamed(letters), conventions,
+            stated="" if in_line else columns.stated, several_tools=bool(ends),
+        )  # fmt: skip
         if not any(joints):
             raise EvaluationError(say(Kind.ROW_WITHOUT_JOINT, number=1))
         yield from (replace(found, frames=frames) for frames in _frames(labels, joints, ends))
@@ -98,9 +100,13 @@ def _read_row(names: Names, table: Table, columns: Columns, number: int, in_metr
         raise ReadError(say(Kind.ROW_LENGTH, number=number, count=len(texts), width=len(table.header)))
     added = () if columns.offset is None else (columns.offset,)
     used = sorted({columns.alpha, columns.theta, *added, *(k for pair in columns.lengths for k in pair)})
+    label = columns.first("label")
+    if len(table.rows) > 1:  # θ or q_i in a row is the variable of that row
+        own = label_number if label is not None and (label_number := plain(texts[label])).isdigit() else str(number)
+        cell = _OF_ANY_ROW.sub(lambda found: f"{found[1]}_{{{own}}}", texts[columns.theta])
+        texts = (*texts[: columns.theta], cell, *texts[columns.theta + 1 :])
     kind, variable = columns.first("sigma"), columns.first("q")
     named = read_cell(names, texts[variable], number, variable).name if variable is not None else None
-    label = columns.first("label")
     return _Row(
         number,
         {column: read_cell(names, texts[column], number, column, in_metres) for column in used},

@@ -13,7 +13,7 @@ from armproof.verification.latex.nodes import bare_key
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import WITH_ITS_ARM
 from armproof.verification.tables.arms.candidate import Candidate
-from armproof.verification.tables.arms.closed_forms import candidate_of_closed_form
+from armproof.verification.tables.arms.closed_forms import candidate_of_closed_form, pose_of_tool
 from armproof.verification.tables.arms.inference import arms_of, dh_tables, joints_used, plain_names
 from armproof.verification.tables.arms.last_turn import with_last_turn
 from armproof.verification.tables.arms.laws import candidate_of_law
@@ -213,7 +213,14 @@ def _of_sections(document: Document) -> Iterator[_Source]:
     names, before = plain_names(document), None
     runs = [tuple(run) for _, run in groupby(document.displays, key=lambda each: each.section)]
     for run in runs if len(runs) > 1 else ():
-        for source in _of_closed_form(replace(document, displays=run, tables=()), names):
+        part = replace(document, displays=run, tables=())
+        found = [*_of_closed_form(part, names)]
+        if not found and before is not None and (pose := pose_of_tool(part, names)) is not None:
+            at, letters = pose
+            if letters - _letters(before):  # of another arm, which is not known
+                before = Candidate("closed form", at.line, at.cell, (), ())
+                yield _Source(_place(at), at.section, before)
+        for source in found:
             shown = next(each.latex for each in run if _place(each) == source.place)
             if _POINT.search(shown) is None and (before is None or _moves(source.arm) != _moves(before)):
                 before = source.arm
@@ -225,6 +232,11 @@ def _of_closed_form(part: Document, names: Names) -> Iterator[_Source]:
     if (form := candidate_of_closed_form(part, names)) is not None:
         at = next(each for each in part.displays if _place(each) == (form.cell or 0, form.line))
         yield _Source(_place(at), at.section, form)
+
+
+def _letters(form: Candidate) -> frozenset[str]:
+    """Return the letters of an arm's entries."""
+    return frozenset(re.findall(r"[A-Za-z]\w*", " ".join(entry for row in form.rows for entry in row.values())))
 
 
 def _moves(form: Candidate | None) -> list[tuple[str, str]]:
