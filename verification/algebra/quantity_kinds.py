@@ -165,6 +165,8 @@ class Velocity(QuantityKind):
         if quantity.rows is None:
             return super().tell(quantity)
         rows = tuple((row - 1) % 3 + 1 for row in quantity.rows)
+        if min(quantity.rows) <= 3 < max(quantity.rows):  # (v_x, v_y, ω)
+            return super().tell(quantity)
         whole = super().tell(replace(quantity, rows=None if rows == (1, 2, 3) else rows))
         return (
             Sentence("linear {what}", what=whole) if max(quantity.rows) <= 3 else Sentence("angular {what}", what=whole)

@@ -128,7 +128,8 @@ class Statements:
     ) -> tuple[list[Outcome], dict[str, float]] | None:
         """ "The singularities are θ_2 = 0 or θ_2 = π": det J = 0 there and nowhere else. What leaves some out is open."""
         chains = [each for each in statements if isinstance(each, n.Chain)]
-        if self.names.arm is None or not all(is_condition(each) and each.relations == ("=",) for each in chains):
+        equal = [each for each in chains if each.relations]  # and the π of θ_2 = 0 or π
+        if self.names.arm is None or not all(is_condition(each) and each.relations == ("=",) for each in equal):
             return None
         vanishes = n.Chain((n.Call("det", (n.Name("J"),), "\\det"), n.Number(Fraction(0))), ("=",))
         for kind, decided in (("⇔", HOLDS), ("⇐", (Verdict.REFUTED,))):

@@ -20,8 +20,13 @@ _POSTURE = re.compile(
 
 SINGULAR = r"\text{singular}"  # what is said right before the conditions of singularities
 _OF_ARM = rf"(?: (?:of|du|del|de la) (?:the |this |a )?(?:planar |two-link )?(?:{_ARM}|Jacobian|mechanism|jacobienne))?"
+_JACOBIAN = r"(?:Jacobian|jacobienne|jacobiano|Jacobi-Matrix)"
+_LOSES = (
+    rf"{_JACOBIAN}(?: matrix)? (?:(?:is|becomes) (?:non-?invertible|not invertible|rank[ -]deficient|singular)(?: \(singular\))?|loses rank)"
+    rf"|(?:{_JACOBIAN} determinant|determinant of the {_JACOBIAN}(?: matrix)?) (?:vanishes|(?:is|becomes|equals) (?:zero|0))"
+)
 _SINGULARITIES = re.compile(
-    rf"\b(?:(?:singularit(?:y|ies)|singularités?|singularidad(?:es)?|singularità|(?:singular|kinematic) {_PLACE}s?|{_PLACE}s? singulières?|"
+    rf"\b(?:(?:{_LOSES}) (?:exactly |precisely |only )?(?:when|whenever|iff|if|for|at)(?: and only if)?|(?:singularit(?:y|ies)|singularités?|singularidad(?:es)?|singularità|(?:singular|kinematic) {_PLACE}s?|{_PLACE}s? singulières?|"
     rf"configuraciones singulares){_OF_ARM}(?: (?:then|thus|therefore|here|donc|alors))?"
     r" (?:are|is|are given by|is given by|occurs?|arises?|are at|(?:occurs?|arises?|appears?) (?:at|when|where|if|for)|when|sont|est|"
     r"sont données? par|(?:se produisent|apparaissent) (?:pour|lorsque|quand|si)|son|ocurren (?:cuando|en|si)|sono)"

@@ -30,7 +30,18 @@ JACOBIAN, RATES, OTHER_RATES, VELOCITY, FORCE, TORQUE = KINDS = (
 )  # fmt: skip
 _JOINTS, _TASK = ("q", "theta", "Theta"), ("x", "X", "p", "P", "r")
 _OF_TOOL = ("", "e", "E", "ee", "EE", "end", "tip", "t", "d", "des", "n", "c")
-_SEEN = ("J", "v", "V", "F", "f", "nu", "xi", *_TASK)  # what is seen from a frame, as torques and joint rates are not
+_SEEN = (
+    "J",
+    "v",
+    "V",
+    "F",
+    "f",
+    "h",
+    "gamma",
+    "nu",
+    "xi",
+    *_TASK,
+)  # what is seen from a frame, as torques and joint rates are not
 _SIGNS = ("d", "delta")  # of what is small; Δq = J^+ e is one step, and Δx = J Δq holds nearly
 _DAMPING = ("lambda", "mu", "rho", "k", "alpha", "epsilon", "sigma")
 
@@ -118,10 +129,12 @@ def _kind_of(name: n.Name) -> str:
             return RATES if name.sub in ("", "d") else OTHER_RATES if name.sub in ("0", "N", "null") else ""
         return VELOCITY if name.base in _TASK and name.sub in _OF_TOOL else ""
     if name.base == "J":
-        return JACOBIAN if name.sub in ("", "v", "A", "a") else ""
+        return JACOBIAN if name.sub in ("", "v", "A", "a", "P", "p", "L") else ""
     if name.base in ("v", "V", "nu", "xi", "e") and name.sub in _OF_TOOL:
         return VELOCITY
     if name.base in ("F", "f", "w", "W") and name.sub in (*_OF_TOOL, "ext"):
+        return FORCE
+    if name.base in ("h", "gamma") and name.sub in ("e", "E", "ee"):
         return FORCE
     return TORQUE if name.base == "tau" and not name.sub else ""
 

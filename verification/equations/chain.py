@@ -203,9 +203,8 @@ class ChainChecker:
 
     def _of_no_value(self, now: _Pass) -> list[Outcome] | None:
         """Bind the names that what they are equated to binds. Return what becomes of a chain of which nothing has a value yet."""
-        known = [member for member in now.members if member.known]
-        members = [self.readings.part(member, known) for member in now.members] if known else now.members
-        now.members = members = self.conventions.bind(members)
+        members = self.conventions.bind(self._with_parts(now.members))
+        now.members = members = self._with_parts(members)  # J_i beside a p_e that was bound
         if now.define:
             if self.names.state.inferred.keys() - now.settled:
                 heed_places(self.names, members, now.settled, now.line)
@@ -218,6 +217,11 @@ class ChainChecker:
         if now.define:
             now.members = [self.readings.own_angle(member, members) for member in members]
         return None
+
+    def _with_parts(self, members: list[Member]) -> list[Member]:
+        """Return the members, with J_i as the column that the size of a known one tells."""
+        known = [member for member in members if member.known]
+        return [self.readings.part(member, known) for member in members] if known else members
 
     def _compared(self, now: _Pass) -> list[Outcome]:
         """Compare each side that has a value with the true one, and give it to the names of the others."""

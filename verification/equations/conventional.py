@@ -30,7 +30,7 @@ from armproof.verification.equations.coordinates import coordinates_among
 from armproof.verification.equations.doubts import Doubts
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.outcome import AsUsual, Outcome
-from armproof.verification.equations.rates import stand_for_scalars
+from armproof.verification.equations.rates import seen_from_frame, stand_for_scalars, with_joint_rates
 from armproof.verification.equations.readings import column_of_jacobian
 from armproof.verification.equations.sides import Member
 from armproof.verification.equations.spellings import POINTS, Spellings
@@ -43,6 +43,7 @@ from armproof.verification.naming.conventions import (
     AXES,
     ENTRIES,
     LETTERS,
+    LINEAR_VELOCITIES,
     applied,
     conventional,
     is_usual,
@@ -82,7 +83,7 @@ class Conventions:
             self.names.state.definitions.pop(key, None)
         self.take_coordinates(chain.members)
         members = (self.spellings.read(each) if _is_spelt(each) else each for each in chain.members)
-        return replace(chain, members=tuple(members))
+        return with_joint_rates(seen_from_frame(replace(chain, members=tuple(members))), self.names)
 
     def take_coordinates(self, nodes: Iterable[n.Node], *, beside: bool = True) -> bool:
         """Take names for coordinates that were vectors before, where one may be, and say whether there are such."""
@@ -157,7 +158,7 @@ class Conventions:
         if not added or not (bound.known or isinstance(bound.problem, OutsideAlgebra)):
             self.names.state.forget_usual(added)
             return member
-        self.doubts.weak |= added
+        self.doubts.weak |= {key for key in added if self.names.state.inferred[key].frame != self._base}  # {}^0v_0 = 0
         return bound
 
     def infer_tool(self, nodes: Iterable[n.Node]) -> set[str]:
@@ -168,7 +169,7 @@ class Conventions:
             if name is None or not is_usual(name) or not self.names.is_open(name):
                 continue
             quantities = self._candidates(below, name)
-            if quantities and quantities[0].frame != self._base:
+            if quantities and (quantities[0].frame != self._base or quantities[0].kind == "velocity"):
                 self.names.state.infer_usual(name.key, quantities[0])
                 added.add(name.key)
         return added
@@ -211,6 +212,8 @@ class Conventions:
         for quantity in candidates:
             tried = self._tried(member.node, name, quantity)
             for other in known if tried.known else ():
+                if name.base in LINEAR_VELOCITIES and _has_rows(tried) != _has_rows(other) == 3:
+                    continue  # v is the whole velocity beside six rows alone
                 pair = self._closest(tried, other)
                 if pair is None and not isinstance(other.problem, OutsideAlgebra):
                     continue
@@ -260,7 +263,8 @@ class Conventions:
             cell = self.members.evaluate(block.cell)
             name = _plain(block.cell)
             if name is not None and not cell.known and name.base not in ENTRIES:
-                bound = self._bound(cell, [Member(known[0].node, block.of(value))])
+                same = (each for each in known if isinstance(each.value, Matrix) and each.value.shape == value.shape)
+                bound = self._bound(cell, [Member(each.node, block.of(each.value)) for each in same])  # type: ignore[arg-type]
                 if bound.known and known[0].rank > 1:  # its place in a matrix of the arm tells it, not convention
                     self.names.state.conventional.discard(name.key)
         return self.members.evaluate(member.node)
@@ -497,6 +501,10 @@ def _is_spelt(node: n.Node) -> bool:
     applied = isinstance(inner, n.Product) and isinstance(inner.factors[1], n.Group | n.Sequence)
     dotted = isinstance(inner, n.Product) and any(isinstance(factor, n.Dots) for factor in inner.factors)
     return applied or dotted or isinstance(inner, n.Power) or next(points, None) is not None
+
+
+def _has_rows(member: Member) -> int:
+    return member.value.shape[0] if isinstance(member.value, Matrix) else 0
 
 
 def _plain_key(node: n.Node) -> str:

@@ -14,6 +14,7 @@ from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import numbered_frames
 
 WHOLE = (1, 2, 3, 4, 5, 6)
+_VELOCITIES = LINEAR_VELOCITIES | ANGULAR_VELOCITIES
 
 
 def rows_told(chain: n.Chain, names: Names) -> tuple[int, ...] | None:
@@ -22,6 +23,39 @@ def rows_told(chain: n.Chain, names: Names) -> tuple[int, ...] | None:
     told = {rows for cells in columns if (rows := _rows_of(cells, names))}
     rows = told.pop() if len(told) == 1 else ()
     return rows if rows and rows == tuple(sorted(set(rows))) else None
+
+
+def with_joint_rates(chain: n.Chain, names: Names) -> n.Chain:
+    r"""Return a chain about a Jacobian with \dot q for its \dot\theta, where no angle of that name is known: the rates of all joints."""
+    below = [each for member in chain.members for each in n.walk(member) if isinstance(each, n.Name)]
+    rates = [each for each in below if each.key in ("dot theta", "dotdot theta")]
+    known = names.known_symbol("theta") or names.quantity(n.Name("theta")) or "theta" in names.state.definitions
+    if not rates or known or not any(each.base == "J" for each in below):
+        return chain
+    plain: dict[int, n.Node] = {id(each): replace(each, base="q") for each in rates}
+    return replace(chain, members=tuple(n.substitute_each(member, plain) for member in chain.members))
+
+
+def seen_from_frame(chain: n.Chain) -> n.Chain:
+    """Return a chain with the letters of a column beside {}^3v as they are seen from there: v_x is {}^3v_x, ω is {}^3ω."""
+    named = [name for name in map(bare, chain.members) if isinstance(name, n.Name)]
+    frames = {name.pre_sup for name in named if name.base in LINEAR_VELOCITIES and not (name.dots or name.sup)}
+    if len(frames) != 1 or not all(frames):
+        return chain
+    (frame,) = frames
+    return replace(chain, members=tuple(_placed_cells(member, frame) for member in chain.members))
+
+
+def _placed_cells(node: n.Node, frame: str) -> n.Node:
+    names = [cell for cell in map(bare, cells_of(node)) if isinstance(cell, n.Name)]
+    if (
+        not names
+        or len(names) < len(cells_of(node))
+        or not all(each.base in _VELOCITIES and not each.dots for each in names)
+    ):
+        return node
+    placed: dict[int, n.Node] = {id(each): replace(each, pre_sup=frame) for each in names if not each.pre_sup}
+    return n.substitute_each(node, placed)
 
 
 def stand_for_scalars(blocks: Sequence[Block], names: Names) -> bool:
@@ -33,8 +67,14 @@ def stand_for_scalars(blocks: Sequence[Block], names: Names) -> bool:
 def _rows_of(cells: Sequence[n.Node], names: Names) -> tuple[int, ...]:
     if len(cells) == 2 and _is_velocity(cells[0], LINEAR_VELOCITIES) and _is_velocity(cells[1], ANGULAR_VELOCITIES):
         return WHOLE
-    rows = [row_of(cell, names) for cell in cells]
+    rows = [row_of(_unplaced(cell), names) for cell in cells]
     return () if None in rows else tuple(row for row in rows if row is not None)
+
+
+def _unplaced(node: n.Node) -> n.Node:
+    """Return {}^3v_x without the frame that it is seen from: it is in the first row of {}^3J."""
+    name = bare(node)
+    return replace(name, pre_sup="") if isinstance(name, n.Name) and name.base in _VELOCITIES else node
 
 
 def _is_velocity(node: n.Node, letters: frozenset[str]) -> bool:

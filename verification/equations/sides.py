@@ -15,7 +15,7 @@ from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.evaluation.blocks import Block
-from armproof.verification.evaluation.calls import WHOLE_VECTORS
+from armproof.verification.evaluation.calls import is_variable
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Kind, finding_of, say
@@ -153,8 +153,7 @@ class Members:
         if not isinstance(node, n.Call) or node.function != "name":
             return node
         name, *arguments = node.arguments
-        plain = all(isinstance(a, n.Name) and (a.key in WHOLE_VECTORS or self.is_symbol(a)) for a in arguments)
-        return name if plain else node
+        return name if all(is_variable(argument, self.names) for argument in arguments) else node
 
     def speaks_of_jacobian(self, *chains: n.Chain) -> bool:
         """Whether the name of a Jacobian that notation implies stands in chains."""

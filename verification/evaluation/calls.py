@@ -73,7 +73,7 @@ def name_value(evaluator: Evaluating, node: n.Name) -> Value:
     if names.is_free(node):
         names.used.add(node.key)
         return algebra.symbol(node.key)
-    if node.key == "q" and names.arm is not None:
+    if node.key in ("q", "Theta") and names.arm is not None:
         return column([algebra.symbol(joint.symbol) for joint in names.arm.joints])
     if (angles := names.angle_sum(node)) is not None:
         return joint_angle_sum(evaluator, angles)
@@ -233,9 +233,15 @@ def _applied_name(evaluator: Evaluating, node: n.Call) -> Value:
         if len(arguments) == 1:
             return multiply(evaluator.evaluate(name), "", evaluator.evaluate(arguments[0]))
         raise EvaluationError(say(Kind.WRONG_NUMBER_OF_VALUES, name=name.key, given=len(arguments), joints=len(own)))
-    if all(isinstance(a, n.Name) and (a.key in WHOLE_VECTORS or names.known_symbol(a.key)) for a in arguments):
+    if all(is_variable(argument, names) for argument in arguments):
         return evaluator.evaluate(name)
     raise UnboundName(key)
+
+
+def is_variable(node: n.Node, names: Names) -> bool:
+    r"""Whether an argument is one of joints and of lengths, or all joints, or their rates: the q and \dot q of \dot J(q, \dot q)."""
+    plain = replace(node, dots=0) if isinstance(node, n.Name) else None
+    return plain is not None and (plain.key in WHOLE_VECTORS or names.known_symbol(plain.key) is not None)
 
 
 def _elementary(evaluator: Evaluating, node: n.Call) -> Matrix:

@@ -147,6 +147,8 @@ def _all(base: str, index: str, reference: str, arm: Arm, placed: bool) -> Itera
         elif base in POSITIONS:
             yield _component(origin, component)
         yield from _velocities(base, frame, given, component)
+        if base in LINEAR_VELOCITIES and component is None and is_planar(arm):
+            yield Quantity("velocity", frame, given, rows=(1, 2, 6))  # (v_x, v_y, ω)
     if base == "J":
         yield from _blocks(index, reference, arm)
     kind = "manipulability" if base in MANIPULABILITIES else "determinant" if base == "Delta" else ""
@@ -185,7 +187,7 @@ def _velocities(base: str, frame: str, reference: str, component: str | None) ->
         if component is not None or first == 4:
             row = first + AXES.index(component or "z")
             yield Quantity("velocity", frame, reference, rows=(row,), scalar=True)
-    if base in TWISTS and component is None:
+    if (base in TWISTS or base == "v") and component is None:
         yield Quantity("velocity", frame, reference)
 
 

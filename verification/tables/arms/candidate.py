@@ -71,6 +71,11 @@ class Candidate:
         return "".join("R" if joint in row["theta"] else "P" for row, joint in moving)
 
     @property
+    def twists(self) -> tuple[str, ...]:
+        """How each joint's axis lies to the next."""
+        return tuple(row["alpha"] for row in self.rows)
+
+    @property
     def first(self) -> int:
         """The number of the base's frame: 3, where the joints are θ_4, θ_5 and θ_6."""
         begin = self.indices[0] if self.indices else 1

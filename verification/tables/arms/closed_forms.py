@@ -22,7 +22,9 @@ from armproof.verification.tables.arms.letters import equations_of, unapplied, v
 from armproof.verification.tables.arms.moves import Moves
 from armproof.verification.tables.arms.poses import candidate_of_pose
 
-_COORDINATE = re.compile(r"([xyzXYZ])(?:_(?:e|E|ee|EE|tool|n|\d))?|[pP]_(?:e|E|ee|EE)?,?([xyz])")
+_COORDINATE = re.compile(
+    r"(?P<own>[xyzXYZ])(?:_(?:e|E|ee|EE|tool|n|\d))?|[pP]_(?:e|E|ee|EE|(?P<point>\d))?,?(?P<of>[xyz])"
+)
 _OF_WRIST = re.compile(r"[pP]_(?:W|w|WC|wc),?([xyz])|(?:WC|wc)_([xyz])|([xyzXYZ])_(?:WC|wc)")
 _POINTS = ("p", "P", "X", "x")
 _ENDS_OF = {letter: [f"{letter}_{end}" for end in ("e", "E", "ee", "EE", "tool", "n", "tip")] for letter in _POINTS}
@@ -84,6 +86,7 @@ def _arms(found: Found, letters: Mapping[str, n.Name], algebra: ExactAlgebra, ra
         return [_candidate(moves, found, letters)]
     tried = [(_ClosedForm(algebra, values, rates).moves(), told) for values, told in _mended(found, algebra)]
     mended = [_candidate(moves, told, letters) for moves, told in tried if moves is not None]
+    mended = [replace(each, mended=frozenset(range(1, len(each.rows) + 1))) for each in mended]
     return [each for each in mended if not _turns_back(each)] or mended
 
 
@@ -108,6 +111,19 @@ def _turns_back(found: Candidate) -> bool:
 def candidate_of_closed_form(document: Document, names: Names) -> Candidate | None:
     """Return the first arm that the coordinates which a document gives first can be of, or None."""
     return next(iter(candidates_of_closed_form(document, names)), None)
+
+
+def point_given_anew(document: Document, names: Names) -> Display | None:
+    """Return the first display that gives a point of a chain, p_2, other coordinates than one before it."""
+    algebra = ExactAlgebra(Ring(), None)
+    met: dict[str, Scalar] = {}
+    with algebra.budget.of(SECONDS):
+        for display in document.displays:
+            given = [(key, value) for _, key, value in _coordinates(display, names, algebra, {}) if key[2:].isdigit()]
+            if any(key in met and not _equal(met[key], value) for key, value in given):
+                return display
+            met.update(given)
+    return None
 
 
 def _candidate(moves: Moves, told: Found, letters: Mapping[str, n.Name]) -> Candidate:
@@ -196,11 +212,24 @@ def _coordinates(
 def _given(chain: n.Chain, spelt: re.Pattern[str]) -> Iterator[tuple[str, str, n.Node]]:
     """Yield the axes with a name and what is printed for them: alone, in a column, or in the last column of a pose of the tool."""
     name, *others = map(unapplied, chain.members)
-    match = spelt.fullmatch(bare_key(name) or "")
-    if match is not None and not isinstance(others[-1], n.Matrix):  # x = x_1 + l_2 c_12 = l_1 c_1 + l_2 c_12
-        yield str(match[match.lastindex or 0]).lower(), match[0], others[-1]
+    own = _coordinate(bare_key(name) or "", spelt)
+    if own is not None and not isinstance(others[-1], n.Matrix):  # x = x_1 + l_2 c_12 = l_1 c_1 + l_2 c_12
+        yield *own, others[-1]
     column = next((cells for other in others if (cells := _column(name, other, spelt))), ())
-    yield from ((axis, axis, cell) for axis, cell in zip("xyz", column, strict=False))
+    letters = [_coordinate(bare_key(row[0]) or "", spelt) for row in name.rows] if isinstance(name, n.Matrix) else []
+    number = f"_{name.sub}" if isinstance(name, n.Name) and name.sub.isdigit() and name.base in _POINTS else ""
+    named = letters if letters and None not in letters else [(axis, f"{axis}{number}") for axis in "xyz"]
+    yield from ((*each, cell) for each, cell in zip(named, column, strict=False) if each is not None)
+
+
+def _coordinate(key: str, spelt: re.Pattern[str]) -> tuple[str, str] | None:
+    """Return the axis along which a name is a coordinate, with its name by that axis: P_{2,x} is x_2."""
+    match = spelt.fullmatch(key)
+    if match is None:
+        return None
+    axis = str(match[match.lastindex or 0]).lower()
+    point = match.groupdict().get("point")
+    return axis, f"{axis}_{point}" if point else match[0]
 
 
 def _column(name: n.Node, printed: n.Node, spelt: re.Pattern[str]) -> tuple[n.Node, ...]:
@@ -213,8 +242,8 @@ def _column(name: n.Node, printed: n.Node, spelt: re.Pattern[str]) -> tuple[n.No
     if len(rows) not in (2, 3) or any(len(row) != 1 for row in rows):
         return ()
     letters = [bare_key(row[0]) for row in name.rows] if isinstance(name, n.Matrix) else []
-    axes = [match[1].lower() for key in letters if (match := _COORDINATE.fullmatch(key or "")) and match[1]]
-    is_point = isinstance(name, n.Name) and name.base in _POINTS and name.key in (name.base, *_ENDS_OF[name.base])
+    axes = [own[0] for key in letters if (own := _coordinate(key or ""))]
+    is_point = isinstance(name, n.Name) and name.base in _POINTS and _is_end_or_numbered(name)
     return tuple(row[0] for row in rows) if is_point or axes == list("xyz")[: len(rows)] else ()
 
 
@@ -227,6 +256,12 @@ def pose_of_tool(document: Document, names: Names) -> tuple[Display, frozenset[s
             if isinstance(name, n.Name) and _is_pose_of_tool(name) and [len(row) for row in rows] == [4] * 4:
                 return display, frozenset(each.key for each in n.walk(printed) if isinstance(each, n.Name))
     return None
+
+
+def _is_end_or_numbered(name: n.Name) -> bool:
+    """Whether a point is the tool, p or p_e, or one of the points of a chain: p_1, p_2, p_3."""
+    is_numbered = name.sub.isdigit() and name.sub != "0" and name.key == f"{name.base}_{name.sub}"
+    return name.key in (name.base, *_ENDS_OF[name.base]) or is_numbered
 
 
 def _is_pose_of_tool(name: n.Name) -> bool:

@@ -13,7 +13,7 @@ from armproof.verification.latex.nodes import bare_key
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import WITH_ITS_ARM
 from armproof.verification.tables.arms.candidate import Candidate
-from armproof.verification.tables.arms.closed_forms import candidate_of_closed_form, pose_of_tool
+from armproof.verification.tables.arms.closed_forms import candidate_of_closed_form, point_given_anew, pose_of_tool
 from armproof.verification.tables.arms.inference import arms_of, dh_tables, joints_used, plain_names
 from armproof.verification.tables.arms.last_turn import with_last_turn
 from armproof.verification.tables.arms.laws import candidate_of_law
@@ -71,6 +71,7 @@ def _up_to_other_joints(document: Document) -> Iterator[Document]:
         found = None
     if found is not None:
         start = _of_other_joints(document, found) or _behind_other_joints(document, found)
+        start = start or (_of_other_points(document, names) if found.source == "closed form" else None)
     else:
         start = None if tables else _of_other_law(document)
     if start is None:
@@ -85,7 +86,7 @@ def _of_other_joints(document: Document, found: Candidate) -> Place | None:
     place = (found.cell or 0, found.line)
     at = next((each.section for each in document.displays if _place(each) == place), "")
     for display in document.displays:
-        if _place(display) > place and display.section != at and found.lacks(_spoken_of(display)):
+        if _place(display) > place and display.section != at and _is_beyond(found, display):
             return min(
                 _place(each) for each in document.displays if each.section == display.section and _place(each) > place
             )
@@ -103,6 +104,19 @@ def _behind_other_joints(document: Document, found: Candidate) -> Place | None:
     return next(
         (_place(each) for each in behind if each.section != before[last].section and _place(each) <= place), None
     )
+
+
+def _of_other_points(document: Document, names: Names) -> Place | None:
+    """Return where the points of another chain begin, p_1 and p_2 for joints that move otherwise, as in the next of several examples."""
+    display = point_given_anew(document, names)
+    if display is None:
+        return None
+    start = _place(display)
+    parts = (_between(document, (-1, 0), start), _between(document, start, (10**9, 0)))
+    one, other = (candidate_of_closed_form(part, names) for part in parts)
+    if one is None or other is None:
+        return None
+    return start if (_moves(one), one.twists) != (_moves(other), other.twists) else None
 
 
 def _of_other_law(document: Document) -> Place | None:
@@ -129,9 +143,10 @@ def _are_of_other_laws(document: Document, start: Place) -> bool:
     return None not in arms and (arms[0].rows, arms[0].joints) != (arms[1].rows, arms[1].joints)  # type: ignore[union-attr]
 
 
-def _spoken_of(display: Display) -> set[int]:
-    frames = (digit for pair in _FRAMES.findall(display.latex) for digit in pair)
-    return joints_used([display]) | {int(digit) for digit in frames if digit}
+def _is_beyond(found: Candidate, display: Display) -> bool:
+    """Whether a display speaks of a joint that an arm lacks, or of a frame behind its last: that of a fixed row is one of its frames."""
+    frames = {int(digit) for pair in _FRAMES.findall(display.latex) for digit in pair if digit}
+    return bool(found.lacks(joints_used([display]))) or max(frames, default=0) > found.last
 
 
 def _named(document: Document) -> Iterator[Document]:

@@ -266,7 +266,8 @@ def _told(inferred: Inference, records: tuple[Record, ...]) -> tuple[Record, ...
 def _is_data(taken: TakenArm, record: Record, links: frozenset[int] = frozenset()) -> bool:
     """Whether the arm was taken from a table, or from the equation in a display that is about these links."""
     place = (record.cell, record.line)
-    count = {"table": True, "matrices": len(links) == 1 or place in taken.products}.get(taken.source, bool(links))
+    of_tool = bool(links) and FRAMES not in links  # what a closed form says of another point is no source
+    count = {"table": True, "matrices": len(links) == 1 or place in taken.products}.get(taken.source, of_tool)
     return place in taken.lines and count
 
 
@@ -332,7 +333,7 @@ class _Settled:
             bool(links) or has_entry or result.role is Role.CONDITION
         )  # else a shape, or an inverse that this arm's Jacobian does not have
         is_own = self.taken.source == "matrices" and not (links - self.confirmed) & self.taken.mended
-        is_sure = has_sides and (is_own or not doubtful)
+        is_sure = has_sides and (is_own or not doubtful or self._is_slip(links, result, record))
         is_sure = is_sure and (not self.taken.told_by or TOLD in self.confirmed)
         if result.verdict is not Verdict.REFUTED or record.erratum:
             return result
@@ -343,6 +344,18 @@ class _Settled:
             return result
         doubt = say(Kind.OTHER_THAN_SOURCE, source=self.taken.source, line=self.taken.line)
         return replace(result, verdict=Verdict.UNCHECKED, findings=(doubt.at(result.index), *result.findings))
+
+    def _is_slip(self, links: frozenset[int], result: EquationResult, record: Record) -> bool:
+        """Whether one entry alone is other than coordinates say that fit together: x = ∂y/∂θ_1, which one slip in them would break."""
+        wrong = [entry for entry in record.entries if entry.equation == result.index]
+        is_pinned = self.taken.source == "closed form" and not (self.taken.mended or self.taken.told_by)
+        alone = all(len(self.against.get(link, ())) < 2 for link in links)
+        return (
+            is_pinned
+            and alone
+            and FRAMES not in links - self.confirmed
+            and [bool(each.row) for each in wrong] == [True]
+        )
 
     def _data(self, index: int, links: frozenset[int] = frozenset()) -> EquationResult:
         lines = sorted(frozenset[int]().union(*(self.against.get(link, ()) for link in links - self.confirmed)))
