@@ -518,7 +518,7 @@ class DocumentChecker:
 
     def _holds_again(self, display: Display, equation: int) -> bool:
         again = [each for each in self._outcomes_of(display.latex) if each.equation == equation]
-        return bool(again) and all(each.verdict in HOLDS for each in again)
+        return bool(again) and all(each.verdict in HOLDS or each.tells(Kind.ANGLES_TOLD_OTHERWISE) for each in again)
 
     def _with_slip(self, outcome: Outcome, display: Display) -> AsUsual | None:
         """Tell the one slip that mends an equation if its names mean what they usually do; return what it then would be.

@@ -49,6 +49,9 @@ class Polynomials:
         """The number of generators met so far."""
         return len(self._generator_at)
 
+    def __iter__(self) -> Iterator[Generator]:
+        return iter(tuple(self._generator_at))
+
     def __contains__(self, generator: Generator) -> bool:
         return generator in self._slot
 

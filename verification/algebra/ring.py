@@ -166,6 +166,12 @@ class Ring:
         """The number of generators met so far."""
         return self.polynomials.size
 
+    @property
+    def angles(self) -> set[str]:
+        """The angles of which a cosine was met so far."""
+        named = (name for kind, name in self.polynomials if kind == "cos" and not name[0].isdigit())
+        return {name.partition("/")[0] for name in named} - {"pi"}
+
     def scalar(self, polynomial: fmpq_mpoly) -> Scalar:
         """Return a polynomial in normal form as a scalar."""
         return Scalar(self, polynomial, self.polynomials.one)

@@ -112,7 +112,7 @@ def _holds_with(
     made = checker.names.state.definitions
     made[key] = replace(definition, evaluate=checker.members.meaning(formula))
     try:
-        if outcome.pair is None or outcome.there:
+        if outcome.pair is None or outcome.there or any(map(_has_branches, outcome.nodes)):
             return again()
         one, other = (checker.member(node) for node in outcome.nodes)
         return one.known and other.known and _equal(as_matrix(one.value), as_matrix(other.value))
@@ -120,6 +120,12 @@ def _holds_with(
         return False
     finally:
         made[key] = definition
+
+
+def _has_branches(node: n.Node) -> bool:
+    """Whether an equation holds on one branch of what stands in it: ±, or an angle by its sine or cosine."""
+    arcs = (b for b in n.walk(node) if isinstance(b, n.Call) and b.function in ("acos", "asin", "atan", "atan2"))
+    return n.has_branches(node) or any(arcs)
 
 
 def _equal(one: Matrix, other: Matrix) -> bool:

@@ -28,6 +28,7 @@ from armproof.verification.equations.letter_matrices import (
     awaited,
     entries_elsewhere,
     forget_letters,
+    of_defined_rotation,
     stale,
     take_entries,
     with_small_letters,
@@ -352,10 +353,23 @@ class ChainChecker:
             self.of_entries = False
             if all(outcome.verdict in HOLDS for outcome in tried):
                 return tried
+        if self.names.arm is None:
+            return self._of_defined_rotation(now) or first
         made = self.names.state.definitions
         others = [key for entries in readings for key in entries if key in made and made[key].by_place]
         doubt = say(Kind.SECOND_MEANING, name=others[0], line=made[others[0]].line) if others else None
         return [each if doubt is None or _is_slip(each) else each.left_open(doubt) for each in first]
+
+    def _of_defined_rotation(self, now: _Pass) -> list[Outcome] | None:
+        """Return the outcomes where r_{ij} are of the rotation that a document without an arm gave last, if all hold."""
+        made = self.names.state.definitions
+        self.names.state.definitions = now.before.copy()  # θ = atan2(r_23, r_13) gives θ no meaning then
+        take = of_defined_rotation(self.names, now.chain, self.exact, now.line)
+        tried = self._aside(now.chain, now.first, now.line, take) if take is not None else []
+        if tried and all(outcome.verdict in HOLDS for outcome in tried):
+            return tried
+        self.names.state.definitions = made
+        return None
 
     def _aside(
         self, chain: n.Chain, first_equation: int, line: int, first: Callable[[], None] = lambda: None

@@ -20,6 +20,7 @@ from armproof.verification.latex.nodes import is_number
 from armproof.verification.verdict import Verdict
 
 FINE = 3  # decimals: a number of so many may be rounded
+LARGE = 1000  # a whole number from here on may be rounded where what it stands for is none
 COARSE = 2  # decimals: what holds to these is neither confirmed nor refuted
 FEW = 3  # entries: more wrong ones than that, and another configuration is meant
 
@@ -69,7 +70,7 @@ def _rounding(cell: n.Node, whole: n.Node) -> Rounding:
     if not decimals and alone:
         decimals = [b.decimals for b in n.walk(whole) if isinstance(b, n.Number) and b.decimals]
     marks = [b.operator for b in n.walk(cell) if isinstance(b, n.Postfix)]
-    if not decimals and not {"mm", "cm"}.intersection(marks):
+    if not decimals and not {"mm", "cm"}.intersection(marks) and not _is_large(cell):
         return EXACT
     unit = 10.0 ** -max(decimals, default=0) * min((UNITS[mark] for mark in marks if mark in UNITS), default=1.0)
     return Rounding(unit / 2 + 1e-9 if alone else EXACT.near, unit + 1e-9)
@@ -143,14 +144,14 @@ def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) 
     """
     assert outcome.true is not None and outcome.printed is not None
     of_numbers, sides = _decimals_of_numbers(outcome), (outcome.true.node, outcome.printed.node)
-    fine = of_numbers or route.members.decimals(*sides)
-    decimals = fine or route.members.decimals(*sides, least=COARSE)
+    fine = of_numbers if of_numbers is not None else route.members.decimals(*sides)
+    decimals = fine if fine is not None else route.members.decimals(*sides, least=COARSE)
     if decimals is None or not _leaves_rounding(outcome, decimals):
         return False
     errors = route.sampled_errors(outcome, branches)
     if errors is None:
         return False
-    units = 0.45 if fine else 1.0  # of the last decimal; errors are scaled by 1 + size
+    units = 0.45 if fine is not None else 1.0  # of the last decimal; errors are scaled by 1 + size
     tolerance = units * 10.0**-decimals
     if of_numbers is not None:
         tolerance = max(_rounding(side.node, side.node).near for side in (outcome.true, outcome.printed)) / (
@@ -162,7 +163,7 @@ def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) 
     everywhere = holding.samples == errors.samples >= FEWEST
     if not everywhere and not (route.is_solved_for(left, right) and counts):
         return False
-    if not fine:
+    if fine is None:
         outcome.verdict, outcome.wrong, outcome.pair = Verdict.UNCHECKED, [], None
         outcome.findings = (say(Kind.TOO_FEW_DECIMALS, decimals=decimals),)
         return True
@@ -177,11 +178,19 @@ def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) 
 
 
 def _decimals_of_numbers(outcome: Outcome) -> int | None:
-    """Return to how many decimals a number is printed that stands for another: 1.57 for π/2; None of anything else."""
+    """Return to how many decimals a number is printed that stands for another: 1.57 for π/2, 1732 for 1000√3; None of anything else."""
     sides = outcome.nodes
     if outcome.pair is None or not outcome.pair.is_scalar or not all(map(is_number, sides)):
         return None
-    return (fewest_decimals(sides) or None) if finest_decimals(sides) else None
+    if not finest_decimals(sides):
+        return 0 if any(map(_is_large, sides)) else None
+    return fewest_decimals(sides) or None
+
+
+def _is_large(node: n.Node) -> bool:
+    """Whether a tree is a whole number that is so large that it may be rounded."""
+    node = n.ungrouped(node)
+    return isinstance(node, n.Number) and not node.decimals and node.value >= LARGE
 
 
 def _leaves_rounding(outcome: Outcome, decimals: int) -> bool:

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
+from typing import Any
 
 from armproof.models.arm import Arm
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.given_values import keys_alone, names_alone
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
-from armproof.verification.errors import UnboundName
+from armproof.verification.errors import EvaluationError, UnboundName
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key
@@ -20,6 +26,7 @@ from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import numbered_frames
 from armproof.verification.verdict import Verdict
 
+_ROTATION = re.compile(r"(?:\{\}(?:\^\w+)?(?:_\w+)?)?R(?![a-z])")
 FEWEST_LETTERS = 4  # of a matrix of letters: those of a rotation, and no column of lengths
 
 
@@ -78,6 +85,31 @@ def _of_wrist(arm: Arm) -> list[Quantity]:
         if len(arm.joints) == len(frames) - 1 - behind >= 6:
             return [Quantity("rotation", frames[-1], frames[-4 - behind])]
     return []
+
+
+def of_defined_rotation(names: Names, chain: n.Chain, algebra: Any, line: int) -> Callable[[], None] | None:
+    """Return what lets the r_{ij} of a chain be entries of the rotation that a document without an arm gave last; None without one."""
+    found = {each.key: each for m in chain.members for each in n.walk(m) if isinstance(each, n.Name) and is_entry(each)}
+    if not found or found.keys() & names.state.definitions.keys() or any(map(keys_alone, chain.members)):
+        return None  # R = [r_{ij}] is no claim
+    angles = {b.key for m in chain.members for b in n.walk(m) if isinstance(b, n.Name)} - found.keys()
+    for key, definition in reversed(names.state.definitions.items()):
+        with suppress(EvaluationError):
+            value = definition.evaluate(algebra) if _ROTATION.match(key) else None
+            if isinstance(value, Matrix) and value.shape == (3, 3):
+                return partial(_define_entries, names, key, tuple(found.values()), angles, line)
+    return None
+
+
+def _define_entries(names: Names, rotation: str, entries: Iterable[n.Name], angles: Set[str], line: int) -> None:
+    names.used.update(angles)  # none of them is a new name for what stands beside it
+    for entry in entries:
+        row, column = int(entry.sub[0]) - 1, int(entry.sub[-1]) - 1
+        names.define(entry.key, partial(_entry, names, rotation, row, column), line, by_place=True)
+
+
+def _entry(names: Names, rotation: str, row: int, column: int, algebra: Any) -> Value:
+    return names.defined_value(rotation, algebra).rows[row][column]
 
 
 def take_entries(names: Names, entries: Mapping[str, Quantity]) -> None:

@@ -12,6 +12,7 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document.heading import encloses
 from armproof.verification.equations.alignment import is_constant, is_near
 from armproof.verification.equations.given_values import keys_alone
+from armproof.verification.equations.other_screws import of_other_screws
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
 from armproof.verification.equations.unit_vectors import holds_for_unit_vector
@@ -40,6 +41,8 @@ def without_misreading(outcome: Outcome, chain: n.Chain, names: Names, erratum: 
     reason = reason or _function_or_factor(chain)
     if names.arm is None:
         reason = reason or holds_for_unit_vector(outcome)
+        is_open = reason is None and bool(names.reader.spelling.screws)
+        reason = of_other_screws(outcome) if is_open else reason
     if names.arm is not None or not erratum:
         reason = reason or sizes_of_convention(outcome, chain, names)
     if not is_closed:

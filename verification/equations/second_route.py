@@ -15,6 +15,7 @@ from armproof.verification.equations.sides import TOO_LARGE, Member, Members
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.greek import ANGLES
 from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.conventions import reads_as_length
 from armproof.verification.verdict import Verdict
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
 
 TOLERANCE = 1e-6  # of the sampled values, scaled by their size; polynomials come out near 1e-15
 LARGE = 100  # √((10 − l)²) = 10 − l is right of lengths below 10 alone
+ROOTS = ("sqrt", "abs", "norm", "frobenius")
 FEWEST = 10  # samples at which a formula has a value; with fewer it is not decided
 
 
@@ -164,17 +166,28 @@ class SecondRoute:
         letters = self._coordinates(outcome)
         if len(letters) > 1 and not self._fails_in(self.sampled().of_either_sign(letters), outcome, branches):
             return
-        if letters := [name for name in letters if self._fails_for_negative(name, outcome, branches)]:
+        letters = [name for name in letters if self._fails_for_negative(name, outcome, branches)]
+        if letters and all(each.partition("_")[0] in ANGLES for each in letters):
+            errors = self.sampled_errors(outcome, branches, self.sampled().of_either_sign(letters))
+            if errors is not None and self.on_a_branch(outcome, errors, branches):  # θ = atan2(√(1 − r_33²), r_33)
+                return
+        if letters:
             outcome.verdict, outcome.wrong = Verdict.UNCHECKED, []
             outcome.findings = (say(Kind.POSITIVE_ALONE, letters=", ".join(letters)),)
 
     def _coordinates(self, outcome: Outcome) -> list[str]:
         """The letters without a value that may be negative; none where no root or arc function asks for their sign."""
-        letters = [name for name in sorted(self.names.used) if not reads_as_length(name)]
-        asks = letters and (
-            self.exact.ring.signs_chosen or _holds_arcs(outcome) or any(map(self._has_roots, outcome.nodes))
-        )
+        ring = self.exact.ring
+        is_rooted = ring.signs_chosen or any(map(self._rests_on_roots, outcome.nodes))
+        held = ring.angles if self.names.arm is None and is_rooted else set()  # θ_5 of s_5
+        letters = [name for name in sorted(self.names.used | held) if not reads_as_length(name)]
+        asks = letters and (ring.signs_chosen or _holds_arcs(outcome) or any(map(self._has_roots, outcome.nodes)))
         return letters if asks else []
+
+    def _rests_on_roots(self, node: n.Node) -> bool:
+        """Whether a name in a tree was defined by a square root."""
+        named = (self._named(b) for b in n.walk(node) if isinstance(b, n.Name))
+        return any(isinstance(b, n.Call) and b.function in ROOTS for each in named for b in n.walk(each))
 
     def _fails_for_negative(self, letter: str, outcome: Outcome, branches: bool) -> bool:
         own = self.sampled()
@@ -240,13 +253,18 @@ class SecondRoute:
             node = node.arguments[0]
         plain = n.Name | n.JointAngles | n.Number | n.Sum | n.Product | n.Quotient | n.Group
         return all(
-            isinstance(b, plain) and (not isinstance(b, n.Name) or self.members.is_symbol(b)) for b in n.walk(node)
+            isinstance(b, plain) and (not isinstance(b, n.Name) or self.members.is_symbol(b) or self._is_free_angle(b))
+            for b in n.walk(node)
         )
+
+    def _is_free_angle(self, name: n.Name) -> bool:
+        """Whether a letter is an angle of a document that is about no arm: φ of Euler's angles."""
+        return name.base in ANGLES and self.names.is_free(name) and name.key not in self.names.state.definitions
 
     def _has_roots(self, node: n.Node) -> bool:
         """Whether a square root stands in a tree, or may stand behind one of its names."""
         return any(
-            (isinstance(b, n.Call) and b.function in ("sqrt", "abs", "norm", "frobenius")) or (isinstance(b, n.Power) and not isinstance(b.exponent, n.Number))
+            (isinstance(b, n.Call) and b.function in ROOTS) or (isinstance(b, n.Power) and not isinstance(b.exponent, n.Number))
             or (isinstance(b, n.Name) and b.key in self.names.state.definitions)
             for b in n.walk(node)
         )  # fmt: skip

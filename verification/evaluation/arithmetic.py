@@ -10,6 +10,7 @@ from armproof.verification.algebra.matrix import Identity, Matrix, as_scalar, is
 from armproof.verification.algebra.protocol import Value, elementary, identity
 from armproof.verification.errors import EvaluationError, ShapeError, UnboundName
 from armproof.verification.evaluation.evaluating import Evaluating
+from armproof.verification.evaluation.screws import exponential, is_exponential, written_out
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
@@ -59,6 +60,7 @@ def product_value(evaluator: Evaluating, node: n.Product) -> Value:
         node = replace(node, factors=tuple(whole))
     if (turned := _in_plane(evaluator, node)) is not None:
         return turned
+    node = written_out(node) if evaluator.names.reader.spelling.screws else node
     result = evaluator.evaluate(node.factors[0])
     for before, operator, factor in zip(node.factors, node.operators, node.factors[1:], strict=False):
         if not operator and isinstance(before, n.Name) and _is_nought(factor):
@@ -142,6 +144,9 @@ def ambiguous(evaluator: Evaluating, node: n.Ambiguous) -> Value:
 
 def power_value(evaluator: Evaluating, node: n.Power) -> Value:
     """Return an integer power, or the square root that a power of one half is."""
+    screws = evaluator.names.reader.spelling.screws
+    if screws and is_exponential(node) is not None and (motion := exponential(evaluator, node.exponent)) is not None:
+        return motion
     base = stacked(as_scalar(evaluator.evaluate(node.base)))
     exponent = _integer(node.exponent)
     if isinstance(base, Identity) and exponent is not None:

@@ -16,9 +16,10 @@ from armproof.verification.evaluation.arithmetic import multiply
 from armproof.verification.evaluation.differentiation import time_derivative
 from armproof.verification.evaluation.evaluating import Evaluating
 from armproof.verification.evaluation.mass_matrix import entry_of_masses
+from armproof.verification.evaluation.screws import HAT, exponential, jacobian_of_screws, twist_value
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import call_key
+from armproof.verification.latex.nodes import call_key, is_nought
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import numbered_frames, transform_pair
 
@@ -80,7 +81,19 @@ def name_value(evaluator: Evaluating, node: n.Name) -> Value:
     if (added := names.added_frame(node)) is not None:
         return _to_added_frame(evaluator, node, *added)
     _reject_unknown_frame(evaluator, node)
+    if (of_screws := _of_screws(evaluator, node)) is not None:
+        return of_screws
     raise UnboundName(node.key)
+
+
+def _of_screws(evaluator: Evaluating, node: n.Name) -> Matrix | None:
+    r"""Return the matrix of a twist, \hat\xi_1, or the Jacobian of a product of exponentials."""
+    if not evaluator.names.reader.spelling.screws or evaluator.names.arm is not None:
+        return None
+    if node.base.startswith(HAT):
+        twist = twist_value(evaluator, node)
+        return twist.matrix(evaluator.algebra) if twist is not None else None
+    return jacobian_of_screws(evaluator, node)
 
 
 def _power_of_length(node: n.Name, names: Names) -> n.Power | None:
@@ -165,6 +178,12 @@ def call_value(evaluator: Evaluating, node: n.Call) -> Value:
         if function == "rank":
             return evaluator.algebra.rank(value)
         return _MATRIX_CALLS[function](value)
+    if (
+        function == "exp"
+        and evaluator.names.reader.spelling.screws
+        and (motion := exponential(evaluator, node.arguments[0])) is not None
+    ):
+        return motion
     arguments = [evaluator.scalar(argument) for argument in node.arguments]
     return _scalar_function(evaluator, function, arguments)
 
@@ -215,6 +234,8 @@ def _applied_name(evaluator: Evaluating, node: n.Call) -> Value:
         return names.defined_value(key, evaluator.algebra)
     name, *arguments = node.arguments
     assert isinstance(name, n.Name)
+    if names.arm is None and is_nought(arguments):  # g_{st}(0), a name that nothing gives a meaning
+        raise UnboundName(key)
     if names.known_symbol(name.key) in names.lengths:  # what depends on joints is no length
         raise UnboundName(key)
     own = [*names.joints]

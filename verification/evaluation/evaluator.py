@@ -27,6 +27,7 @@ from armproof.verification.evaluation.calls import (
     number_value,
 )
 from armproof.verification.evaluation.differentiation import derivative_value
+from armproof.verification.evaluation.screws import screw_matrix
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
@@ -69,6 +70,8 @@ class Evaluator:
         return value
 
     def _group(self, node: n.Group) -> Value:
+        if self.names.reader.spelling.screws and (screw := screw_matrix(self, node)) is not None:
+            return screw
         return self.evaluate(node.inner)
 
     def _sequence(self, node: n.Sequence) -> Value:

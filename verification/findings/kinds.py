@@ -65,6 +65,7 @@ class Kind(MessageKind):
     SLIP_AS_USUAL = "slip_as_usual", "if that is meant, `{printed}` should be `{correct}`: {change}"
     SLIP_BEFORE = "slip_before", "it holds if what line {line} says of `{name}` has a slip: {change}"
     SLIP_IN_LINK = "slip_in_link", "it holds if link {link} has {column} = `{correct}` instead of `{printed}`: one of the two is wrong"
+    OTHER_SCREWS = "other_screws", "it is so of other twists than those given: one of the two is wrong"
     LINK_DISPUTED = "link_disputed", "with {column} = `{correct}` instead of `{printed}` for link {link}, what lines {lines} say holds: one of the two is wrong"
     NEVER_AS_USUAL = "never_as_usual", "nothing holds with `{name}` as it is usually meant: it may be of another arm"
     NEAR_QUANTITY = "near_quantity", "but for entry ({row}, {column}) `{name}` would be {reading}: to have it checked, write in the front matter {line}"

@@ -64,6 +64,8 @@ class CallReader(NameReader):
         if letter in MATRIX_LETTERS and any(isinstance(a, n.Name) and a.base in MATRIX_LETTERS for a in arguments):
             return False  # R(R)^T, {}^0T_1({}^1T_2): matrices are multiplied
         is_point = letter in POINTS and all(map(_is_constant, arguments))
+        if letter == "g" and node.sub and n.is_nought(arguments):
+            return True  # g_{st}(0), the reference configuration
         may_be_applied = is_upper or (len(arguments) > 1 and (is_point or self.is_bound(node.key)))
         is_value = _is_constant if len(arguments) == 1 else _is_of_angles
         if arguments and may_be_applied and letter not in TRIG_LETTERS and all(map(is_value, arguments)):
@@ -91,7 +93,12 @@ class CallReader(NameReader):
     def trig_letter(self, item: Item, following: Item | None) -> tuple[n.Node, int] | None:
         """c_1, C_{12}, s_{\\theta_1}, C\\theta_1, S(\\theta_1+\\theta_2): unless the document binds that name."""
         function = TRIG_LETTERS.get(item.base)
-        if function is None or item.pre or any(kind in ("PRIME", "DOT", "AT") for kind, _, _ in item.scripts):
+        if (
+            function is None
+            or item.pre
+            or item.base in self.spelling.screws
+            or any(kind in ("PRIME", "DOT", "AT") for kind, _, _ in item.scripts)
+        ):
             return None
         subs = [script for script in item.scripts if script[0] == "SUB"]
         sups = [script for script in item.scripts if script[0] == "SUP"]

@@ -307,9 +307,15 @@ def bare_key(node: Node) -> str | None:
     node = bare(node)
     if isinstance(node, Name):
         return node.key if node.base not in ("words", "=") else None
-    if isinstance(node, Call) and node.function == "name" and all(isinstance(a, Name) for a in node.arguments):
-        return call_key(node)
+    if isinstance(node, Call) and node.function == "name":
+        _, *arguments = node.arguments
+        return call_key(node) if is_nought(arguments) or all(isinstance(a, Name) for a in arguments) else None
     return None
+
+
+def is_nought(arguments: tuple[Node, ...] | list[Node]) -> bool:
+    """Whether a name is applied to 0 alone: g_{st}(0), the reference configuration."""
+    return len(arguments) == 1 and isinstance(arguments[0], Number) and arguments[0].value == 0
 
 
 def is_number(node: Node) -> bool:
@@ -335,7 +341,7 @@ def call_key(node: Call) -> str:
     """Return the key of a name with arguments: J(q)."""
     name, *arguments = node.arguments
     head = name.key if isinstance(name, Name) else "?"
-    return f"{head}({','.join(a.key for a in arguments if isinstance(a, Name))})"
+    return f"{head}({'0' if is_nought(arguments) else ','.join(a.key for a in arguments if isinstance(a, Name))})"
 
 
 def has_branches(node: Node) -> bool:

@@ -174,6 +174,8 @@ class Spelling:
     letters: frozenset[str] = frozenset()  # S and C that it gives a meaning: S(…) is a product
     reference_below: bool = False  # {}_0^1T is the pose of frame 1 in frame 0
     lengths: frozenset[str] = frozenset()  # p_1 of p_1 cos θ_1: p_1^2 is its square, and no point seen from frame 2
+    screws: frozenset[str] = frozenset()  # the letters of twists in exponents: S of e^{[S_1]θ_1}, xi where it has a hat
+    unit: str = ""  # mm or cm, in which it calculates: behind a number it says no more than m does in metres
 
     def joint_signs(self, digits: str) -> tuple[int, ...]:
         """Return the signs of the angles that the digits of c_{34} add: as the document says, else all are positive."""
@@ -472,12 +474,13 @@ class _Scanner:
         ):
             content = spelt  # \mathrm{a t a n 2}, taken apart by a reader of images
         if self.previous in ("NUMBER", "RBRACE", "SUP") and content in UNITS and content not in self.words:
+            mark = self._mark(content)
             if content in ("m", "s") and self.previous != "NUMBER":
                 return [], end
             if power := _POWER_OF_UNIT.match(self.text, after):  # 5 m^2 is no square of 5, and 2 s^{-1} no half
                 text = self.text[start : power.end()]
-                return ([self.token("TEXT", text, start, power.end())] if UNITS[content] else []), power.end()
-            return ([self.token("SUP", UNITS[content], start, after)] if UNITS[content] else []), after
+                return ([self.token("TEXT", text, start, power.end())] if mark else []), power.end()
+            return ([self.token("SUP", mark, start, after)] if mark else []), after
         if content in FUNCTIONS:
             return self._function(content, start, after)
         if content in LETTERS:
@@ -546,10 +549,14 @@ class _Scanner:
                 self.token("RPAR", ")", *places),
             ]
         unit = re.sub(r"\\?([A-Za-z]+)|[\s.~]", lambda word: UNIT_NAMES.get(word[1] or "", word[1] or ""), found[count])
-        if name == "num" or (name != "ang" and not UNITS.get(unit, "?")):
+        if name == "num" or (name != "ang" and unit in UNITS and not self._mark(unit)):
             return tokens, found.end()
-        mark = "\\circ" if name == "ang" else UNITS.get(unit, "")
+        mark = "\\circ" if name == "ang" else self._mark(unit)
         return [*tokens, self.token("SUP", mark, *places) if mark else self.token("TEXT", unit, *places)], found.end()
+
+    def _mark(self, unit: str) -> str:
+        """Return the mark that a unit becomes above its number, none of the one in which the document calculates."""
+        return "" if unit == self.spelling.unit else UNITS.get(unit, "")
 
     def _accent(self, name: str, end: int) -> str:
         """The accent that makes another name of a letter: a bar, a tilde, a hat but for that of a unit vector or a matrix."""

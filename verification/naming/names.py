@@ -22,6 +22,8 @@ from armproof.verification.naming.quantities import implied_quantity, numbered_f
 from armproof.verification.naming.state import Definition, DocumentState, undecided
 
 FREE_IN_GENERAL = re.compile(r"[a-z]|%s" % one_of(NUMBERS))
+OF_SCREWS = re.compile(r"[LHWD](?:_\d)?")  # lengths beside twists, and what are motions, points and twists there
+NO_NUMBERS = frozenset("g p v omega xi".split())
 COMPONENT = re.compile(r"[xyz]|\w+,[xyz]")
 
 
@@ -246,6 +248,8 @@ class Names:
         if self.arm is not None or name.pre_sub or name.pre_sup:
             return False
         component = len(name.base) == 1 and bool(COMPONENT.fullmatch(name.sub))
+        if self.reader.spelling.screws and (name.base in NO_NUMBERS or OF_SCREWS.fullmatch(name.key)):
+            return name.base not in NO_NUMBERS
         return component or name.key in self.reader.spelling.masses or bool(FREE_IN_GENERAL.fullmatch(name.base))
 
     def is_open(self, name: n.Name) -> bool:

@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import Any
 
 from armproof.models.arm import Arm
-from armproof.verification.document import Document
+from armproof.verification.document import Display, Document
 from armproof.verification.errors import DocumentError, ReadError
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
@@ -56,6 +56,17 @@ _OWN_LETTER = re.compile(r"(?:^|[,;]|\\\\|quad|\\begin\{\w+\*?\})\s*([cCsS])\s*&
 _LENGTH = re.compile(
     r"(?<![A-Za-z])([pP])_\{?(\d)\}?\s*(?:\\[,;!]\s*|\\cdot\s*)?(?:\\cos|\\sin|[cCsS]_)"
 )  # p_1 cos θ_1
+
+
+_SCREW = re.compile(  # e^{[S_1]θ_1}, exp([B_1]θ_1), e to a ξ_1 with a hat
+    r"(?:(?<![A-Za-z\\])e\s*\^\s*\{|\\exp\s*(?:\\left)?\s*[({])\s*-?\s*(?:(?:\\left\s*)?\[|\\(?:wide)?hat\s*\{?)"
+    r"\s*(?:\\(?:mathcal|mathbf|boldsymbol|bm)\s*\{?\s*)?\\?([A-Za-z]+)"
+)
+_IN_UNIT = re.compile(
+    r"(?<![\d.])(\d+(?:\.\d+)?)(?:[\s~]|\\[,;: ])*(?:\\(?:text|mathrm)\s*\{\s*)?(?<![A-Za-z\\])(mm|cm|m)(?![A-Za-z_^])"
+)
+_BARE = re.compile(r"(?<![\d.\w^{])[1-9]\d+(?:\.\d+)?(?![\d.]|\s*(?:\}?\s*\^|°|\\degree))")
+_OF_ANGLES = frozenset("30 45 60 90 120 135 180 270 360".split())
 
 
 def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
@@ -110,8 +121,25 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
     own = frozenset(letter for each in texts for letter in _OWN_LETTER.findall(each))
     lengths = frozenset(f"{letter}_{index}" for letter, index in _LENGTH.findall(text))
     return Spelling(
-        words, frozenset(apart), comma, variables, angle, sums, _masses(said), own, _refers_below(text), lengths
-    )
+        words, frozenset(apart), comma, variables, angle, sums, _masses(said), own, _refers_below(text), lengths,
+        frozenset(_SCREW.findall(text)), _own_unit(document.displays),
+    )  # fmt: skip
+
+
+def _own_unit(displays: Iterable[Display]) -> str:
+    """Return mm where a document calculates in it: a number that it gives in mm, or that leads to one, stands without the unit."""
+    measured: set[tuple[str, str]] = set()
+    bare: set[str] = set()
+    is_beside = False
+    for display in displays:
+        for latex in (display.latex, *display.said):
+            found = set(_IN_UNIT.findall(latex))
+            measured |= found
+            alone = set(_BARE.findall(_IN_UNIT.sub("", latex))) - _OF_ANGLES if latex is display.latex else set()
+            is_beside = is_beside or bool(found and alone)
+            bare |= alone
+    units = {unit for _, unit in measured}
+    return units.pop() if units in ({"mm"}, {"cm"}) and (is_beside or bare & {number for number, _ in measured}) else ""
 
 
 def _masses(said: str) -> frozenset[str]:
