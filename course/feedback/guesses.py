@@ -11,7 +11,7 @@ from math import floor, log10
 from armproof.models.errors import written
 from armproof.models.language import look_up, noted
 
-_MOST_BY_CHANCE = 0.0225  # of all numbers up to twice the right one, those that are explained
+_MOST_BY_CHANCE = 0.025  # of all numbers up to twice the right one, those that are explained
 _LEAST = 3  # guesses that are tried whatever the number: they come first, and are the usual mistakes
 _FINEST = -4  # the power of ten beside a number beyond which digits tell no more
 _MOST_DECIMALS = 6
@@ -47,7 +47,7 @@ def instead(other: str) -> str:
 def explained(given: float, right: float, guesses: Iterable[Guess]) -> str:
     """Return what is said of the first guess that a number is, to its digits; empty where none is.
 
-    A number of few digits meets one of many guesses by chance. So no more are tried than would explain one of forty-five
+    A number of few digits meets one of many guesses by chance. So no more are tried than would explain one of forty
     numbers with as many digits, two at least, up to twice the right one.
     """
     step, largest = min(_unit(given, right), _unit(given, given)), 2 * max(abs(right), abs(given))

@@ -82,7 +82,7 @@ def number_slip(
         asked = Asked(float(right[k]), labels[k], unit, others[k], known, tuple(stated), worked.get(k))
         words = _of_one(asked, float(given[k]), dict(zip(labels, given.tolist(), strict=True)), len(wrong) == 1)
         of.setdefault(words, []).append(labels[k])
-    if right.size == 1:
+    if len(wrong) == 1:
         return "".join(of)
     return look_up("; ").join(
         written("{label}: {words}", label=separator(labels).join(labels), words=words) for words, labels in of.items() if words

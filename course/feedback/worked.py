@@ -55,6 +55,15 @@ class Worked:
         """Return what the formula gives with other values of some letters."""
         return replace(self, known={**self.known, **known}).value
 
+    def share_of(self, name: str) -> float:
+        """Return how much less the formula gives where a letter is zero."""
+        return self.value - self.with_values({name: 0.0})
+
+    @cached_property
+    def has_powers(self) -> bool:
+        """Whether a square or a root stands in the formula."""
+        return any(isinstance(node, n.Power) or (isinstance(node, n.Call) and node.function == "sqrt") for node in n.walk(self._tree))  # fmt: skip
+
     @cached_property
     def letters(self) -> frozenset[str]:
         """The letters of the formula."""

@@ -120,7 +120,8 @@ class Mender:
         if (agrees := self.agreement(true)) is None:
             return "", None
         most = min(MAX_EDITS, MAX_NODES // sum(1 for _ in n.walk(cell)))
-        of_more = (edit for rule in (sign_pairs, function_pairs, misconceptions) for edit in rule(cell))
+        rules = (sign_pairs, function_pairs, *([] if true.is_zero() else [misconceptions]))  # x / x is no slip for x - x
+        of_more = (edit for rule in rules for edit in rule(cell))
         for count, edit in enumerate(chain(single_edits(cell, self.learnt.letters(cell)), of_more)):
             if count > most or self.exact.budget.is_spent:
                 break

@@ -521,6 +521,8 @@ class Kind(MessageKind):
     OTHER_GENERAL_LINK = "other_general_link", "this is the {other} link matrix, the {convention} one is meant"
     OTHER_CONVENTION = "other_convention", "this is the {other} link matrix, the arm's frames are those of the {convention} convention"
     LINKS_OF_OTHER_CONVENTION = "links_of_other_convention", "the link matrices are those of the {other} Denavit–Hartenberg convention, the arm's frames are {convention}"
+    LINKS_OF_ROW_BELOW = "links_of_row_below", "the link matrices take {names} of the row below, as in a table of the classic convention"
+    LINKS_OF_ROW_ABOVE = "links_of_row_above", "the link matrices take {names} of the row above, as in a table of the modified convention"
     LINKS_REVERSED = "links_reversed", "the link matrices are multiplied in the wrong order, from the last to the first"
     LINKS_SWAPPED = "links_swapped", "the link matrices `{one}` and `{other}` are multiplied in the wrong order"
     LINK_LEFT_OUT = "link_left_out", "the link matrix `{link}` is missing from the product"

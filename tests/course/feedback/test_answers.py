@@ -235,6 +235,13 @@ def test_what_cannot_be_judged_says_what_is_expected(asks: Any, answer: Any, wor
     assert words in feedback.message
 
 
+def test_a_table_is_not_wrong_for_an_angle_in_decimals() -> None:
+    crane = Table({"dh": "classic", "rows": [{"theta": "theta_1", "d": "h", "a": 0, "alpha": "pi/2"}]}, "classic")
+    assert crane.judge([("theta_1", "h", 0, 1.5708)]).outcome is Outcome.LETTERS
+    assert crane.judge([("theta_1", "h", 0, -1.5708)]).outcome is Outcome.WRONG
+    assert crane.judge([("theta_1", "h", "h", 1.5708)]).outcome is Outcome.WRONG
+
+
 def test_a_loop_without_end_is_stopped(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("armproof.course.feedback.formula.SECONDS", 0.3)
 
