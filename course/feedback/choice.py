@@ -135,7 +135,10 @@ class Number:
     def told_in(self, text: str) -> Number:
         """Return the question with the lengths that its text gives to letters."""
         known = {**values_in(text), **self.known} if self.unit in ("m", "m/s") else self.known
-        return replace(self, known=known, stated=numbers_in_text(text) if self.unit != "–" else ())
+        is_of_counts = self.unit == "–" and all(
+            float(value).is_integer() for value in np.atleast_1d(self.value).tolist()
+        )
+        return replace(self, known=known, stated=() if is_of_counts else numbers_in_text(text))
 
     def is_like(self, given: np.ndarray, wrong: np.ndarray) -> bool:
         """Whether an answer is a known wrong one, which may have been rounded."""

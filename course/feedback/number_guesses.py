@@ -23,6 +23,7 @@ _SMALL = 0.1  # rad: below it an angle and its tangent are nearly one
 _MOST_STATED = 6
 _FEW_STATED = 3  # numbers, of which one is soon taken for the answer
 _TWO_LETTERS = 2
+_FEW_LETTERS = 4
 _NOTHING = 1e-9
 _MISSING, _TOO_MUCH = noted("{name} is missing"), noted("{name} does not belong in it")
 _TWICE = noted("{name} is counted twice")
@@ -81,6 +82,21 @@ class Asked:
         if self.worked is not None:
             yield from self.worked.long_shots()
 
+    def identities(self) -> Iterator[Guess]:
+        """Yield sums and differences of given values, and the number with one too many: of a number that is one this is true, chance or not."""
+        values = self.known or {number_text(value, "g"): value for value in self.stated}
+        if len(values) <= _FEW_LETTERS:
+            for sign in "+-":
+                for one, other in permutations(values, 2) if sign == "-" else combinations(values, 2):
+                    value = _TWO[sign](values[one], values[other])
+                    yield Guess(value, partial(instead, f"{one} {sign} {other}"), is_exact=True)
+        for name, value in self.known.items():
+            for sign, part in (("+", value), ("-", -value)) if self.worked is not None and self.worked.is_short else ():
+                yield Guess(self.right + part, partial(self._with_more, sign, name), is_exact=True)
+
+    def _with_more(self, sign: str, name: str) -> str:
+        return instead(f"{self.worked.shown} {sign} {name}") if self.worked is not None else ""
+
     def _letters(self) -> tuple[dict[str, float], dict[str, float]]:
         """Return the given values by their letters, those in the formula and the others; where there is none, all and none."""
         of = {*self.known} if self.worked is None else self.worked.letters
@@ -138,7 +154,7 @@ class Asked:
     def _alone(self, letters: Mapping[str, float], given: float) -> Iterator[Guess]:
         """Yield given values, with the sign of the number that is given."""
         for name, value in letters.items():
-            yield Guess(-value, partial(instead, f"-{name}")) if given < 0 < value else Guess(value, partial(alone, name))
+            yield Guess(-value, partial(alone, f"-{name}")) if given < 0 < value else Guess(value, partial(alone, name))
 
     def _another(self) -> Iterator[Guess]:
         """Yield the other numbers that are asked."""

@@ -20,6 +20,7 @@ from armproof.verification.latex.greek import NAMES
 _TOLERANCE = 1e-6
 _LARGEST_FACTOR = 10
 _LARGEST_PART = 5  # above and below the line of a share
+_MOST_TRUE = 0.1  # of all numbers, those that are told a sum that they are: true where it is chance, too
 _MOST_ASTRAY = 2  # things too many or too few: a larger number would be the answer itself
 _POWERS_OF_TEN = (100, 1000)
 _LONE_FACTORS = (2, 3, 4, _LARGEST_FACTOR, *_POWERS_OF_TEN)  # of one number: seven comes by chance
@@ -218,6 +219,7 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
         or _carried(asked, given, own)
         or explained(given, right, asked.guesses(given))
         or next(_by_factor(np.array([given]), np.array([right])), "")
+        or explained(given, right, asked.identities(), _MOST_TRUE)
         or _of_reach(given, asked)
         or _by_size(asked, given, is_only)
     )

@@ -210,6 +210,7 @@ def test_a_stub_is_not_attempted(asks: Any) -> None:
         (COSINE, "\\begin{bmatrix}".replace("\\b", "\b"), 'write r"'),
         (SUM_OF_ANGLES, r"l_1 \sin\theta_{12}", r"write \theta_1 + \theta_2 for \theta_{12}"),
         (COSINE, "k + x", "k is no letter of this task; the letters are x, y, l_1, l_2"),
+        (COSINE, r"\sqrt{x^2 + Z^2}", "Z is no letter of this task; the letters are x, y, l_1, l_2"),
         (ANGLE, r"\beta", "is no letter of this task; the letters are X, Y"),
         (DETERMINANT, "l_1 l_2 s_2 = 0", "without = 0"),
         (

@@ -16,6 +16,12 @@ REACH = Number((0.05, 0.55), "m", ("near", "far"), {"a": 0.3, "b": 0.25}, ways=(
 ROOT = Number(0.6, "m", ways=(r"\sqrt{(0.48^2 + 0.36^2)}",))
 TURN = Number(2.0, "m", ways=(r"2 \sin 90^\circ",))
 PEAK = Number(0.375, "m/s", ways=(r"15/8 \cdot 0.4/2",)).told_in("0.4 m in 2 s")
+LIFT = Number(
+    (0.25, 0.3), "m", known={"a": 0.3, "b": 0.25, "d": 0.1}, ways=("", r"a \sin 90^\circ + b \sin(90^\circ - 90^\circ)")
+)
+SHOULDER = Number(0.75, "m", known={"a": 1.25, "b": 0.25, "d": 0.33, "f": 0.42}, ways=("d + f",))
+HALF = Number(-0.8, "m/s", ways=(r"-2 \cdot 0.4",))
+TANGENT = Number((0.6, 0.75), "–", ("cos θ", "tan φ"), ways=("", "0.36/0.48")).told_in("s = [0.48, 0.36, -0.8]")
 ACROSS = Number(0.25, "m", known={"a": 0.3, "b": 0.25}, ways=(r"a \cos 90^\circ + b \cos(90^\circ - 90^\circ)",))
 STACK = Number(1.946, "m", known={"a": 1.25, "b": 0.25, "d": 0.33, "e": 0.054, "f": 0.42}, ways=("d + f + a - e",))
 TIPS = Number((0.25, 0.85), "m", ("near", "far"), {"a": 0.25, "b": 0.3}, (1.0,), ("a", "a + 2 b"))
@@ -42,6 +48,10 @@ ANGLES = Number((0.64, -1.57, -0.93), "rad", ("θ_1", "θ_2", "θ_4"), ways=("",
         (REACH, [0.05, 0.05], "this is a - b"),
         (REACH, [0.05, 0.5], "far is not 0.5: this is 2 b"),
         (ACROSS, 0.55, "this is a + b"),
+        (LIFT, [0.25, 0.2], "number 2 is not 0.2: this is a - d"),
+        (SHOULDER, 2.0, "a does not belong in it"),
+        (HALF, -0.4, "this is -0.4 alone"),
+        (TANGENT, [0.6, 0.48], "tan φ is not 0.48: 0.48 is given for something else"),
         (STACK, 2.276, "d is counted twice"),
         (STACK, 1.892, "e is counted twice"),
         (STACK, 2.0, "e is missing"),

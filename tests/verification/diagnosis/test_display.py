@@ -30,6 +30,7 @@ DISPLAYS: list[tuple[str, str, dict[str, Any]]] = [
     (r"p_3 = " + matrix(r"l_1 s_1 + l_2 s_{12} + l_3 s_{123}", r"-l_1 c_1 - l_2 c_{12} - l_3 c_{123}", "0"), "theta_1 is counted from another zero: off by -π/2", {"arm": "planar_3r"}),
     (r"J = " + matrix(*(row.replace("-1 &", "0 &") for row in ABOVE), "0 & 0 & -1 & 0", "0 & 0 & 0 & 0", "0 & 0 & 0 & 0", r"1 & 1 & 1 & -1"), "", {}),
     (r"J = " + matrix(r"a_1 c_1 + a_2 c_{12} & a_2 c_{12} & 0 & 0", r"-a_1 s_1 - a_2 s_{12} & -a_2 s_{12} & 0 & 0", "0 & 0 & -1 & 0", *BELOW), "rows 1 and 2, x and y of v, are swapped", {}),
+    (r"J = " + matrix(r"-l_1 s_1 - l_2 s_{12} - l_3 s_{123} & -l_2 s_{12} - l_3 s_{123} & -l_3 s_{123}", r"l_1 c_1 + l_2 c_{12} + l_3 c_{123} & l_2 c_{12} + l_3 c_{123} & l_3 c_{123}", "0 & 0 & 0", "0 & 0 & 0", "0 & 0 & 0", "1 & 0 & 0"), "zeros stand in its place, in the angular part of columns 2, 3 alone", {"arm": "planar_3r"}),
     (r"J_v = " + matrix(r"-l_1 s_1 & -l_2 s_{12} & -l_3 s_{123}", r"l_1 c_1 & l_2 c_{12} & l_3 c_{123}", "0 & 0 & 0"), "the chain rule is missing", {"arm": "planar_3r"}),
     (r"J_v = " + matrix(r"a_1 s_1 + a_2 s_{12} & a_2 s_{12} & 0 & 0", r"-a_1 c_1 - a_2 c_{12} & -a_2 c_{12} & 0 & 0", "0 & 0 & -1 & 0"), "the sign of the cross product is wrong", {}),
 ]  # fmt: skip
