@@ -90,6 +90,8 @@ class Asked:
                 for one, other in permutations(values, 2) if sign == "-" else combinations(values, 2):
                     value = _TWO[sign](values[one], values[other])
                     yield Guess(value, partial(instead, f"{one} {sign} {other}"), is_exact=True)
+        for label, value in self.others.items():
+            yield Guess(self.right + value, partial(written, _TOO_MUCH, name=label), is_exact=True)
         for name, value in self.known.items():
             for sign, part in (("+", value), ("-", -value)) if self.worked is not None and self.worked.is_short else ():
                 yield Guess(self.right + part, partial(self._with_more, sign, name), is_exact=True)

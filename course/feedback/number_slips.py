@@ -10,7 +10,7 @@ from itertools import combinations
 
 import numpy as np
 
-from armproof.course.feedback.guesses import explained
+from armproof.course.feedback.guesses import explained, instead
 from armproof.course.feedback.number_guesses import OF_ANGLES, Asked
 from armproof.course.feedback.worked import LETTER, Worked
 from armproof.models.errors import counted, written
@@ -208,7 +208,7 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
     """Return what is behind one wrong number; where nothing is recognised how large it is, and what would have to be given."""
     right, is_count = asked.right, asked.unit == "–"
     if is_count and (float(right).is_integer() or not right) and float(given).is_integer():
-        return _of_a_count(given, asked) or _by_size(asked, given, is_only)
+        return _of_a_count(given, asked) or _of_another(given, asked) or _by_size(asked, given, is_only)
     if not given:
         return look_up(_NOT_ZERO.get(asked.unit, _NOT_ZERO["–"]))
     if not right:
@@ -258,6 +258,12 @@ def _of_a_count(given: float, asked: Asked) -> str:
     if abs(more) > _MOST_ASTRAY:
         return ""
     return counted("one too many", "{number} too many", more) if more > 0 else counted("one too few", "{number} too few", -more)  # fmt: skip
+
+
+def _of_another(given: float, asked: Asked) -> str:
+    """Return which other number that is asked a count is, where it is one of them alone."""
+    labels = [label for label, value in asked.others.items() if value == given]
+    return instead(labels[0]) if len(labels) == 1 and len({*asked.others.values(), asked.right}) > 2 else ""
 
 
 def _of_reach(given: float, asked: Asked) -> str:
