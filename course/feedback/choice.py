@@ -135,7 +135,10 @@ class Number:
     def told_in(self, text: str) -> Number:
         """Return the question with the lengths that its text gives to letters."""
         known = {**values_in(text), **self.known} if self.unit in ("m", "m/s") else self.known
-        return replace(self, known=known, stated=numbers_in_text(text) if self.unit != "–" else ())
+        is_of_counts = self.unit == "–" and all(
+            float(value).is_integer() for value in np.atleast_1d(self.value).tolist()
+        )
+        return replace(self, known=known, stated=() if is_of_counts else numbers_in_text(text))
 
     def is_like(self, given: np.ndarray, wrong: np.ndarray) -> bool:
         """Whether an answer is a known wrong one, which may have been rounded."""
@@ -176,7 +179,19 @@ class Number:
         ]
         labels = [self._label(k) for k in range(right.size)]
         slip = number_slip(given, right, labels, self.known, self.unit, self.stated, self.ways)
+        if slip and len(told) == 1:
+            return Feedback(Outcome.WRONG, written("{said}: {slip}", said=told[0], slip=slip))
         return Feedback(Outcome.WRONG, separator(told).join(told) + (look_up("; ") + slip if slip else ""))
+
+    def shown(self) -> str:
+        """Return the right numbers, each with what it is and how it follows from what is given, Markdown."""
+        right = np.atleast_1d(np.array(self.value, dtype=float)).tolist()
+        ways = (*self.ways, *[""] * len(right))
+        values = [_followed(way, value, self.unit) for value, way in zip(right, ways, strict=False)]
+        if len(right) == 1:
+            return values[0]
+        labelled = (written("{label}: {words}", label=self._label(k), words=each) for k, each in enumerate(values))
+        return "\n".join(f"- {each}" for each in labelled)
 
     def signature(self, answer: Any) -> np.ndarray:
         """Return the numbers, by which two answers are told apart."""
@@ -186,6 +201,13 @@ class Number:
         if index < len(self.labels):
             return self.labels[index]
         return look_up("the number") if np.ndim(self.value) == 0 else written("number {number}", number=index + 1)
+
+
+def _followed(way: str, value: float, unit: str) -> str:
+    """Return a number in its unit, behind the formula that gives it, in dollars."""
+    shown = f"{value:.4g}"
+    equal = "=" if abs(float(shown) - value) < _TOLERANCE else r"\approx"
+    return (f"${way} {equal} {shown}$" if way else f"${shown}$") + (f" {unit}" if unit != "–" else "")
 
 
 def _to_its_digits(given: float, right: float) -> bool:

@@ -110,7 +110,8 @@ class Claim:
             return Feedback(
                 Outcome.ERROR, self._with_letters(look_up("the answer is made of names that mean nothing here"))
             )
-        return Feedback(Outcome.ERROR, self._with_letters(write_all(without_asked(record.findings))))
+        words = self.unbound(latex) or self._with_letters(write_all(without_asked(record.findings)))
+        return Feedback(Outcome.ERROR, words)
 
     def upright(self, latex: str) -> str:
         """Return a row of entries as the column that is asked, as everybody means it; any other formula as it is."""

@@ -11,7 +11,7 @@ from math import floor, log10
 from armproof.models.errors import written
 from armproof.models.language import look_up, noted
 
-_MOST_BY_CHANCE = 0.0225  # of all numbers up to twice the right one, those that are explained
+_MOST_BY_CHANCE = 0.025  # of all numbers up to twice the right one, those that are explained
 _LEAST = 3  # guesses that are tried whatever the number: they come first, and are the usual mistakes
 _FINEST = -4  # the power of ten beside a number beyond which digits tell no more
 _MOST_DECIMALS = 6
@@ -44,11 +44,11 @@ def instead(other: str) -> str:
     return written(_THIS, other=other)
 
 
-def explained(given: float, right: float, guesses: Iterable[Guess]) -> str:
+def explained(given: float, right: float, guesses: Iterable[Guess], share: float = _MOST_BY_CHANCE) -> str:
     """Return what is said of the first guess that a number is, to its digits; empty where none is.
 
-    A number of few digits meets one of many guesses by chance. So no more are tried than would explain one of forty-five
-    numbers with as many digits, two at least, up to twice the right one.
+    A number of few digits meets one of many guesses by chance. So no more are tried than would explain this share of all
+    numbers with as many digits, two at least, up to twice the right one: one of forty.
     """
     step, largest = min(_unit(given, right), _unit(given, given)), 2 * max(abs(right), abs(given))
     tried: set[int] = set()
@@ -58,7 +58,7 @@ def explained(given: float, right: float, guesses: Iterable[Guess]) -> str:
         if (is_exact := guess.is_exact or _is_short(guess.value)) and not _has_digits(guess.value, step):
             continue
         tried.add(round(guess.value / step))
-        if len(tried) > max(_LEAST, _MOST_BY_CHANCE * 2 * largest / step):
+        if len(tried) > max(_LEAST, share * 2 * largest / step):
             return ""
         if abs(guess.value - given) <= (
             _SMALL if is_exact else min(_unit(given, given) / 2, _ROUNDED * abs(given)) + _SMALL

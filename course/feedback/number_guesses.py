@@ -22,6 +22,11 @@ _SQUARE = noted("this is the square of what is asked")
 _SMALL = 0.1  # rad: below it an angle and its tangent are nearly one
 _MOST_STATED = 6
 _FEW_STATED = 3  # numbers, of which one is soon taken for the answer
+_TWO_LETTERS = 2
+_FEW_LETTERS = 4
+_NOTHING = 1e-9
+_MISSING, _TOO_MUCH = noted("{name} is missing"), noted("{name} does not belong in it")
+_TWICE = noted("{name} is counted twice")
 _TWO = {"+": operator.add, "·": operator.mul, "/": operator.truediv, "-": operator.sub}
 
 
@@ -49,7 +54,9 @@ class Asked:
         """Yield what mistakes would give, the usual ones first."""
         own, far = self._letters()
         yield from self._as_it_stands()
-        yield from self._alone(own)
+        yield from self._alone(own, given)
+        if self.worked is not None and len(own) == _TWO_LETTERS:
+            yield from (Guess(value, partial(instead, name), is_exact=True) for name, value in _pairs(own).items())
         yield from shortened(given, self.right)
         yield from digits_exchanged(given, self.right)
         yield from self._of_parts(own)
@@ -64,7 +71,7 @@ class Asked:
             yield from self.worked.confusions()
         yield from self._of_the_others()
         yield from self._of_the_text()
-        yield from self._alone(far)
+        yield from self._alone(far, given)
         yield from self._of_parts(far)
         yield from digits_astray(given, self.right)
         if self.worked is not None:
@@ -74,6 +81,23 @@ class Asked:
         yield from self._of_sums(own)
         if self.worked is not None:
             yield from self.worked.long_shots()
+
+    def identities(self) -> Iterator[Guess]:
+        """Yield sums and differences of given values, and the number with one too many: of a number that is one this is true, chance or not."""
+        values = self.known or {number_text(value, "g"): value for value in self.stated}
+        if len(values) <= _FEW_LETTERS:
+            for sign in "+-":
+                for one, other in permutations(values, 2) if sign == "-" else combinations(values, 2):
+                    value = _TWO[sign](values[one], values[other])
+                    yield Guess(value, partial(instead, f"{one} {sign} {other}"), is_exact=True)
+        for label, value in self.others.items():
+            yield Guess(self.right + value, partial(written, _TOO_MUCH, name=label), is_exact=True)
+        for name, value in self.known.items():
+            for sign, part in (("+", value), ("-", -value)) if self.worked is not None and self.worked.is_short else ():
+                yield Guess(self.right + part, partial(self._with_more, sign, name), is_exact=True)
+
+    def _with_more(self, sign: str, name: str) -> str:
+        return instead(f"{self.worked.shown} {sign} {name}") if self.worked is not None else ""
 
     def _letters(self) -> tuple[dict[str, float], dict[str, float]]:
         """Return the given values by their letters, those in the formula and the others; where there is none, all and none."""
@@ -106,10 +130,22 @@ class Asked:
         """Yield each part, and the number with that part too few or too many."""
         for name, value in parts.items():
             yield Guess(value, partial(alone, name), is_exact=True)
-        for words, sign in ((noted("{name} is missing"), -1), (noted("{name} does not belong in it"), 1)):
-            for name, value in parts.items():
-                if value != self.right:  # which would be doubled
-                    yield Guess(self.right + sign * value, partial(written, words, name=name), is_exact=True)
+        changes = {name: self._changes(name, value) for name, value in parts.items() if value != self.right}
+        for k in range(2):
+            for name, of_part in changes.items():
+                words, change = of_part[k]
+                yield Guess(self.right + change, partial(written, words, name=name), is_exact=True)
+
+    def _changes(self, name: str, value: float) -> tuple[tuple[str, float], tuple[str, float]]:
+        """Return by how much the number is off with one part too few, then with one too many, and the words for it."""
+        if self.worked is None or name not in self.known:
+            return (_MISSING, -value), (_TOO_MUCH, value)
+        part = self.worked.share_of(name)
+        if abs(part) < _NOTHING:
+            return (_TOO_MUCH, value), (_TOO_MUCH, -value)
+        if abs(abs(part) - abs(value)) < _NOTHING:
+            return (_MISSING, -part), (_TWICE, part)
+        return (_MISSING, -value), (_TOO_MUCH, value)
 
     def _of_sums(self, known: Mapping[str, float]) -> Iterator[Guess]:
         """Yield the sums of three and of four given values."""
@@ -117,10 +153,10 @@ class Asked:
             for names in combinations(known, count) if count < len(known) else ():
                 yield Guess(sum(known[name] for name in names), partial(instead, " + ".join(names)), is_exact=True)
 
-    def _alone(self, letters: Mapping[str, float]) -> Iterator[Guess]:
-        """Yield given values."""
+    def _alone(self, letters: Mapping[str, float], given: float) -> Iterator[Guess]:
+        """Yield given values, with the sign of the number that is given."""
         for name, value in letters.items():
-            yield Guess(value, partial(alone, name))
+            yield Guess(-value, partial(alone, f"-{name}")) if given < 0 < value else Guess(value, partial(alone, name))
 
     def _another(self) -> Iterator[Guess]:
         """Yield the other numbers that are asked."""
@@ -157,7 +193,9 @@ class Asked:
             yield Guess(_TWO[sign](one, other), partial(_reckoned, one, sign, other))
 
     def _of_powers(self) -> Iterator[Guess]:
-        """Yield the square and the root of the number."""
+        """Yield the square and the root of the number, unless it follows without any."""
+        if self.worked is not None and not self.worked.has_powers:
+            return
         yield Guess(self.right**2, lambda: look_up(_SQUARE))
         if self.right > 0:
             yield Guess(float(np.sqrt(self.right)), lambda: look_up("this is the root: its square is asked"))

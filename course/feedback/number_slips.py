@@ -10,7 +10,7 @@ from itertools import combinations
 
 import numpy as np
 
-from armproof.course.feedback.guesses import explained
+from armproof.course.feedback.guesses import explained, instead
 from armproof.course.feedback.number_guesses import OF_ANGLES, Asked
 from armproof.course.feedback.worked import LETTER, Worked
 from armproof.models.errors import counted, written
@@ -20,6 +20,7 @@ from armproof.verification.latex.greek import NAMES
 _TOLERANCE = 1e-6
 _LARGEST_FACTOR = 10
 _LARGEST_PART = 5  # above and below the line of a share
+_MOST_TRUE = 0.1  # of all numbers, those that are told a sum that they are: true where it is chance, too
 _MOST_ASTRAY = 2  # things too many or too few: a larger number would be the answer itself
 _POWERS_OF_TEN = (100, 1000)
 _LONE_FACTORS = (2, 3, 4, _LARGEST_FACTOR, *_POWERS_OF_TEN)  # of one number: seven comes by chance
@@ -82,7 +83,7 @@ def number_slip(
         asked = Asked(float(right[k]), labels[k], unit, others[k], known, tuple(stated), worked.get(k))
         words = _of_one(asked, float(given[k]), dict(zip(labels, given.tolist(), strict=True)), len(wrong) == 1)
         of.setdefault(words, []).append(labels[k])
-    if right.size == 1:
+    if len(wrong) == 1:
         return "".join(of)
     return look_up("; ").join(
         written("{label}: {words}", label=separator(labels).join(labels), words=words) for words, labels in of.items() if words
@@ -207,7 +208,7 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
     """Return what is behind one wrong number; where nothing is recognised how large it is, and what would have to be given."""
     right, is_count = asked.right, asked.unit == "–"
     if is_count and (float(right).is_integer() or not right) and float(given).is_integer():
-        return _of_a_count(given, asked) or _by_size(asked, given, is_only)
+        return _of_a_count(given, asked) or _of_another(given, asked) or _by_size(asked, given, is_only)
     if not given:
         return look_up(_NOT_ZERO.get(asked.unit, _NOT_ZERO["–"]))
     if not right:
@@ -218,6 +219,7 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
         or _carried(asked, given, own)
         or explained(given, right, asked.guesses(given))
         or next(_by_factor(np.array([given]), np.array([right])), "")
+        or explained(given, right, asked.identities(), _MOST_TRUE)
         or _of_reach(given, asked)
         or _by_size(asked, given, is_only)
     )
@@ -256,6 +258,12 @@ def _of_a_count(given: float, asked: Asked) -> str:
     if abs(more) > _MOST_ASTRAY:
         return ""
     return counted("one too many", "{number} too many", more) if more > 0 else counted("one too few", "{number} too few", -more)  # fmt: skip
+
+
+def _of_another(given: float, asked: Asked) -> str:
+    """Return which other number that is asked a count is, where it is one of them alone."""
+    labels = [label for label, value in asked.others.items() if value == given]
+    return instead(labels[0]) if len(labels) == 1 and len({*asked.others.values(), asked.right}) > 2 else ""
 
 
 def _of_reach(given: float, asked: Asked) -> str:

@@ -14,6 +14,7 @@ from armproof.models.language import ENGLISH, spoken
 
 _DECIMAL_COMMAS = re.compile(r"\s*[\[(]?\s*[-+]?\d+(?:,\d+)?(?:\s*;\s*[-+]?\d+(?:,\d+)?)*\s*[\])]?\s*")
 _ONE_DECIMAL_COMMA = re.compile(r"\s*[-+]?(?:0,\d+|\d+,(?!\d{3}\s*$)\d+)\s*")  # 1,500 may be a thousand and a half
+_THOUSANDS = re.compile(r"(?<=\d)[ \xa0\u202f](?=\d{3}(?!\d))")  # 28 648
 _BLANKS = {0xA0: " ", 0x202F: " "}  # that do not break, as they stand in French
 _NAMED = re.compile(r"(?:(?<=^)|(?<=[\[(,;\s]))(?:\\?(?:sin|cos|tan)\s*)?\\?[^\W\d]\w*\s*=\s*")
 _SAID = re.compile(r"\s*(?P<word>[^\W\d]{3,})(?:\s*:\s*|\s+)(?P<value>[-−+]?[\dπp\\].*)")  # roll -pi/2
@@ -88,6 +89,8 @@ def _with_points(items: Any) -> Any:
 def _of_text(text: str, unit: str, count: int) -> np.ndarray:
     """Return the numbers of a text: "[0, 2]", "0 2", "pi/2", "x = 250 mm"; of "0,05 ; 0,55", which is French, two."""
     text = _MARKS.sub("", text)
+    if count == 1 or ";" in text:
+        text = _THOUSANDS.sub("", text)
     if count == 1:
         text = with_powers(text).strip().removeprefix("=")
     else:

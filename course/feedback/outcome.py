@@ -151,8 +151,9 @@ class Feedback:
 
     @property
     def is_piecemeal(self) -> bool:
-        """Whether no one mistake explains a wrong answer: none is recognised, or one an entry."""
-        vague = (self.is_general, len(self.findings) > 1, any(finding.kind in _VAGUE for finding in self.findings))
+        """Whether no one mistake explains a wrong answer: none is recognised, one an entry, or one of some entries alone."""
+        of_some = len(self.rows) > len(self.findings) and any(map(_has_place, self.findings))
+        vague = (self.is_general, len(self.findings) > 1, of_some, any(found.kind in _VAGUE for found in self.findings))
         return self.outcome is Outcome.WRONG and any(vague)
 
     @property

@@ -15,6 +15,7 @@ from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import is_function, is_missing
 from armproof.course.feedback.notebook import Portrait, Shown, as_picture
 from armproof.course.feedback.outcome import Feedback, Outcome, nothing, pretty
+from armproof.course.feedback.spelling import as_entry
 from armproof.course.feedback.table import ORDER, TURN, no_such_letter
 from armproof.course.figures.facts.dh_rows import LinkRow
 from armproof.course.figures.facts.placing import (
@@ -248,7 +249,7 @@ class Placement:
 
     def _entry(self, cell: Any, number: int, name: str) -> LinearForm:
         try:
-            form = read_entry(cell.item() if hasattr(cell, "item") else cell)
+            form = read_entry(cell.item() if hasattr(cell, "item") else as_entry(cell))
         except ModelError as problem:
             place = written("row {row}: {name}", row=number, name=name)
             raise AnswerError("{place}: {cell} cannot be read: {reason}", place=place, cell=f"{cell!r:.40}", reason=str(problem)) from None  # fmt: skip

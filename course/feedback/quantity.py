@@ -106,9 +106,7 @@ class Quantity:
         if feedback.is_general and not is_function(answer) and (unknown := self.claim.unbound(as_latex(answer))):
             return replace(feedback, message=unknown, rows=(), findings=())
         answer, was_function = self._readable(answer), is_function(answer)
-        if words := (self._rearranged(answer) if feedback.is_piecemeal else "") or self._as_a_whole(
-            answer, feedback.is_general
-        ):
+        if words := (self._rearranged(answer) if feedback.is_piecemeal else "") or self._as_a_whole(answer, feedback):
             return replace(feedback, message=words, findings=())
         if feedback.is_general and was_function and (words := self._as_formula(answer)):
             return replace(feedback, message=words, findings=())
@@ -127,14 +125,16 @@ class Quantity:
             return answer
         return latex
 
-    def _as_a_whole(self, answer: Any, is_general: bool) -> str:
-        """Return what the answer is instead: a part of what is asked, that of a planar arm, no rotation where nothing else is said."""
+    def _as_a_whole(self, answer: Any, feedback: Feedback) -> str:
+        """Return what the answer is instead: a part of what is asked; that of a planar arm, no rotation where no one mistake explains it."""
         try:
             at = self._letters
             asked, given = partial(self.claim.values_over, ASKED), partial(self._values_over, answer)
             if (true := asked(at)).shape != (obtained := given(at)).shape:
                 return part_astray(true, obtained)
-            return planar_astray(self.loaded, asked, given, at) or (no_rotation(true, obtained) if is_general else "")
+            if feedback.is_piecemeal and (words := planar_astray(self.loaded, asked, given, at)):
+                return words
+            return no_rotation(true, obtained) if feedback.is_general else ""
         except ArmproofError:
             return ""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
@@ -77,16 +77,22 @@ def _best(true: np.ndarray, obtained: np.ndarray) -> Rearranged | None:
 
 
 def _both_ways(true: np.ndarray, obtained: np.ndarray) -> Rearranged | None:
-    """Return that two rows and two columns are exchanged, which together explain all."""
-    single = [each for each in _exchanges(true) if not each.is_turned]
+    """Return that two rows and two columns are exchanged, or two of either in a transposed matrix, which together explain all."""
+    all_of_them = [*_exchanges(true)]
+    single = [each for each in all_of_them if not each.is_turned]
+    pairs = [_on_its_side(turned, each) for turned in all_of_them if turned.is_turned for each in single]
     for one, other in combinations(single, 2):
         rows, columns = (
             (other.rows, one.columns) if other.rows != tuple(sorted(other.rows)) else (one.rows, other.columns)
         )
-        both = Rearranged(one.words + look_up("; ") + other.words, rows, columns)
-        if not wrong_entries(true, both.in_place(obtained)).any():
-            return both
-    return None
+        pairs.append(Rearranged(one.words + look_up("; ") + other.words, rows, columns))
+    return next((both for both in pairs if not wrong_entries(true, both.in_place(obtained)).any()), None)
+
+
+def _on_its_side(turned: Rearranged, other: Rearranged) -> Rearranged:
+    """Return an exchange in a transposed matrix."""
+    words = written("{words}; once that is put right: {rest}", words=turned.words, rest=other.words)
+    return replace(other, words=words, is_turned=True)
 
 
 def _exchanges(true: np.ndarray) -> Iterator[Rearranged]:

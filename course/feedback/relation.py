@@ -461,6 +461,8 @@ def _by_number(factor: float, true: np.ndarray, factors: Letters) -> str:
     size = max(abs(factor), 1 / abs(factor))
     if abs(size - 1) < _TOLERANCE:
         return look_up("the sign is wrong")
+    if factor < 0:
+        return written("{words}, and the sign is wrong", words=_by_number(-factor, true, factors))
     if abs(size - 180 / np.pi) < _TOLERANCE * size:
         return look_up("in degrees? Radians are asked for") if abs(factor) > 1 else look_up("radians are asked for: no π / 180")  # fmt: skip
     number = _number_in(true, factors)

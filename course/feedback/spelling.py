@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import re
+from typing import Any
+
+from armproof.models.dh.entry import as_typed
+from armproof.verification.latex.greek import NAMES
 
 _ABOVE = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 _POWERS = re.compile("⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+")
@@ -24,6 +28,13 @@ def with_powers(text: str) -> str:
 def with_indices(text: str) -> str:
     """Return a text with the digits behind a Greek letter as its index: θ2 as θ_2, θ12 as θ_{12}."""
     return _BEHIND_GREEK.sub(lambda found: "_" + _bracketed(found.group()), text)
+
+
+def as_entry(cell: Any) -> Any:
+    """Return an entry of a table as it is typed, a text in Greek letters, small digits or LaTeX: θ₁ as theta_1; a number as it is."""
+    if not isinstance(cell, str):
+        return cell
+    return as_typed("".join(NAMES.get(character, character) for character in with_powers(cell)))
 
 
 def _bracketed(digits: str) -> str:

@@ -89,6 +89,8 @@ class Table:
             return Feedback(Outcome.PROVED, look_up("every row leads from one frame of the arm to the next"))
         if rows_in_numbers := [f.terms["number"] for f in record.findings if _wants_letter(f)]:
             return Feedback(Outcome.WRONG, written("row {row}: a letter is wanted for the length, not a number", row=rows_in_numbers[0]))  # fmt: skip
+        if record.entries and all(entry.finding and entry.finding.kind is Kind.ROUNDED for entry in record.entries):
+            return Feedback(Outcome.LETTERS, look_up("right, but rounded: write an angle as pi/2 or np.pi / 2"))
         if record.verdict is Verdict.REFUTED:
             told = self._in_other_order(rows) or self._misplaced(rows, record) or self._sentence(record)
             return Feedback(Outcome.WRONG, told)

@@ -151,6 +151,8 @@ class Task:
     def _answer(self) -> list[str]:
         """Return the first of the right answers, and the first formula among them."""
         parts = [written("**{title}: solution.**", title=self.title)]
+        if isinstance(self.asks, Number):
+            return [*parts, self.asks.shown()]
         functions = [answer for answer in self.right if is_function(answer)]
         formulas = [answer for answer in self.right if isinstance(answer, str)]
         if formulas and not hasattr(self.asks, "options"):

@@ -55,6 +55,26 @@ class Worked:
         """Return what the formula gives with other values of some letters."""
         return replace(self, known={**self.known, **known}).value
 
+    def share_of(self, name: str) -> float:
+        """Return how much less the formula gives where a letter is zero."""
+        return self.value - self.with_values({name: 0.0})
+
+    @cached_property
+    def shown(self) -> str:
+        """The formula as it is told."""
+        return self._shown(self._tree)
+
+    @cached_property
+    def is_short(self) -> bool:
+        """Whether the formula is a sum of given values, and nothing else."""
+        kinds = n.Sum | n.Name | n.Number | n.Group
+        return all(isinstance(node, kinds) for node in n.walk(self._tree))
+
+    @cached_property
+    def has_powers(self) -> bool:
+        """Whether a square or a root stands in the formula."""
+        return any(isinstance(node, n.Power) or (isinstance(node, n.Call) and node.function == "sqrt") for node in n.walk(self._tree))  # fmt: skip
+
     @cached_property
     def letters(self) -> frozenset[str]:
         """The letters of the formula."""
@@ -111,10 +131,8 @@ class Worked:
 
     def _told(self, trees: Iterable[n.Node]) -> Iterator[Guess]:
         for tree in trees:
-            if isinstance(lone := _term_alone(bare(tree)), n.Name | n.Number):
-                yield self._alone(lone)
-            else:
-                yield Guess(self._value(tree), lambda tree=tree: instead(self._shown(tree)))  # type: ignore[misc]
+            said = alone if isinstance(_term_alone(bare(tree)), n.Name | n.Number) else instead
+            yield Guess(self._value(tree), lambda tree=tree, said=said: said(self._shown(tree)))  # type: ignore[misc]
 
     def _taken(self) -> Iterator[n.Node]:
         """Yield the formula with one given value that is misread."""
@@ -223,7 +241,5 @@ def _written(leaf: n.Name | n.Number) -> str:
 
 
 def _term_alone(node: n.Node) -> n.Node:
-    """Return the one term of a sum that has no other and no minus."""
-    return (
-        bare(node.terms[0][1]) if isinstance(node, n.Sum) and len(node.terms) == 1 and node.terms[0][0] == "+" else node
-    )
+    """Return the one term of a sum that has no other, with a minus or without."""
+    return bare(node.terms[0][1]) if isinstance(node, n.Sum) and len(node.terms) == 1 else node

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from fractions import Fraction
 from itertools import chain
 
 from armproof.models.errors import ArmproofError
@@ -26,6 +27,7 @@ from armproof.verification.naming.names import Names
 
 MAX_EDITS = 600
 MAX_NODES = 60_000  # of the trees of all edits together: those of a long formula take their time
+MAX_NUMBERS = 4  # in a cell, of which one may be wrong
 MAX_TERMS = 60  # of what a cell lacks, written out: of more nothing comes that is one term
 PLAIN = re.compile(r"[A-Za-z]+(?:_[A-Za-z0-9]+)?")
 INDEXED = re.compile(r"[A-Za-z]+_[A-Za-z0-9]")
@@ -120,7 +122,12 @@ class Mender:
         if (agrees := self.agreement(true)) is None:
             return "", None
         most = min(MAX_EDITS, MAX_NODES // sum(1 for _ in n.walk(cell)))
-        of_more = (edit for rule in (sign_pairs, function_pairs, misconceptions) for edit in rule(cell))
+        rules = (
+            sign_pairs,
+            function_pairs,
+            *([] if true.is_zero() else [misconceptions]),
+        )  # x / x is no slip for x - x
+        of_more = (edit for rule in rules for edit in rule(cell))
         for count, edit in enumerate(chain(single_edits(cell, self.learnt.letters(cell)), of_more)):
             if count > most or self.exact.budget.is_spent:
                 break
@@ -134,7 +141,40 @@ class Mender:
                         return text, edit.finding
             except (ArmproofError, NotImplementedError):
                 continue
-        return self._missing_term(latex, cell, true, notation)
+        return self._other_number(latex, cell, true, notation) or self._missing_term(latex, cell, true, notation)
+
+    def _other_number(self, latex: str, cell: n.Node, true: Scalar, notation: Notation) -> tuple[str, Finding] | None:
+        """Return the cell with another number in place of one of its few, a whole one where they are several."""
+        powers = {id(power.exponent) for power in n.walk(cell) if isinstance(power, n.Power)}
+        numbers = [
+            node for node in n.walk(cell) if isinstance(node, n.Number) and node.value and id(node) not in powers
+        ]
+        for node in numbers if len(numbers) <= MAX_NUMBERS and not true.is_zero() else ():
+            for value in self._numbers_for(cell, node, true):
+                if value <= 0 or (len(numbers) > 1 and value.denominator > 1):
+                    continue
+                changed = n.substitute(cell, node, n.Number(value, span=node.span))
+                if self._reads_as(text := Writer(latex, cell, notation).write(changed), true):
+                    size = "small" if value > node.value else "large"
+                    return text, say(Kind.WRONG_NUMBER, number=node.text, size=size)
+        return None
+
+    def _numbers_for(self, cell: n.Node, node: n.Number, true: Scalar) -> Iterator[Fraction]:
+        """Yield the numbers with which a cell would have a value: of a factor in one of its terms, and of a divisor of them all."""
+        if (printed := self._value(cell)) is None:
+            return
+        rest = self._value(n.substitute(cell, node, n.Number(Fraction(0), "0")))
+        quotients = [(printed, true)] if rest is None else [(true - rest, printed - rest), (printed, true)]
+        for above, below in quotients:
+            if not below.is_zero() and (ratio := (above / below).as_fraction()) is not None:
+                yield node.value * ratio
+
+    def _value(self, cell: n.Node) -> Scalar | None:
+        try:
+            value = as_scalar(Evaluator(self.names, self.exact).evaluate(cell))
+        except (ArmproofError, NotImplementedError):
+            return None
+        return value if isinstance(value, Scalar) and terms_to_write(value) <= MAX_TERMS else None
 
     def _missing_term(self, latex: str, cell: n.Node, true: Scalar, notation: Notation) -> tuple[str, Finding | None]:
         """Return the cell with one term added, where just one is missing."""
@@ -142,7 +182,7 @@ class Mender:
             printed = as_scalar(Evaluator(self.names, self.exact).evaluate(cell))
             if not isinstance(printed, Scalar) or printed.as_fraction() is not None or true.is_zero():
                 return "", None
-            if terms_to_write(difference := true - printed) > MAX_TERMS:
+            if terms_to_write(difference := true - printed) > MAX_TERMS or _is_of_like_terms(difference, printed):
                 return "", None
             missing = write_bounded(difference, notation)
         except EvaluationError:
@@ -172,6 +212,11 @@ class Mender:
         except (ReadError, EvaluationError):
             return False
         return isinstance(value, Scalar) and exactly_equal(true, value)
+
+
+def _is_of_like_terms(one: Scalar, other: Scalar) -> bool:
+    """Whether one is a number times the other: 35 x^3 and 15 x^3."""
+    return not other.is_zero() and (one / other).as_fraction() is not None
 
 
 def _is_one_term(latex: str) -> bool:

@@ -321,7 +321,7 @@ def _squared(node: n.Node) -> n.Node:
 
 
 def _squares_of_sums(node: n.Node) -> Iterator[Change]:
-    """(a + b)² for a² + b², and the other way round."""
+    """(a + b)² for a² + b², and the other way round; a² - b² for (a - b)²."""
     if isinstance(node, n.Power) and node.exponent == _TWO:
         inner = node.base.inner if isinstance(node.base, n.Group) else node.base
         if isinstance(inner, n.Sum) and len(inner.terms) > 1:
@@ -330,8 +330,8 @@ def _squares_of_sums(node: n.Node) -> Iterator[Change]:
     if isinstance(node, n.Sum):
         for k, ((sign, one), (next_sign, other)) in enumerate(pairwise(node.terms)):
             bases = [each.base for each in (one, other) if isinstance(each, n.Power) and each.exponent == _TWO]
-            if len(bases) == 2 and sign == next_sign:
-                for inside in ("+", "-"):
+            if len(bases) == 2 and (sign == next_sign or sign == "+"):
+                for inside in "+-" if sign == next_sign else "-":
                     whole = n.Power(n.Group(n.Sum((("+", bases[0]), (inside, bases[1])))), _TWO)
                     terms = (*node.terms[:k], (sign, whole), *node.terms[k + 2 :])
                     yield (

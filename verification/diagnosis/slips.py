@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
 from itertools import combinations
+from math import pi
 from typing import TypeGuard, TypeVar
 
 from armproof.verification.findings import Finding, Kind, say
@@ -20,6 +21,7 @@ from armproof.verification.latex.writer import SWAPPED, bare_head
 Change = tuple[n.Node, str, Finding]
 Item = TypeVar("Item")
 
+_NEAR = 1e-9
 _FLIPPED = {"+": "-", "-": "+", "±": "∓", "∓": "±"}
 
 
@@ -296,7 +298,18 @@ def _dropped_factors(node: n.Node) -> Iterator[Change]:
         factors = with_items(node.factors, k)
         operators = node.operators[1:] if k == 0 else (*node.operators[: k - 1], *node.operators[k:])
         smaller = factors[0] if len(factors) == 1 else replace(node, factors=factors, operators=operators)
-        yield smaller, "factor", say(Kind.EXTRA_FACTOR, factor=k + 1)
+        is_turn = abs(_number_of(n.bare(node.factors[k])) - 180 / pi) < _NEAR
+        yield smaller, "factor", say(Kind.GIVEN_IN_DEGREES) if is_turn else say(Kind.EXTRA_FACTOR, factor=k + 1)
+
+
+def _number_of(node: n.Node) -> float:
+    """Return the number that is written, of a quotient too; 0 of anything else."""
+    if isinstance(node, n.Quotient):
+        below = _number_of(node.denominator)
+        return _number_of(node.numerator) / below if below else 0.0
+    if isinstance(node, n.Name):
+        return pi if node.key == "pi" else 0.0
+    return float(node.value) if isinstance(node, n.Number) else 0.0
 
 
 def _dropped_terms(node: n.Node) -> Iterator[Change]:

@@ -210,6 +210,7 @@ def test_a_stub_is_not_attempted(asks: Any) -> None:
         (COSINE, "\\begin{bmatrix}".replace("\\b", "\b"), 'write r"'),
         (SUM_OF_ANGLES, r"l_1 \sin\theta_{12}", r"write \theta_1 + \theta_2 for \theta_{12}"),
         (COSINE, "k + x", "k is no letter of this task; the letters are x, y, l_1, l_2"),
+        (COSINE, r"\sqrt{x^2 + Z^2}", "Z is no letter of this task; the letters are x, y, l_1, l_2"),
         (ANGLE, r"\beta", "is no letter of this task; the letters are X, Y"),
         (DETERMINANT, "l_1 l_2 s_2 = 0", "without = 0"),
         (
@@ -233,6 +234,13 @@ def test_what_cannot_be_judged_says_what_is_expected(asks: Any, answer: Any, wor
     feedback = task(asks).check(answer)
     assert feedback.outcome is Outcome.ERROR
     assert words in feedback.message
+
+
+def test_a_table_is_not_wrong_for_an_angle_in_decimals() -> None:
+    crane = Table({"dh": "classic", "rows": [{"theta": "theta_1", "d": "h", "a": 0, "alpha": "pi/2"}]}, "classic")
+    assert crane.judge([("theta_1", "h", 0, 1.5708)]).outcome is Outcome.LETTERS
+    assert crane.judge([("theta_1", "h", 0, -1.5708)]).outcome is Outcome.WRONG
+    assert crane.judge([("theta_1", "h", "h", 1.5708)]).outcome is Outcome.WRONG
 
 
 def test_a_loop_without_end_is_stopped(monkeypatch: pytest.MonkeyPatch) -> None:

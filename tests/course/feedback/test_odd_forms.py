@@ -54,6 +54,8 @@ RAM = Quantity({"dh": "modified", "rows": [{"alpha": 0, "a": 0, "d": 0, "theta":
         (Number((0.0, 2.0, 0.0), "m"), "x = 0, y = 200 cm, z = 0", "x = 0, y = 2 cm, z = 0"),
         (Number((0.0, 0.4, 0.15), "m"), "0, 40 cm, 15 cm", "0, 15 cm, 40 cm"),
         (Number(500.0, "m"), "about 500 m", "about 5000 m"),
+        (Number(500.0, "m"), "500 000 mm", "5 000 m"),
+        (Number((2.153, 0.0), "m"), "2 153 mm ; 0", "1 532 mm ; 0"),
         (AXES, "z4 & z5", "z4 & z6"),
         (Number((0.0, 0.0, 0.0, 1.0)), "0001", "0010"),
         (Number((2.0, 4.0)), "x2, x4", "x4, x2"),

@@ -207,6 +207,14 @@ def test_what_is_wrong_in_a_row_is_named(row: tuple[object, ...], words: str) ->
     assert message(planar, "table", {**frames, "table": [(0, 0, 0, "theta_1"), row]}).endswith(words)
 
 
+def test_an_entry_may_be_in_greek_letters_small_digits_or_latex() -> None:
+    planar = SCHEMES["planar_2r"]
+    frames = {"z": ["z", "-z"], "O": ["A", "B"], "x": ["x", "x"]}
+    for row in (("π", "l₁", 0, "θ₂"), (r"\pi", "l1", 0, "θ2"), (r"\frac{2\pi}{2}", "l_{1}", 0, r"\theta_2")):
+        assert step(planar, "table").judge({**frames, "table": [(0, 0, 0, "θ1"), row]}).is_right
+    assert "(l_2 for l_1)" in message(planar, "table", {**frames, "table": [(0, 0, 0, "θ1"), ("π", "l₂", 0, "θ₂")]})
+
+
 def test_what_cannot_be_read_is_told() -> None:
     planar = SCHEMES["planar_2r"]
     for answer in (["w", "z"], ["z"], ["AA", "z"], [[0, 0, 0], "z"], "z"):

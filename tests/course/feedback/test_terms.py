@@ -45,7 +45,7 @@ _V = r"-l_1 S_1 - l_2 S_{12} - l_3 S_{123} & -l_2 S_{12} - l_3 S_{123} & -l_3 S_
         (TOOL, lambda q, l_1, l_2: [l_1 * np.cos(q[0]) + l_2 * np.cos(q[0] + q[1])], "row 1 of what is asked"),
         (TOOL, r"\begin{bmatrix} l_1 C_1 + l_2 C_{23} \\ l_1 S_1 + l_2 S_{12} \end{bmatrix}", "index 3 where 1 belongs"),
         (END, r"\begin{bmatrix} (b + d_3 S_2) C_1 \\ (b - d_3 S_{23}) C_1 \\ h + d_3 C_2 \end{bmatrix}", "no joint angle 3"),
-        (Number((0.4, 0.3), "m"), [0.4, 0.31], "number 2: too large by less than a tenth: a slip in the reckoning?; all else is right"),
+        (Number((0.4, 0.3), "m"), [0.4, 0.31], "number 2 is not 0.31: too large by less than a tenth: a slip in the reckoning?; all else is right"),
         (Number((0.4, 0.3, 0.1), "m"), [0.43, 0.3, 0.07], "number 1: too large by less than a tenth: a slip in the reckoning?; number 3: too small, but more than half"),
         (Number(-1.0), 2, "wrong by a factor of 2, and in sign"),
         (Number(2.0, "rad/s"), 2000, "wrong by a factor of 1000"),

@@ -16,6 +16,14 @@ REACH = Number((0.05, 0.55), "m", ("near", "far"), {"a": 0.3, "b": 0.25}, ways=(
 ROOT = Number(0.6, "m", ways=(r"\sqrt{(0.48^2 + 0.36^2)}",))
 TURN = Number(2.0, "m", ways=(r"2 \sin 90^\circ",))
 PEAK = Number(0.375, "m/s", ways=(r"15/8 \cdot 0.4/2",)).told_in("0.4 m in 2 s")
+LIFT = Number(
+    (0.25, 0.3), "m", known={"a": 0.3, "b": 0.25, "d": 0.1}, ways=("", r"a \sin 90^\circ + b \sin(90^\circ - 90^\circ)")
+)
+SHOULDER = Number(0.75, "m", known={"a": 1.25, "b": 0.25, "d": 0.33, "f": 0.42}, ways=("d + f",))
+HALF = Number(-0.8, "m/s", ways=(r"-2 \cdot 0.4",))
+TANGENT = Number((0.6, 0.75), "–", ("cos θ", "tan φ"), ways=("", "0.36/0.48")).told_in("s = [0.48, 0.36, -0.8]")
+ACROSS = Number(0.25, "m", known={"a": 0.3, "b": 0.25}, ways=(r"a \cos 90^\circ + b \cos(90^\circ - 90^\circ)",))
+STACK = Number(1.946, "m", known={"a": 1.25, "b": 0.25, "d": 0.33, "e": 0.054, "f": 0.42}, ways=("d + f + a - e",))
 TIPS = Number((0.25, 0.85), "m", ("near", "far"), {"a": 0.25, "b": 0.3}, (1.0,), ("a", "a + 2 b"))
 RATES = Number((0.2, 0.7), "m/s", ("v", "w"), ways=(r"-1 \cdot (-0.4) + 2 \cdot (-0.1)", ""))
 RATE = Number(2.0, "rad/s")
@@ -38,8 +46,20 @@ ANGLES = Number((0.64, -1.57, -0.93), "rad", ("θ_1", "θ_2", "θ_4"), ways=("",
         (PEAK, 1.5, "this is 15/8 · 0.4 · 2"),
         (PEAK, 0.36, "it would be right with 0.384 in place of 0.4"),
         (REACH, [0.05, 0.05], "this is a - b"),
+        (REACH, [0.05, 0.5], "far is not 0.5: this is 2 b"),
+        (ACROSS, 0.55, "this is a + b"),
+        (LIFT, [0.25, 0.2], "number 2 is not 0.2: this is a - d"),
+        (SHOULDER, 2.0, "a does not belong in it"),
+        (HALF, -0.4, "this is -0.4 alone"),
+        (TANGENT, [0.6, 0.48], "tan φ is not 0.48: 0.48 is given for something else"),
+        (STACK, 2.276, "d is counted twice"),
+        (STACK, 1.892, "e is counted twice"),
+        (STACK, 2.0, "e is missing"),
+        (STACK, 1.696, "b does not belong in it"),
+        (STACK, 2.196, "b does not belong in it"),
+        (STACK, -1.25, "this is -a"),
         (TIPS, [0.3, 0.8], "a and b are exchanged"),
-        (RATES, [0.6, 0.7], "v: this is -1 · (-0.4) - 2 · (-0.1)"),
+        (RATES, [0.6, 0.7], "v is not 0.6: this is -1 · (-0.4) - 2 · (-0.1)"),
         (RATE, 2 / (2 * np.pi), "in turns a second?"),
         (HEIGHT, 1.964, "two neighbouring digits are exchanged"),
         (HEIGHT, 1.46, "one digit is missing"),
@@ -54,7 +74,7 @@ def test_a_wrong_number_is_told_what_it_comes_from(asks: Any, answer: Any, words
 
 @pytest.mark.parametrize(
     ("asks", "answer", "words"),
-    [(REACH, [0.05, 0.4], "this is"), (HEIGHT, 1.896, "digit"), (ANGLES, [0.5, -1.57, -1.2], "follows"), (TURN, 1.7, "degrees"), (ROUND, 6.8, "in place of"), (Number(1.5, "m"), 1.50097, "rounded"), (RATES, [1.4, 0.7], "factor")],
+    [(REACH, [0.05, 0.4], "this is"), (HEIGHT, 1.896, "digit"), (ANGLES, [0.5, -1.57, -1.2], "follows"), (TURN, 1.7, "degrees"), (ROUND, 6.8, "in place of"), (Number(1.5, "m"), 1.50097, "rounded"), (RATES, [1.4, 0.7], "factor"), (STACK, 1.892, "missing"), (TURN, 1.41421, "square")],
 )  # fmt: skip
 def test_of_any_other_number_nothing_of_the_kind_is_said(asks: Any, answer: Any, words: str) -> None:
     assert words not in asks.judge(answer).message

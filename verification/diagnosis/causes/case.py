@@ -156,15 +156,20 @@ class Case:
         if not self.fits:
             return Explanation(finding)
         differs = (np.abs(self.true - values) > TOLERANCE * self.size).any(axis=0)
-        concerned = sum(bool((differs & mask).any()) for _, mask in self.blocks)
+        concerned = [name for name, mask in self.blocks if (differs & mask).any()]
         wrong = [name for name, _ in self.wrong]
-        if len(wrong) >= concerned:
+        if len(wrong) >= len(concerned):
             return Explanation(finding)
-        return Explanation(say(Kind.ALONE, cause=finding, place=_together(wrong)), concerned - len(wrong))
+        place = _together(wrong, concerned)
+        return Explanation(say(Kind.ALONE, cause=finding, place=place), len(concerned) - len(wrong))
 
 
-def _together(blocks: list[Finding]) -> Finding:
-    """Return several blocks as one place: a part of a Jacobian, some of its columns, the rotation and the origin."""
+def _together(blocks: list[Finding], concerned: list[Finding]) -> Finding:
+    """Return several blocks as one place: a part of a Jacobian, some of its columns, the rotation and the origin.
+
+    Args:
+        concerned: all blocks that the mistake would have changed.
+    """
     parts = {block.terms["part"] for block in blocks if "part" in block.terms}
     columns = sorted({block.terms["number"] for block in blocks if "number" in block.terms})
     if len(blocks) == 1:
@@ -172,5 +177,8 @@ def _together(blocks: list[Finding]) -> Finding:
     if not columns:
         return reduce(lambda one, other: say(Kind.BOTH, one=one, other=other), blocks)
     if len(parts) == 1:
-        return say(Kind.THE_PART, part=parts.pop())
+        part = parts.pop()
+        if any(block.terms.get("part") == part and block not in blocks for block in concerned):
+            return say(Kind.THE_PART_OF_COLUMNS, part=part, numbers=columns)
+        return say(Kind.THE_PART, part=part)
     return say(Kind.THE_COLUMN, number=columns[0]) if len(columns) == 1 else say(Kind.THE_COLUMNS, numbers=columns)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -82,8 +82,22 @@ def product_candidates(case: Case) -> Iterator[Candidate]:
     kind = Kind.LINKS_OF_OTHER_CONVENTION if len(matrices) > 1 else Kind.OTHER_CONVENTION
     for convention in convention_of(matrices):
         other = other_convention(convention)
-        rebuilt = [build(other, p) for L in matrices if (p := parameters(convention, L)) is not None]
+        rows = [p for L in matrices if (p := parameters(convention, L)) is not None]
+        rebuilt = [build(other, p) for p in rows]
         yield say(kind, other=other, convention=convention), case.selected(product(rebuilt, count))
+        for finding, shifted in _shifted(convention, rows):
+            yield finding, case.selected(product([build(convention, p) for p in shifted], count))
+
+
+def _shifted(convention: str, rows: list[Parameters]) -> Iterator[tuple[Finding, list[Parameters]]]:
+    """Yield the rows with a and α, and with a alone, where the other convention has them: of the row below, or of the one above."""
+    none = 0 * rows[0].a
+    taken = [(p.a, p.alpha) for p in rows]
+    others = [*taken[1:], (none, none)] if convention == "modified" else [(none, none), *taken[:-1]]
+    kind = Kind.LINKS_OF_ROW_BELOW if convention == "modified" else Kind.LINKS_OF_ROW_ABOVE
+    both = [replace(p, a=a, alpha=alpha) for p, (a, alpha) in zip(rows, others, strict=True)]
+    yield say(kind, names=["a", "α"]), both
+    yield say(kind, names=["a"]), [replace(p, a=a) for p, (a, _) in zip(rows, others, strict=True)]
 
 
 def _rearranged(case: Case, matrices: list[np.ndarray]) -> Iterator[tuple[Finding, list[np.ndarray]]]:
