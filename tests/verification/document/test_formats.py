@@ -255,7 +255,9 @@ def test_a_tabular_is_a_table() -> None:
 
 
 def test_sections_of_latex_and_rst() -> None:
-    text = "\\[ 0 = 0 \\]\\section*{The \\emph{first} {one}}\\[ 1 = 1 \\]\n\\subsection[x]{Second --- 2--3}\n\\[ 2 = 2 \\]"
+    text = (
+        "\\[ 0 = 0 \\]\\section*{The \\emph{first} {one}}\\[ 1 = 1 \\]\n\\subsection[x]{Second --- 2--3}\n\\[ 2 = 2 \\]"
+    )
     assert [d.section for d in parse_document(Path("p.tex"), text).displays] == [
         "",
         "The \\emph{first} {one}",
