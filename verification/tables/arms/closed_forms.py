@@ -119,7 +119,7 @@ def point_given_anew(document: Document, names: Names) -> Display | None:
     met: dict[str, Scalar] = {}
     with algebra.budget.of(SECONDS):
         for display in document.displays:
-            given = [(key, value) for _, key, value in _coordinates(display, names, algebra, {}) if key[2:].isdigit()]
+            given = [(key, value) for _, key, value in _coordinates(display, names, algebra, {}, _COORDINATE) if key[2:].isdigit()]
             if any(key in met and not _equal(met[key], value) for key, value in given):
                 return display
             met.update(given)
@@ -242,7 +242,7 @@ def _column(name: n.Node, printed: n.Node, spelt: re.Pattern[str]) -> tuple[n.No
     if len(rows) not in (2, 3) or any(len(row) != 1 for row in rows):
         return ()
     letters = [bare_key(row[0]) for row in name.rows] if isinstance(name, n.Matrix) else []
-    axes = [own[0] for key in letters if (own := _coordinate(key or ""))]
+    axes = [own[0] for key in letters if (own := _coordinate(key or "", spelt))]
     is_point = isinstance(name, n.Name) and name.base in _POINTS and _is_end_or_numbered(name)
     return tuple(row[0] for row in rows) if is_point or axes == list("xyz")[: len(rows)] else ()
 
