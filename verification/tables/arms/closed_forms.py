@@ -119,7 +119,11 @@ def point_given_anew(document: Document, names: Names) -> Display | None:
     met: dict[str, Scalar] = {}
     with algebra.budget.of(SECONDS):
         for display in document.displays:
-            given = [(key, value) for _, key, value in _coordinates(display, names, algebra, {}, _COORDINATE) if key[2:].isdigit()]
+            given = [
+                (key, value)
+                for _, key, value in _coordinates(display, names, algebra, {}, _COORDINATE)
+                if key[2:].isdigit()
+            ]
             if any(key in met and not _equal(met[key], value) for key, value in given):
                 return display
             met.update(given)
