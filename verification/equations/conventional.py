@@ -30,7 +30,7 @@ from armproof.verification.equations.coordinates import coordinates_among
 from armproof.verification.equations.doubts import Doubts
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.outcome import AsUsual, Outcome
-from armproof.verification.equations.rates import seen_from_frame, stand_for_scalars, with_joint_rates
+from armproof.verification.equations.rates import SPEAKS_OF_RATES, seen_from_frame, stand_for_scalars, with_joint_rates
 from armproof.verification.equations.readings import column_of_jacobian
 from armproof.verification.equations.sides import Member
 from armproof.verification.equations.spellings import POINTS, Spellings
@@ -83,7 +83,8 @@ class Conventions:
             self.names.state.definitions.pop(key, None)
         self.take_coordinates(chain.members)
         members = (self.spellings.read(each) if _is_spelt(each) else each for each in chain.members)
-        return with_joint_rates(seen_from_frame(replace(chain, members=tuple(members))), self.names)
+        read = replace(chain, members=tuple(members))
+        return with_joint_rates(seen_from_frame(read), self.names) if n.letters(read) & SPEAKS_OF_RATES else read
 
     def take_coordinates(self, nodes: Iterable[n.Node], *, beside: bool = True) -> bool:
         """Take names for coordinates that were vectors before, where one may be, and say whether there are such."""

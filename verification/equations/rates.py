@@ -15,6 +15,9 @@ from armproof.verification.naming.quantities import numbered_frames
 
 WHOLE = (1, 2, 3, 4, 5, 6)
 _VELOCITIES = LINEAR_VELOCITIES | ANGULAR_VELOCITIES
+SPEAKS_OF_RATES = LINEAR_VELOCITIES | {
+    "J"
+}  # one of them stands in what is read with the rates of all joints, or from a frame
 
 
 def rows_told(chain: n.Chain, names: Names) -> tuple[int, ...] | None:
