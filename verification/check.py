@@ -31,7 +31,7 @@ from armproof.verification.findings import MISPRINTS, Finding, Kind, finding_of,
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.unicode import normalise_unicode, original_offset
 from armproof.verification.naming.reading import read_names, spelling_of
-from armproof.verification.naming.settled import settle_definitions
+from armproof.verification.naming.settled import settle_definitions, settle_used
 from armproof.verification.naming.shown import settle_usual
 from armproof.verification.naming.state import Definition, Stated, Told
 from armproof.verification.tables import TWIST, check_array_table, check_table
@@ -296,10 +296,12 @@ class DocumentChecker:
         tables = tuple(record for table in self.document.tables if (record := self._table(table)) is not None)
         if any(record.if_shown is not None for record in equations):
             equations = settle_usual(equations)
-        if any(each.defines or each.verdict is Verdict.DEFINED for record in equations for each in record.outcomes):
-            equations = settle_definitions(equations, self._tells)
+        if self._has_definitions(equations):
+            equations = settle_used(settle_definitions(equations, self._tells, self._may_slip))
         if self.inferred.arm is not None or self.inferred.problem is not None:
             equations, tables = settle_data(self.inferred, equations, tables)
+        if self._has_definitions(equations):  # what was refuted by an arm that nothing confirms may have used them
+            equations = settle_used(equations)
         index = None if self.arm is None else 0
         return DocumentResult(
             str(self.document.path),
@@ -313,6 +315,11 @@ class DocumentChecker:
             front=self.document.front,
             remarks=(*self.document.remarks, *self._named()),
         )
+
+    @staticmethod
+    def _has_definitions(records: Sequence[Record]) -> bool:
+        outcomes = (each for record in records for each in record.outcomes)
+        return any(each.defines or each.uses or each.verdict is Verdict.DEFINED for each in outcomes)
 
     def _arms(self) -> tuple[TakenArm, ...]:
         if self.inferred.arm is not None or self.arm is None:
@@ -504,6 +511,15 @@ class DocumentChecker:
             return True
         with_slip = replace(before, evaluate=self.checker.members.meaning(slip.formula))
         return self._holds_where(record, slip.name, before) and not self._holds_where(record, slip.name, with_slip)
+
+    def _may_slip(self, key: tuple[str, int]) -> bool:
+        """Whether what is said of a name claims something: a list of letters does not, F = (F_x, F_y)."""
+        before = self.names.state.definitions.get(key[0])
+        if before is None or before.line != key[1] or before.formula is None:
+            return False
+        from armproof.verification.diagnosis.slips_before import names_alone
+
+        return not names_alone(before.formula)
 
     def _holds_where(self, record: Record, name: str, meaning: Definition) -> bool:
         before = self.names.state.definitions[name]

@@ -243,12 +243,16 @@ def test_a_matrix_of_new_letters_is_defined_by_a_formula(check: Check) -> None:
     assert told(result) == ["defined", "defined", "proved", "refuted", "unchecked"]
 
 
-def test_without_an_arm_a_slip_in_what_is_defined_is_refuted_and_nothing_else(check: Check) -> None:
+def test_without_an_arm_a_slip_is_refuted_where_another_line_shows_what_is_defined_and_nothing_else(
+    check: Check,
+) -> None:
     columns = r"M = \begin{bmatrix} \frac{\partial R}{\partial\alpha} & \frac{\partial R}{\partial\beta} \end{bmatrix}"
     own = r"K = \begin{bmatrix} b \cos q_1 & h \cos q_2 \\ b \sin q_1 & h \sin q_2 \end{bmatrix}"
     other = own.replace(r"h \sin q_2", r"h \cos q_2")
     assert told(check(columns, r"\det M = \cos\beta", r"\cos\theta_2 = 0", arm=None))[1:] == ["unchecked"] * 2
-    assert told(check(own, other, r"\det K = b h \sin(q_1 - q_2)", arm=None))[1:] == ["refuted"] * 2
+    right, wrong = (rf"\det K = b h \sin({angle})" for angle in ("q_2 - q_1", "q_1 - q_2"))
+    assert told(check(own, other, wrong, arm=None)) == ["unchecked"] * 3
+    assert told(check(own, right, other, wrong, arm=None))[1:] == ["proved", "refuted", "refuted"]
 
 
 def test_a_letter_met_twice_has_one_value_in_an_erratum_too(check: Check) -> None:

@@ -19,12 +19,17 @@ class Budget:
     """
 
     def __init__(self, seconds: float = math.inf) -> None:
+        self.asked = 0  # how often: a measure of the work that is the same on every machine
+        self._last = math.inf
         self._end = time.thread_time() + seconds
         self._asked_from = 0.0  # of the wall clock, which costs little to read: before, no thread can have used so much
 
     @property
     def is_spent(self) -> bool:
-        """Whether the time is over."""
+        """Whether the time is over, or the work done."""
+        self.asked += 1
+        if self.asked > self._last:
+            return True
         now = time.monotonic()
         if now < self._asked_from:
             return False
@@ -53,10 +58,11 @@ class Budget:
             self._end += time.thread_time() - begun
 
     @contextmanager
-    def of(self, seconds: float) -> Iterator[None]:
-        """Give a phase of the work so many seconds of its own; behind it, what was left before holds again."""
-        before, self._end, self._asked_from = self._end, time.thread_time() + seconds, 0.0
+    def of(self, seconds: float, work: float = math.inf) -> Iterator[None]:
+        """Give a phase of the work so many seconds of its own, and so many questions; behind it, what was left before holds again."""
+        before, last = self._end, self._last
+        self._end, self._last, self._asked_from = time.thread_time() + seconds, self.asked + work, 0.0
         try:
             yield
         finally:
-            self._end, self._asked_from = before, 0.0
+            self._end, self._last, self._asked_from = before, last, 0.0

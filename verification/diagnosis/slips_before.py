@@ -17,7 +17,7 @@ from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.blocks import cells_of
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare_key
+from armproof.verification.latex.nodes import bare_key, is_number
 from armproof.verification.latex.writer import Notation, Writer
 from armproof.verification.naming.state import Definition
 from armproof.verification.verdict import SlipBefore
@@ -37,7 +37,7 @@ def slip_before(
     for key, line in sorted(outcome.uses):
         definition = made.get(key)
         formula = definition.formula if definition is not None else None
-        if definition is None or formula is None or _names_alone(formula) or definition.line != line or line == 0:
+        if definition is None or formula is None or names_alone(formula) or definition.line != line or line == 0:
             continue
         for edit in islice(_edits(formula, outcome.nodes, learnt.letters(formula)), MOST_EDITS):
             checker.exact.budget.check()
@@ -50,7 +50,7 @@ def slip_before(
 
 def _edits(formula: n.Node, around: Iterable[n.Node], letters: Letters) -> Iterator[Edit]:
     """Yield a definition with a slip, of the letters and the sines that stand in it and around it; nobody turns all signs of a sum."""
-    found = chain(_cells(formula), _exchanged(formula, around), single_edits(formula, letters))
+    found = chain(_cells(formula), _exchanged(formula, around), single_edits(formula, letters), _multiplied(formula))
     is_sum = isinstance(formula, n.Sum) and len(formula.terms) > 1
     return (each for each in found if not (is_sum and each.finding == say(Kind.WRONG_SIGN)))
 
@@ -79,6 +79,17 @@ def _exchanged(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
                 yield Edit(n.substitute(formula, node, replace(other, span=node.span)), "name", finding)
 
 
+def _multiplied(formula: n.Node) -> Iterator[Edit]:
+    """Yield a formula in which a letter that is no factor has a sine or a cosine of the formula before it: it was left out."""
+    pool = [below for below in dict.fromkeys(n.walk(formula)) if is_trigonometric(below)]
+    cells = formula.cells if isinstance(formula, n.Matrix) else (formula,)
+    terms = (term for cell in cells for _, term in (cell.terms if isinstance(cell, n.Sum) else (("+", cell),)))
+    for term in terms:
+        for other in pool if isinstance(term, n.Name) else ():
+            finding = say(Kind.MISSING_FACTOR, factor=_written(other))
+            yield Edit(n.substitute(formula, term, n.Product((term, other), ("",))), "factor", finding)
+
+
 def _is_like(node: n.Node, other: n.Node) -> bool:
     """Whether one may be written for the other: sines and cosines, names of one letter, or letters without an index."""
     if isinstance(node, n.Name) and isinstance(other, n.Name):
@@ -90,10 +101,10 @@ def _keys(node: n.Node) -> set[str]:
     return {below.key for below in n.walk(node) if isinstance(below, n.Name)}
 
 
-def _names_alone(formula: n.Node) -> bool:
-    """Whether a name is given to a name, or to a vector or a matrix of names: F = (F_x, F_y) claims nothing."""
+def names_alone(formula: n.Node) -> bool:
+    """Whether a name is given a number, a name, or a vector or a matrix of names: F = (F_x, F_y) claims nothing."""
     cells = formula.cells if isinstance(formula, n.Matrix) else cells_of(formula) or (formula,)
-    return all(bare_key(cell) is not None for cell in cells)
+    return is_number(formula) or all(bare_key(cell) is not None for cell in cells)
 
 
 def _written(node: n.Node) -> str:

@@ -176,6 +176,7 @@ class Spelling:
     lengths: frozenset[str] = frozenset()  # p_1 of p_1 cos θ_1: p_1^2 is its square, and no point seen from frame 2
     screws: frozenset[str] = frozenset()  # the letters of twists in exponents: S of e^{[S_1]θ_1}, xi where it has a hat
     unit: str = ""  # mm or cm, in which it calculates: behind a number it says no more than m does in metres
+    indices: frozenset[str] = frozenset()  # of θ, q, c and s, the first of several
 
     def joint_signs(self, digits: str) -> tuple[int, ...]:
         """Return the signs of the angles that the digits of c_{34} add: as the document says, else all are positive."""

@@ -97,14 +97,16 @@ class Names:
         return None
 
     def _joint_of_index(self, index: int) -> Any:
-        """The joint whose symbol carries the index; else the index-th from the base."""
+        """The joint whose symbol carries the index; else the index-th from the base, where no joint is called by its own."""
         assert self.arm is not None
         named = [joint for joint in self.arm.joints if joint.symbol.endswith(f"_{index}")]
         if len(named) > 1:  # an index that an angle and a slide share is the angle's
             named = [joint for joint in named if joint.kind == "revolute"]
         if len(named) == 1:
             return named[0]
-        in_order = not named and not (self.arm.dh is not None and self.arm.dh.has_fixed)  # else rows are counted
+        own = {joint.symbol.rpartition("_")[2] for joint in self.arm.joints}
+        in_order = not named and own.isdisjoint(self.reader.spelling.indices)
+        in_order = in_order and not (self.arm.dh is not None and self.arm.dh.has_fixed)  # else rows are counted
         return self.arm.joints[index - 1] if in_order and 1 <= index <= len(self.arm.joints) else None
 
     @property

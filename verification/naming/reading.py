@@ -122,7 +122,7 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
     lengths = frozenset(f"{letter}_{index}" for letter, index in _LENGTH.findall(text))
     return Spelling(
         words, frozenset(apart), comma, variables, angle, sums, _masses(said), own, _refers_below(text), lengths,
-        frozenset(_SCREW.findall(text)), _own_unit(document.displays),
+        frozenset(_SCREW.findall(text)), _own_unit(document.displays), frozenset(of_theta | of_q | of_cosine),
     )  # fmt: skip
 
 

@@ -14,17 +14,25 @@ Key = tuple[str, int]  # a name and the line of the display that defines it
 SEVERAL = 2
 
 
-def settle_definitions(records: Iterable[Record], tells: Tells = lambda *_: True) -> tuple[Record, ...]:
-    """Return the records of a document; a definition that no decided claim uses is unchecked.
+def settle_definitions(
+    records: Iterable[Record], tells: Tells = lambda *_: True, may_slip: Callable[[Key], bool] = lambda _: True
+) -> tuple[Record, ...]:
+    """Return the records of a document; where a line and a definition contradict each other, nobody may know which is wrong.
 
-    Where more displays are wrong with it than right, and several are, or one is that holds if it has a slip, it may be the
-    mistake: neither is decided. A display clears it that `tells` a slip: it holds without it alone.
+    Where more displays are wrong with a definition than right, and several are, or one is that holds if it has a slip, it may be the
+    mistake: neither is decided. A display clears it that `tells` a slip: it holds without it alone. A definition that nothing
+    clears refutes a line only where one slip in that line explains it, and none in the definition, if that `may_slip`.
     """
     records = tuple(records)
     claims = [record for record in records if not record.erratum]
-    wrong = contradicted(claims, tells)
+    wrong = contradicted(claims, tells, may_slip)
     against = unsupported(claims) | wrong  # these are not to pass
-    records = tuple(record if record.erratum else _unless_doubted(record, wrong, against) for record in records)
+    return tuple(record if record.erratum else _unless_doubted(record, wrong, against) for record in records)
+
+
+def settle_used(records: Iterable[Record]) -> tuple[Record, ...]:
+    """Return the records of a document; a definition that no decided claim uses is unchecked."""
+    records = tuple(records)
     used = used_names([each for record in records if not record.erratum for each in record.outcomes])
     return tuple(_settled(record, used) for record in records)
 
@@ -41,16 +49,15 @@ def used_names(results: Iterable[EquationResult]) -> frozenset[Key]:
     return frozenset(used)
 
 
-def contradicted(records: Sequence[Record], tells: Tells = lambda *_: True) -> dict[Key, list[int]]:
-    """Return the definitions that several displays contradict, more than agree with them, and the lines of those.
+def contradicted(
+    records: Sequence[Record], tells: Tells = lambda *_: True, may_slip: Callable[[Key], bool] = lambda _: True
+) -> dict[Key, list[int]]:
+    """Return the definitions that displays contradict, more than agree with them, and the lines of those.
 
-    One is enough where nothing agrees, and a slip in the definition mends it: which of the two has the slip, nothing tells.
+    One is enough where nothing agrees, and not only a slip in that line explains it: which of the two has the slip, nothing tells.
     Of those that a slip of their own mends as well, two are, if the same slip mends both.
-
-    A name said to be something else, K = …, is a second definition, and tells nothing of the first; but where several say so,
-    and nothing agrees, the first may hold the slip.
     """
-    defined = {key for each in records for o in each.outcomes if o.role is Role.DEFINITION for key in o.defines}
+    defined = _definitions(records)
     wrong: dict[Key, list[int]] = {}
     right: Counter[Key] = Counter()
     for record in records:
@@ -59,13 +66,42 @@ def contradicted(records: Sequence[Record], tells: Tells = lambda *_: True) -> d
         right.update(key for verdict in HOLDS for key in used[verdict] - refuted)
         for key in refuted:
             wrong.setdefault(key, []).append(record.line)
-    mends = _mends([o.slip_before for r in records for o in r.outcomes if o.slip_before])
-    for key in wrong.keys() & mends.keys():
+    slips = [o.slip_before for r in records for o in r.outcomes if o.slip_before]
+    mends = _mends(slips)
+    for key, slip in {(slip.name, slip.line): slip for slip in slips}.items():
         agreeing = (each for each in records if any(o.verdict in HOLDS and key in o.uses for o in each.outcomes))
-        right[key] = sum(tells(each, mends[key]) for each in agreeing)
+        right[key] = sum(tells(each, mends.get(key, slip)) for each in agreeing)
+    right.update(key for r in records for o in r.outcomes for key in o.defines if key[1] != r.line)  # it is said again
     least = {key: 1 if key in mends else SEVERAL for key in wrong}
     doubted = {key: lines for key, lines in wrong.items() if len(lines) >= max(least[key], right[key] + 1)}
-    return {**_said_anew(records, defined, right), **doubted}
+    open_ = {key for key in defined if not right[key] and may_slip(key)}
+    return {**_said_anew(records, defined, right), **_unexplained(records, open_), **doubted}
+
+
+def _unexplained(records: Sequence[Record], open_: Set[Key]) -> dict[Key, list[int]]:
+    """Return the definitions that nothing clears, of those with which a line does not hold that no slip of its own alone explains."""
+    found: dict[Key, list[int]] = {}
+    for record in records:
+        own = frozenset[Key]().union(*(each.defines for each in record.outcomes))  # k = a = b is wrong whatever k is
+        for each in (outcome for outcome in record.outcomes if outcome.verdict is Verdict.REFUTED):
+            if each.slip_before is not None or not _has_own_slip(record, each):
+                for key in (each.uses & open_) - own:
+                    found.setdefault(key, []).append(record.line)
+    return found
+
+
+def _has_own_slip(record: Record, result: EquationResult) -> bool:
+    """Whether one small change of one entry mends an equation."""
+    changes = [entry.finding for entry in record.entries if entry.equation == result.index]
+    return len(changes) == 1 and changes[0] is not None
+
+
+def _definitions(records: Sequence[Record]) -> set[Key]:
+    """Return what displays define, and what the text between them does."""
+    outcomes = [outcome for each in records for outcome in each.outcomes]
+    claimed = {key for each in outcomes if each.role is not Role.DEFINITION for key in each.defines}
+    named = {key for each in outcomes for key in (each.defines if each.role is Role.DEFINITION else each.uses)}
+    return named - claimed
 
 
 def _said_anew(records: Sequence[Record], defined: Set[Key], right: Mapping[Key, int]) -> dict[Key, list[int]]:
@@ -146,7 +182,9 @@ def _settled(record: Record, used: frozenset[Key]) -> Record:
 
 
 def _rests(result: EquationResult, used: frozenset[Key]) -> bool:
-    return result.verdict is Verdict.DEFINED and not result.defines & used
+    """Whether a definition rests on its use, and there is none; what the arm was taken from is used by all."""
+    gives_arm = any(finding.kind is Kind.GIVES_ARM for finding in result.findings)
+    return result.verdict is Verdict.DEFINED and not gives_arm and not result.defines & used
 
 
 def _unused(result: EquationResult) -> EquationResult:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -19,14 +20,14 @@ from armproof.verification.latex.tokens import Spelling
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import is_inverse_link
 from armproof.verification.naming.reading import read_names
-from armproof.verification.naming.settled import settle_definitions, used_names
+from armproof.verification.naming.settled import settle_definitions, settle_used, used_names
 from armproof.verification.naming.state import (
     Definition,
     DocumentState,
     JacobianRows,
     NamedSigns,
 )
-from armproof.verification.verdict import EquationResult, Record, Role, Verdict
+from armproof.verification.verdict import EquationResult, Record, Role, Verdict, WrongEntry
 
 A, B, C = ("a", 1), ("b", 2), ("c", 3)
 
@@ -144,7 +145,7 @@ def test_a_definition_on_which_nothing_rests_is_unchecked() -> None:
             result(Verdict.DEFINED, {C}, role=Role.DATA),
         )
     )
-    settled = settle_definitions([claim, used, idle, data])
+    settled = settle_used([claim, used, idle, data])
     assert settled[:2] == (claim, used)
     assert [record.verdict for record in settled[2:]] == [Verdict.UNCHECKED] * 2
     assert [[found.kind for found in record.findings] for record in settled[2:]] == [[Kind.NEVER_USED], []]
@@ -161,19 +162,33 @@ def test_a_definition_that_makes_more_lines_wrong_than_right_may_be_the_mistake_
         return [record.verdict for record in settle_definitions([define, *records])]
 
     refuted, left_open = Verdict.REFUTED, Verdict.UNCHECKED
-    assert verdicts(wrong[0]) == [Verdict.DEFINED, refuted]
+    by_a_slip = replace(wrong[0], entries=(WrongEntry(1, None, None, "a", "b", say(Kind.WRONG_SIGN)),))
+    assert verdicts(wrong[0]) == [left_open] * 2  # nobody knows which of the two is wrong
+    assert verdicts(by_a_slip) == [Verdict.DEFINED, refuted]
     assert verdicts(*wrong[:2]) == [left_open] * 3
     assert verdicts(right, *wrong[:1]) == [Verdict.DEFINED, Verdict.PROVED, refuted]
     assert verdicts(right, right, *wrong[:2]) == [Verdict.DEFINED, Verdict.PROVED, Verdict.PROVED, refuted, refuted]
     assert verdicts(right, *wrong) == [left_open, Verdict.PROVED, *[left_open] * 3]
 
 
+K = r"With $k_1 = l_1 + l_2 c_2$ and $k_2 = l_2 s_2$ we have $$ x = k_1 c_1 - k_2 s_1, \quad y = k_1 s_1 + k_2 c_1 $$"
+
+
+@pytest.mark.parametrize("slip", ["l_1 + l_2 c_1", "l_1^2 + l_2 c_2", "2 l_1 + l_2 c_2", "l_2 + l_1 c_2"])
+def test_what_the_text_says_of_a_letter_may_hold_the_slip(slip: str) -> None:
+    """Nothing else holds with k_1: neither its formula nor what is written with it is known to be right."""
+    head = "---\narm: planar_2r\n---\n"
+    assert [each.verdict for each in verify_text(head + K).equations] == [Verdict.PROVED]
+    (record,) = verify_text(head + K.replace("l_1 + l_2 c_2", slip)).equations
+    assert record.verdict is Verdict.UNCHECKED
+
+
 def test_a_display_keeps_the_verdict_of_its_claim_beside_an_idle_definition() -> None:
     both = (result(Verdict.REFUTED), result(Verdict.DEFINED, {C}))
-    (record,) = settle_definitions([Record(1, "", Verdict.REFUTED, outcomes=both)])
+    (record,) = settle_used([Record(1, "", Verdict.REFUTED, outcomes=both)])
     assert record.verdict is Verdict.REFUTED and not record.findings
     assert [each.verdict for each in record.outcomes] == [Verdict.REFUTED, Verdict.UNCHECKED]
-    (erratum, other) = settle_definitions(
+    (erratum, other) = settle_used(
         [
             Record(1, "", Verdict.PROVED, True, outcomes=(result(Verdict.PROVED, uses={A}),)),
             Record(2, "", Verdict.DEFINED, outcomes=(result(Verdict.DEFINED, {A}),)),

@@ -200,12 +200,13 @@ def _coordinates(
 ) -> Iterator[tuple[str, str, Scalar]]:
     """Yield axis, name and value of the coordinates that a display gives: x = …, [x; y] = …, p = ….
 
-    One that is a number or a bare length tells nothing.
+    One that is a number, a bare length or a coordinate's letter tells nothing.
     """
     for chain in equations_of(display, names):
         for axis, key, node in _given(chain, spelt):
             evaluated = value_in_letters(node, names, algebra)
-            if evaluated is None or not isinstance(evaluated[0], Scalar):
+            is_letter = _COORDINATE.fullmatch(bare_key(node) or "") is not None
+            if is_letter or evaluated is None or not isinstance(evaluated[0], Scalar):
                 continue
             value = evaluated[0].normal()
             if axis == "z" or angles_in(value) or any(map(_SLIDE.fullmatch, symbols_in([value]))):

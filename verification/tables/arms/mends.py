@@ -1,8 +1,9 @@
-"""Link matrices with one wrong entry: what would be a DH link with that entry mended is none as printed."""
+"""Link matrices with one wrong entry, or two rows or columns exchanged: what would be a DH link with that mended is none as printed."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import combinations
 
 from armproof.verification.algebra.calculus import derivative, substitute, symbols_in
 from armproof.verification.algebra.matrix import Matrix
@@ -12,12 +13,19 @@ _LAST = (0, 0, 0, 1)
 
 
 def mended(matrix: Matrix, angles: Sequence[str]) -> Iterator[Matrix]:
-    """Yield a printed pose with one other entry: another sign, the other function, another angle or letter, 0 or ±1 for a number."""
+    """Yield a printed pose with one other entry: another sign, the other function, another angle or letter, 0 or ±1 for a number.
+
+    Behind them, with two of its first three rows, or columns, exchanged.
+    """
     letters = sorted(symbols_in(cell.normal() for cell in matrix.cells) - {*angles})
     for r, c in matrix.places:
         entry = matrix.rows[r][c]
         others = _others(entry, angles, letters) if r < len(_LAST) - 1 else (entry.ring.rational(_LAST[c]),)
         yield from (_with(matrix, (r, c), other) for other in others if not (other - entry).is_zero())
+    for one, other in combinations(range(len(_LAST) - 1), 2):
+        order = [{one: other, other: one}.get(k, k) for k in range(len(_LAST))]
+        yield Matrix(tuple(matrix.rows[r] for r in order))
+        yield Matrix(tuple(tuple(row[c] for c in order) for row in matrix.rows))
 
 
 def _others(entry: Scalar, angles: Sequence[str], letters: Sequence[str]) -> Iterator[Scalar]:

@@ -244,3 +244,15 @@ def test_points_in_the_middle_of_links_are_no_chain() -> None:
     masses = POINTS.replace(r"l_1 \cos\theta_1, \quad y_1 = l_1", r"r_1 \cos\theta_1, \quad y_1 = r_1")
     masses = masses.replace("x_1 +", r"l_1 \cos\theta_1 +").replace("y_1 +", r"l_1 \sin\theta_1 +")
     assert not verify_text(masses + JACOBIAN.replace("LAST", "l_2 c_{12}")).arms
+
+
+def test_a_letter_of_a_coordinate_is_no_height() -> None:
+    """Rows 2 and 3 are exchanged in the pose: it has y where z belongs, and y is right."""
+    pose = r"$$ T_{02} = \begin{bmatrix} c_{12} & -s_{12} & 0 & x \\ s_{12} & c_{12} & 0 & y \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$"
+    rows = pose.split(r" \\ ")
+    exchanged = r" \\ ".join([rows[0], rows[2], rows[1], rows[3]])
+    tip = POINTS.split("\n\n")[0].replace("x_1", "x").replace("y_1", "y")
+    tip = tip.replace(r"\theta_1,", r"\theta_1 + l_2 c_{12},").replace(r"\sin\theta_1", r"\sin\theta_1 + l_2 s_{12}")
+    jacobian = JACOBIAN.replace("LAST", "l_2 c_{12}")
+    assert verdicts(f"{tip}\n\n{pose}\n\n{jacobian}") == ["proved"] * 3
+    assert verdicts(f"{tip}\n\n{exchanged}\n\n{jacobian}") == ["proved", "unchecked", "proved"]

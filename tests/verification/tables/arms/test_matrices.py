@@ -390,3 +390,25 @@ def test_a_letter_where_the_table_has_nothing_is_not_defined_by_it() -> None:
     """A_1 with h beside a table without it: h is no name for zero."""
     lacking = TABLE.replace("$l_1$", "0") + CYLINDRICAL[: CYLINDRICAL.index(", \\quad")] + "$$\n"
     assert verdicts(verify_text(lacking)) == ["unchecked"]
+
+
+LINKS = r"""
+$$ T_0^1 = \begin{bmatrix} c_1 & -s_1 & 0 & l_1 c_1 \\ s_1 & c_1 & 0 & l_1 s_1 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$
+
+$$ T_1^2 = \begin{bmatrix} c_2 & -s_2 & 0 & l_2 c_2 \\ s_2 & c_2 & 0 & l_2 s_2 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$
+
+$$ T_0^2 = \begin{bmatrix} c_{12} & -s_{12} & 0 & l_1 c_1 + l_2 c_{12} \\ s_{12} & c_{12} & 0 & l_1 s_1 + l_2 s_{12} \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$
+"""
+
+
+@pytest.mark.parametrize(
+    "link",
+    [
+        r"c_2 & 0 & -s_2 & l_2 c_2 \\ s_2 & 0 & c_2 & l_2 s_2 \\ 0 & 1 & 0 & 0",
+        r"c_2 & -s_2 & 0 & l_2 c_2 \\ 0 & 0 & 1 & 0 \\ s_2 & c_2 & 0 & l_2 s_2",
+    ],
+)
+def test_two_columns_or_rows_that_are_exchanged_in_a_link_matrix_hide_no_arm(link: str) -> None:
+    right = r"c_2 & -s_2 & 0 & l_2 c_2 \\ s_2 & c_2 & 0 & l_2 s_2 \\ 0 & 0 & 1 & 0"
+    assert verdicts(verify_text(LINKS)) == ["proved"] * 3
+    assert verdicts(verify_text(LINKS.replace(right, link))) == ["proved", "refuted", "proved"]
