@@ -296,6 +296,10 @@ class DocumentChecker:
         tables = tuple(record for table in self.document.tables if (record := self._table(table)) is not None)
         if any(record.if_shown is not None for record in equations):
             equations = settle_usual(equations)
+        if any(each.order for record in equations for each in record.outcomes):
+            from armproof.verification.equations.argument_order import settle_orders
+
+            equations = settle_orders(equations)
         if self._has_definitions(equations):
             equations = settle_used(settle_definitions(equations, self._tells, self._may_slip))
         if self.inferred.arm is not None or self.inferred.problem is not None:
@@ -558,6 +562,8 @@ class DocumentChecker:
         if (state := self.names.state).conventional:
             keys = self._keys_in(outcome) & state.conventional
             result = replace(result, usual={key: state.inferred[key] for key in sorted(keys) if key in state.inferred})
+        if "tan" in record.latex and outcome.verdict in DECIDED:
+            result = replace(result, order=self._order(outcome))
         if self.inferred.arm is not None:
             source, told_by = self.inferred.arm.source, self.inferred.arm.told_by
             result = replace(result, links=links_of(outcome, self.checker.members, source, told_by))
@@ -566,6 +572,15 @@ class DocumentChecker:
         if self.inferred.arm is not None and outcome.pair is not None:
             result = replace(result, explained_by=links_that_explain(outcome, self.checker.members))
         return replace(result, findings=tuple(each for each in record.findings if each.equation == outcome.equation))
+
+    def _order(self, outcome: Outcome) -> str:
+        from armproof.verification.equations.argument_order import order_shown
+
+        try:
+            with self.ring.budget.of(SECONDS_TO_EXPLAIN):
+                return order_shown(outcome, lambda chain: self.checker.check(chain, outcome.equation, 0, define=False))
+        except (ArmproofError, RecursionError):
+            return ""
 
     def _keys_in(self, outcome: Outcome) -> frozenset[str]:
         """Return the names in an equation, and those that stand behind names that the document defines."""

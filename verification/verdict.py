@@ -88,6 +88,7 @@ class EquationResult:
         usual: the names in it that convention alone binds, each with the quantity that it is taken for.
         alone: the names that stand alone on a side.
         slip_before: with which slip in a definition before it holds, where it is refuted.
+        order: of the arguments of atan2, with which it holds.
     """
 
     index: int
@@ -104,6 +105,7 @@ class EquationResult:
     usual: Mapping[str, object] = field(default_factory=dict)
     alone: frozenset[str] = frozenset()
     slip_before: SlipBefore | None = None
+    order: str = ""
 
     @property
     def is_remark(self) -> bool:

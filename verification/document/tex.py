@@ -36,7 +36,7 @@ _WITH_ARGUMENT = re.compile(r"(?:alignat|xalignat|IEEEeqnarray|empheq)\*?")
 _ARGUMENTS = re.compile(r"\s*(?:\[(?:[^][{}]|\{[^{}]*\})*\]\s*)?\{[^{}]*\}")
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%([^\n]*)")
 _HIDDEN = re.compile(
-    r"\\begin\{(verbatim\*?|lstlisting|minted|comment|Verbatim)\}.*?\\end\{\1\}|\\verb\*?([^\w\s*]).*?\2|\\(?:short)?intertext\s*\{[^{}]*\}",
+    r"\\begin\{(verbatim\*?|lstlisting|minted|comment|Verbatim)\}.*?\\end\{\1\}|\\iffalse(?![A-Za-z]).*?\\(?:fi|else)(?![A-Za-z])|\\verb\*?([^\w\s*]).*?\2|\\(?:short)?intertext\s*\{[^{}]*\}",
     re.DOTALL,
 )
 _LISTING = re.compile(r"\\begin\{(verbatim\*?|lstlisting|minted|Verbatim)\}.*?\\end\{\1\}", re.DOTALL)

@@ -278,6 +278,7 @@ class Kind(MessageKind):
     HOLDS_THERE = "holds_there", "at the configuration given before"
     FORCE_LEFT_OUT = "force_left_out", "only one side holds {names}: say before what that is, as in F_x = 10"
     OTHER_AS_TOLD = "other_as_told", "it does not hold at the values that the text before gives: state them in a display to have it checked there"
+    OTHER_ORDER = "other_order", "it holds as atan2(x, y), and nothing in the document holds as atan2(y, x): write it so to have it checked"
     HOLDS_AS_TOLD = "holds_as_told", "it holds at the values that the text before gives, and not everywhere: state them in the display, with \\Rightarrow"
     DERIVATIVES_OF_POINT = "derivatives_of_point", "the derivatives of the point that the document gives"
     OF_SINGULARITIES = "of_singularities", "read as $\\det J = 0$ there and nowhere else, as the text before says"

@@ -23,6 +23,7 @@ PERCENT = "# %% [markdown]\n# ---\n# arm: planar_2r\n# ---\n\n"
         ("a.tex", TEX + r"\newcommand{\by}{\cdot}" + "\n$$ l_1 \\by c_1 = l_1 c_1 $$\n$$ l_1 \\by c_1 = l_1 s_1 $$\n"),
         ("a.tex", TEX + r"\newcommand{\by}{\cdot" + "\n$$ l_1 c_1 = l_1 c_1 $$\n$$ l_1 c_1 = l_1 s_1 $$\n"),  # never closed
         ("a.tex", TEX + r"\newcommand{\by}[1]{\cdot#1}" + "\n$$ l_1 \\by{c_1} = l_1 c_1 $$\n$$ l_1 \\by{c_1} = l_1 s_1 $$\n"),
+        ("a.tex", TEX + "\\iffalse\n$$ c_1 = s_2 $$\n\\fi\n$$ c_1 = c_1 $$\n\\iffalse x \\else\n$$ c_1 = s_1 $$\n\\fi\n"),
         ("a.rst", ":arm: planar_2r\n\n.. math::\n   c_1 = c_1\n\n   c_1 = s_1\n"),
         ("a.py", PERCENT + "# %% [markdown]\n\n\n# $$ c_1 = c_1 $$\n#\n# $$ c_1 = s_1 $$\n"),
         ("a.py", PERCENT + "# %% [markdown] tags=[1,]\n# $$ c_1 = c_1 $$\n\n# %% [markdown]\n# $$ c_1 = s_1 $$\n"),

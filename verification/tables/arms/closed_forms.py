@@ -146,7 +146,11 @@ def _mended(found: Found, algebra: ExactAlgebra) -> Iterator[tuple[dict[str, Sca
     values = {axis: value for axis, (value, _) in found.items()}
     first = min(angles_in(values["x"]) & angles_in(values["y"]), key=_index, default="")
     for told, axis, sign in (("x", "y", -1), ("y", "x", 1)) if first else ():
-        by_other = (derivative(values[told], algebra.ring.symbol(first)) * sign).normal()
+        angle = algebra.ring.symbol(first)
+        slide = (values[axis] + derivative(derivative(values[axis], angle), angle)).normal()  # what does not turn
+        by_other = (
+            derivative(values[told], angle) * sign + (algebra.ring.zero if angles_in(slide) else slide)
+        ).normal()
         is_mirrored = (by_other + values[axis]).normal().is_zero()  # y may point down
         is_of_same = symbols_in([values[axis]]) <= symbols_in([by_other])
         if is_of_same and not is_mirrored and is_near(Pair(as_matrix(by_other), as_matrix(values[axis]))):

@@ -256,3 +256,18 @@ def test_a_letter_of_a_coordinate_is_no_height() -> None:
     jacobian = JACOBIAN.replace("LAST", "l_2 c_{12}")
     assert verdicts(f"{tip}\n\n{pose}\n\n{jacobian}") == ["proved"] * 3
     assert verdicts(f"{tip}\n\n{exchanged}\n\n{jacobian}") == ["proved", "unchecked", "proved"]
+
+
+def test_a_slip_in_a_coordinate_with_a_slide_is_one_beside_what_the_other_coordinate_shows() -> None:
+    x = r"$$ x = d_1 + l_2 c_2 + l_3 c_{23} $$"
+    rest = r"""
+$$ y = l_2 s_2 + l_3 s_{23} $$
+
+$$ \dot x = \dot d_1 - (l_2 s_2 + l_3 s_{23}) \dot\theta_2 - l_3 s_{23} \dot\theta_3 $$
+
+$$ \dot y = (l_2 c_2 + l_3 c_{23}) \dot\theta_2 + l_3 c_{23} \dot\theta_3 $$
+"""
+    assert verdicts(x + "\n" + rest) == ["proved"] * 4
+    for slip in ("2 l_3 c_{23}", "l_3 c_2", "l_3 s_{23}"):
+        first, *others = verdicts(x.replace("l_3 c_{23}", slip) + "\n" + rest)
+        assert first in ("refuted", "unchecked") and "refuted" not in others
