@@ -55,7 +55,7 @@ def _marked(node: n.Node) -> n.Node:
     if not (isinstance(size, n.Number) and size.value in DEGREES):
         return node
     marked = n.Postfix(size, "deg", span=size.span)
-    return marked if node is size else replace(node, terms=((node.terms[0][0], marked),))  # type: ignore[attr-defined, type-var]
+    return replace(node, terms=((node.terms[0][0], marked),)) if isinstance(node, n.Sum) else marked
 
 
 def asked(statement: n.Statement) -> n.Statement:
