@@ -12,6 +12,7 @@ from armproof.verification.latex.vocabulary import ASKED
 from armproof.verification.naming.names import Names
 
 WHOLE = ("Z", "N")  # the sets of k in θ = kπ
+DEGREES = frozenset(range(30, 361, 15))  # without a mark
 FOR_ALL = ("forall", "for all", "for every", "for any", "pour tout", "pour tous")
 
 
@@ -19,7 +20,42 @@ def prepared(statements: list[n.Statement], names: Names) -> list[n.Statement]:
     """Return the statements that are to be decided: without "for all", what vanishes at its end apart."""
     if len(statements) > 1:
         statements = without_index_range(statements)
+    statements = _with_degrees(statements, names)
     return [part for statement in _without_for_all(statements, names) for part in _without_vanishing_end(statement)]
+
+
+def _with_degrees(statements: list[n.Statement], names: Names) -> list[n.Statement]:
+    """Return θ_2 = 0 or 180 with the mark of degrees behind what nobody means in radians."""
+    found, is_angle = [], False
+    for each in statements:
+        if isinstance(each, n.Chain):
+            others = [member for member in each.members if not _is_angle(member, names)]
+            is_angle = len(others) < len(each.members) or (is_angle and not each.relations)
+            if is_angle and all(isinstance(_size(member), n.Number) for member in others):
+                each = replace(each, members=tuple(map(_marked, each.members)))
+        found.append(each)
+    return found
+
+
+def _is_angle(node: n.Node, names: Names) -> bool:
+    """Whether a side is a joint's angle; without an arm that is θ."""
+    if not isinstance(node, n.Name) or node.dots:
+        return False
+    return names.is_angle(names.known_symbol(node.key)) if names.arm is not None else node.base == "theta"
+
+
+def _size(node: n.Node) -> n.Node:
+    """Return a number without its sign, anything else as it stands."""
+    return node.terms[0][1] if isinstance(node, n.Sum) and len(node.terms) == 1 else node
+
+
+def _marked(node: n.Node) -> n.Node:
+    """Return a number of degrees that tells itself, ±90 or 180, with its mark; anything else as it stands."""
+    size = _size(node)
+    if not (isinstance(size, n.Number) and size.value in DEGREES):
+        return node
+    marked = n.Postfix(size, "deg", span=size.span)
+    return replace(node, terms=((node.terms[0][0], marked),)) if isinstance(node, n.Sum) else marked
 
 
 def asked(statement: n.Statement) -> n.Statement:

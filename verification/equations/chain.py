@@ -349,7 +349,7 @@ class ChainChecker:
         readings = [*entries_elsewhere(self.names, chain)]
         for entries in readings:
             self.of_entries = True
-            tried = self._aside(chain, now.first, now.line, partial(take_entries, self.names, entries))
+            tried = self._aside(chain, now.first, now.line, partial(self._take_entries, now, entries))
             self.of_entries = False
             if all(outcome.verdict in HOLDS for outcome in tried):
                 return tried
@@ -359,6 +359,11 @@ class ChainChecker:
         others = [key for entries in readings for key in entries if key in made and made[key].by_place]
         doubt = say(Kind.SECOND_MEANING, name=others[0], line=made[others[0]].line) if others else None
         return [each if doubt is None or _is_slip(each) else each.left_open(doubt) for each in first]
+
+    def _take_entries(self, now: _Pass, entries: Mapping[str, Quantity]) -> None:
+        """Let the r_{ij} be of a matrix; what the first reading of a chain defined by others of them means nothing then."""
+        self.names.state.definitions = now.before.copy()
+        take_entries(self.names, entries)
 
     def _of_defined_rotation(self, now: _Pass) -> list[Outcome] | None:
         """Return the outcomes where r_{ij} are of the rotation that a document without an arm gave last, if all hold."""

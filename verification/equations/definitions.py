@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -33,6 +34,7 @@ from armproof.verification.naming.state import Definition
 from armproof.verification.verdict import HOLDS, Role, Verdict
 
 Check = Callable[[n.Chain], list[Outcome]]
+_PLACE = re.compile(r"(\d),?([1-6]),?([1-6])")  # of an entry: its matrix, row and column
 MOST_WRONG = 2  # entries of a pose that is a slip away, where it holds letters without a value too
 
 
@@ -96,6 +98,8 @@ class Definitions:
                     self.names.state.rounded[key] = decimals
                 if isinstance(member.node, n.Name):
                     self.names.add_frame(member.node)
+            if self._is_entry_of_its_matrix(bare(member.node), true.value):
+                return Outcome(Verdict.PROVED, (), equation, true, member)
             return Outcome(Verdict.DEFINED, (say(Kind.DEFINES, name=key),), equation, true, member, defines=(key,))
         if (solved := _solved(member, true.node)) is not None:
             root, formula = solved
@@ -103,6 +107,20 @@ class Definitions:
                 self.names.define(root, self.members.meaning(formula), self.line, root=formula)
             return Outcome(Verdict.DEFINED, (say(Kind.DEFINES, name=root),), equation, true, member, defines=(root,))
         return self.define_entries(true, member, equation, self.defines)
+
+    def _is_entry_of_its_matrix(self, name: n.Node, value: Value) -> bool:
+        """Whether a value is that of row 1 and column 4 of U_2, which has the name U_{214}."""
+        places = (
+            _PLACE.fullmatch(name.sub) if isinstance(name, n.Name) and name == n.Name(name.base, name.sub) else None
+        )
+        whole = (
+            self.members.evaluate(n.Name(name.base, places[1])).value if places and isinstance(name, n.Name) else None
+        )
+        if places is None or not isinstance(whole, Matrix) or not isinstance(value, Scalar):
+            return False
+        row, column = int(places[2]) - 1, int(places[3]) - 1
+        inside = row < whole.shape[0] > 1 and column < whole.shape[1] > 1
+        return inside and self.readings.equality.equals_block(whole.rows[row][column], value)
 
     def define_entries(self, true: Member, member: Member, equation: int, defines: bool) -> Outcome | None:
         """A matrix whose unknown entries are bare names: each is defined by its place, the known ones are checked."""
