@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
 
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
@@ -53,31 +53,28 @@ def _whole(cells: Sequence[n.Node], count: int) -> list[n.Node]:
 
 def _is_same(one: n.Node, other: n.Node | None) -> bool:
     """Whether two trees are written alike, wherever they stand."""
-    if other is None:
-        return False
-    pairs = [[_plain(each) for each in n.walk(tree)] for tree in (one, other)]
-    return pairs[0] == pairs[1]
+    return other is not None and _form(one, _SCRIPTS) == _form(other, _SCRIPTS)
 
 
-def _plain(node: n.Node) -> tuple[object, ...]:
-    if isinstance(node, n.Name):
-        return (node.base, node.dots, node.primes, *(getattr(node, script) for script in _SCRIPTS))
-    return (type(node), node.value if isinstance(node, n.Number) else getattr(node, "operator", ""))
+def _form(value: object, scripts: Sequence[str]) -> object:
+    """Return all that a tree says but where it stands, and of the scripts of names these alone."""
+    if isinstance(value, n.Name):
+        return (value.base, value.dots, value.primes, *(getattr(value, script) for script in scripts))
+    if isinstance(value, n.Node):
+        said = (getattr(value, each.name) for each in fields(value) if each.name not in ("span", "text"))
+        return (type(value).__name__, *(_form(each, scripts) for each in said))
+    return tuple(_form(each, scripts) for each in value) if isinstance(value, tuple) else value
 
 
 def _between(first: n.Node, last: n.Node, number: int, count: int) -> n.Node | None:
     """Return the cell of a joint, counted from 0, between the first and the last one; None where these differ in more."""
-    trees = [*n.walk(first)], [*n.walk(last)]
-    if len(trees[0]) != len(trees[1]):
+    if _form(first, ()) != _form(last, ()):
         return None
     changed: dict[int, n.Node] = {}
-    for one, other in zip(*trees, strict=True):
-        if not (isinstance(one, n.Name) and isinstance(other, n.Name)):
-            if _plain(one) != _plain(other):
-                return None
-            continue
+    names = [[below for below in n.walk(tree) if isinstance(below, n.Name)] for tree in (first, last)]
+    for one, other in zip(*names, strict=True):
         scripts = {script: _script(getattr(one, script), getattr(other, script), number, count) for script in _SCRIPTS}
-        if None in scripts.values() or (one.base, one.dots, one.primes) != (other.base, other.dots, other.primes):
+        if None in scripts.values():
             return None
         changed[id(one)] = replace(one, **scripts)  # type: ignore[arg-type]
     return n.substitute_each(first, changed)
