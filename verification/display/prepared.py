@@ -19,7 +19,7 @@ FOR_ALL = ("forall", "for all", "for every", "for any", "pour tout", "pour tous"
 def prepared(statements: list[n.Statement], names: Names) -> list[n.Statement]:
     """Return the statements that are to be decided: without "for all", what vanishes at its end apart."""
     if len(statements) > 1:
-        statements = without_index_range(statements)
+        statements = without_index_range(_of_spaced_factors(statements))
     statements = _with_degrees(statements, names)
     return [part for statement in _without_for_all(statements, names) for part in _without_vanishing_end(statement)]
 
@@ -56,6 +56,30 @@ def _marked(node: n.Node) -> n.Node:
         return node
     marked = n.Postfix(size, "deg", span=size.span)
     return replace(node, terms=((node.terms[0][0], marked),)) if isinstance(node, n.Sum) else marked
+
+
+def _of_spaced_factors(statements: list[n.Statement]) -> list[n.Statement]:
+    r"""Join {}^0_3R = {}^0_1R \quad {}^1_2R \quad {}^2_3R = […]: a transform that stands alone between two equations is a factor."""
+    for at in range(1, len(statements) - 1):
+        before, alone, behind = statements[at - 1 : at + 2]
+        if not (isinstance(before, n.Chain) and isinstance(alone, n.Chain) and isinstance(behind, n.Chain)):
+            continue
+        factors = (before.members[-1], *alone.members, behind.members[0])
+        if not before.relations or alone.relations or not behind.relations or not all(map(_is_transform, factors)):
+            continue
+        product = n.Product(factors, ("",) * (len(factors) - 1), span=(factors[0].span[0], factors[-1].span[1]))
+        chain = n.Chain(
+            (*before.members[:-1], product, *behind.members[1:]), (*before.relations, *behind.relations),
+            span=(before.span[0], behind.span[1]),
+        )  # fmt: skip
+        return [*statements[: at - 1], chain, *_of_spaced_factors(statements[at + 2 :])]
+    return statements
+
+
+def _is_transform(node: n.Node) -> bool:
+    """Whether a node is a transform by its two indices: {}^1_2R, T_2^1."""
+    above_and_below = isinstance(node, n.Name) and (node.pre_sup or node.sup) and (node.pre_sub or node.sub)
+    return bool(above_and_below) and node.base in "RTAH"  # type: ignore[attr-defined]
 
 
 def asked(statement: n.Statement) -> n.Statement:

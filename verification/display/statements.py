@@ -20,6 +20,7 @@ from armproof.verification.conditions.implications import Implications, Judgemen
 from armproof.verification.conditions.wording import is_alternative, is_concluded, tell_words_that_change
 from armproof.verification.display.claims import Claims
 from armproof.verification.display.prepared import asked, of_all_joints, prepared
+from armproof.verification.equations.cells_left_out import with_cells
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome, with_role
 from armproof.verification.equations.series import unless_added, written_out
@@ -93,6 +94,10 @@ class Statements:
         """
         if "\\sum" in latex or "\\prod" in latex:
             statements = [written_out(statement, latex, self.names) for statement in statements]
+        printed = statements
+        if "dots" in latex:
+            statements = [with_cells(statement, self.names) for statement in statements]
+        is_of_any = statements != printed  # with cells left out: it may number axes otherwise than this arm
         statements = [self._with_subject(statement) for statement in statements]
         if self.names.arm is None:
             statements = [of_all_joints(statement) for statement in statements]
@@ -108,6 +113,9 @@ class Statements:
         self._heed_behind(display)
         if display.is_connected:
             tell_words_that_change(statements, display.outcomes)
+        if is_of_any:
+            unwritten = say(Kind.TERMS_UNWRITTEN, text="\\dots")
+            display.outcomes = [outcome.unless_refuted(unwritten) for outcome in display.outcomes]
         undecided = [each for each in display.outcomes if each.verdict is Verdict.UNCHECKED] if define else []
         for key in (key for outcome in undecided for key in outcome.defines):
             self.names.doubt(key)  # what follows from it is not decided either

@@ -19,7 +19,7 @@ from armproof.verification.equations.definitions import (
 )
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.forces import LETTERS as OF_FORCES
-from armproof.verification.equations.forces import heed_forces, unless_left_out
+from armproof.verification.equations.forces import heed_forces, unless_left_out, with_components
 from armproof.verification.equations.foreign_index import of_foreign_index
 from armproof.verification.equations.given_values import adopts_letters, keys_alone, new_letters, new_name
 from armproof.verification.equations.jacobian_rows import RowsOfJacobians
@@ -173,6 +173,7 @@ class ChainChecker:
             state.adopted -= masses & {bare_key(member) or "" for member in chain.members}
         if define and self.names.arm is not None and n.letters(chain) & OF_FORCES:
             heed_forces(self.names, chain)
+            chain = with_components(chain, self.names)
         chain = self.conventions.read(chain)
         is_again = define and bare_key(chain.members[0]) in state.definitions
         defined = self.redefinitions.before(chain) if is_again else None

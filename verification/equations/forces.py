@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.equations.outcome import Outcome
@@ -42,6 +43,24 @@ def heed_forces(names: Names, chain: n.Chain) -> None:
         found += [name for below in _walked(chain) for name in _one(below) if name.base in "Ff"]
     names.state.adopted |= {name.key for name in found if names.is_open(name)}
     names.state.balanced |= {(base, names.state.exercise): product for base, product in _torques_in(chain)}
+
+
+def with_components(chain: n.Chain, names: Names) -> n.Chain:
+    """Return τ = J^T F = […] [F_x; F_y] with that column for F, or with that of the F_x and F_y in it: nothing else says what F is."""
+    forces = [found for each in _walked(chain) if (found := _force_behind_transpose(each)) is not None]
+    if (
+        len(forces) != 1
+        or not isinstance(name := bare(forces[0]), n.Name)
+        or not _is_force(name)
+        or not names.is_open(name)
+    ):
+        return chain
+    letters = {part.key: part for each in _walked(chain) for part in _one(each) if part.base == name.base}
+    cells = tuple((letters[key],) for key in sorted(letters))
+    if [row[0].sub for row in cells] not in (["x", "y"], ["x", "y", "z"]):
+        return chain
+    members = (n.substitute_each(member, {id(name): n.Matrix(cells)}) for member in chain.members)
+    return replace(chain, members=tuple(members))
 
 
 def unless_left_out(outcome: Outcome, names: Names) -> Outcome:

@@ -264,7 +264,8 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
         is_slip = outcome.pair is not None and is_near(outcome.pair)
         same = all(found == first for found in others)  # what lacks a letter may say that it is zero
         near = erratum or elementary or alike or (same and _are_written(outcome)) or is_slip
-        astray = any(found - first and first - found for found in others)
+        spoken = {key for node in defined if node is not None for key in letters_held(node, names)}
+        astray = any(found - first - spoken and first - found for found in others)
         bound = near and not (of_letters or has_value or astray)
     else:
         bound = all(found == first for found in others)

@@ -6,16 +6,19 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from armproof.verification.algebra.calculus import angles_in, derivative
+from armproof.verification.algebra.calculus import angles_in, derivative, symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_matrix
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import Pair, agree_exactly, different_entries, exactly_equal, is_near
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Members
 from armproof.verification.errors import EvaluationError, UnboundName
+from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
+from armproof.verification.naming.conventions import LINEAR_VELOCITIES
 from armproof.verification.verdict import Role, Verdict
 
 _OF_POINT = re.compile(r"(?:v|P|p|L|T)?_?,?(?:c|cm|G|C)?,?_?(\d)")
@@ -32,6 +35,13 @@ class OfPoints:
         """Return a claim where the matrix holds the derivatives; a row that is no point's is wrong, if it is a slip away."""
         name = bare(outcome.printed.node) if outcome.printed is not None else None
         value = outcome.true.value if outcome.true is not None else None
+        if (
+            isinstance(name, n.Name)
+            and name.base in LINEAR_VELOCITIES
+            and name.sup == "2"
+            and isinstance(value, Scalar)
+        ):
+            return self._of_speed(outcome, name, value)
         if not (isinstance(name, n.Name) and name.base == "J" and isinstance(value, Matrix)):
             return outcome
         if not all(isinstance(cell, Scalar) for cell in value.cells):
@@ -50,12 +60,39 @@ class OfPoints:
                 return self._wrong(outcome, pair, wrong, by)
         return outcome
 
+    def _of_speed(self, outcome: Outcome, name: n.Name, value: Scalar) -> Outcome:
+        r"""Return v_{c2}^2 = … as a claim where it is \dot x_{c2}^2 + \dot y_{c2}^2, or a slip away from that."""
+        for velocity in self._velocities(name, value):
+            square = sum((cell * cell for cell in velocity[1:]), velocity[0] * velocity[0]).normal()
+            pair = Pair(as_matrix(square), as_matrix(value), is_scalar=True)
+            if agree_exactly(pair):
+                said = say(Kind.DERIVATIVES_OF_POINT)
+                return replace(outcome, verdict=Verdict.PROVED, findings=(said,), role=Role.CLAIM, defines=())
+            if is_near(pair):
+                return self._refuted(outcome, pair, [(0, 0)])
+        return outcome
+
+    def _velocities(self, name: n.Name, value: Scalar) -> Iterator[list[Scalar]]:
+        """Yield the velocity of the point with the index of a speed: by its coordinates in the document, or of the arm's frame."""
+        arm, exact = self.members.names.arm, self.members.exact
+        for point in self._points(name):
+            letters = {each for cell in point for each in symbols_in([cell])}
+            moving = sorted(each for each in letters if f"dot {each}" in symbols_in([value]))
+            if {angle for cell in point for angle in angles_in(cell)} <= {*moving}:
+                yield [_rate(cell, moving, exact) for cell in point]
+        if arm is not None and name.sub in arm.frames:
+            yield [*as_matrix(exact.quantity(Quantity("velocity", name.sub, arm.frames[0], rows=(1, 2, 3)))).cells]
+
     def _wrong(self, outcome: Outcome, pair: Pair, wrong: list[tuple[int, int]], by: Sequence[str]) -> Outcome:
         """Refute rows that are the derivatives of nothing; where they are those of another point, that may hold the slip."""
-        assert outcome.true is not None and outcome.printed is not None
         if any(_is_gradient(pair.printed.rows[row], by) for row, _ in wrong):
             return outcome
-        true = replace(outcome.printed, value=pair.true, problem=None)
+        return self._refuted(outcome, pair, wrong)
+
+    @staticmethod
+    def _refuted(outcome: Outcome, pair: Pair, wrong: list[tuple[int, int]]) -> Outcome:
+        assert outcome.true is not None and outcome.printed is not None
+        true = replace(outcome.printed, value=pair.true.cells[0] if pair.is_scalar else pair.true, problem=None)
         return replace(
             outcome, verdict=Verdict.REFUTED, findings=(), role=Role.CLAIM, true=true, printed=outcome.true, pair=pair,
             wrong=wrong, defines=(),
@@ -65,6 +102,7 @@ class OfPoints:
         """Yield the points with the index of a Jacobian, as the document gives them; x and y for J itself."""
         found = _OF_POINT.fullmatch(name.sub)
         subs = [each.format(found[1]) for each in _CENTRES] if found is not None else []
+        subs = [name.sub] if name.base in LINEAR_VELOCITIES else subs
         of_tool = [("x", "y", "z"), ("x", "y")] if self.members.names.arm is None and not name.sub else []
         keys = [*((f"{letter}_{sub}",) for sub in subs for letter in "prPs"), *of_tool]
         keys += [tuple(f"{axis}_{sub}" for axis in "xy") for sub in subs]
@@ -91,6 +129,12 @@ class OfPoints:
         letters = {angle.partition("_")[0] for angle in angles}
         joints = tuple(f"{letter}_{k}" for letter in letters for k in range(1, count + 1))
         return joints if len(letters) == 1 and angles <= {*joints} else None
+
+
+def _rate(value: Scalar, moving: Sequence[str], exact: ExactAlgebra) -> Scalar:
+    """Return the derivative of a coordinate in time, by the letters that have rates."""
+    terms = (derivative(value, value.ring.symbol(each)) * exact.symbol(f"dot {each}") for each in moving)
+    return sum(terms, value.ring.zero).normal()
 
 
 def _is_gradient(row: Sequence[Scalar], by: Sequence[str]) -> bool:

@@ -48,6 +48,8 @@ def name_value(evaluator: Evaluating, node: n.Name) -> Value:
         raise UnboundName(node.text, say(Kind.DECIMAL_COMMA if comma else Kind.WORDS_FOR_VALUE))
     if (quantity := names.quantities.get(node.key)) is not None:
         return algebra.quantity(quantity)
+    if (square := _square_of_defined(evaluator, node)) is not None:
+        return square
     if node.dots:
         return time_derivative(evaluator, node)
     if (sign := names.state.signs.value(node.key)) is not None:
@@ -94,6 +96,21 @@ def _of_screws(evaluator: Evaluating, node: n.Name) -> Matrix | None:
         twist = twist_value(evaluator, node)
         return twist.matrix(evaluator.algebra) if twist is not None else None
     return jacobian_of_screws(evaluator, node)
+
+
+def _square_of_defined(evaluator: Evaluating, node: n.Name) -> Any:
+    r"""Return the square that x_1^2 or \dot x_1^2 is where the document says of a number x_1 what it is; None of another name."""
+    names, plain = evaluator.names, replace(node, sup="", dots=0)
+    told = plain.key in names.state.definitions or plain.key in names.quantities
+    if node.sup != "2" or node.pre_sup or node.pre_sub or not told:
+        return None
+    if replace(node, dots=0).key in names.state.definitions or not _is_scalar(evaluator.evaluate(plain)):
+        return None
+    return evaluator.evaluate(n.Power(replace(node, sup=""), n.Number(Fraction(2), "2"), span=node.span))
+
+
+def _is_scalar(value: Any) -> bool:
+    return not isinstance(value, Matrix | list)
 
 
 def _power_of_length(node: n.Name, names: Names) -> n.Power | None:

@@ -23,6 +23,7 @@ _PLACED = re.compile(r"(\w+)\((\d)\)")
 _BETWEEN_VALUES = re.compile(r"(?:,|\\[,;]|\\quad|\\\\)(?![^(\[]*[)\]])")  # and not between those of (0, 0)
 _WORD = re.compile(r"\s*\\(?:text[a-z]*|mathrm|mathit|mathsf|operatorname)\s*\{\s*[A-Za-z]{2,}\s*\}\s*")
 _SIZE = re.compile(r"\(?\dx[1-9n]\)?")
+_MASS_CENTRE = r"(?:[cCgGmM]|cm|CM|com|COM)_?,?\d"
 _NO_SIZE = re.compile(r"\(?(?:0x\d+|\d+x0)\)?")  # no matrix is 0×1
 _NOTED_SIZE = re.compile(r"\(?(?:\dx[1-9nm]|[nm]x[1-9nm])\)?")
 _NOTED_BASE = re.compile(r"[(/]?(?:[RFOKS]_?)?(?:0|b|B|w|W|base|world)\)?|\(?x,?y,?z\)?")
@@ -188,6 +189,7 @@ class NameReader:
             return True
         if base in VECTOR_LETTERS and sub and not prescripted:
             of_frame = sub[:1].isdigit() or bool(re.match(r"[a-zA-Z]-\d", sub))
+            of_frame = of_frame or (base in ("v", "V") and re.fullmatch(_MASS_CENTRE, sub) is not None)  # v_{c1}^2
             return not digits or (of_frame and not re.search(r"[xyzXYZ]$", sub))
         return not digits and bool(sub) and len(canonical) <= 3 and canonical not in ("n", "k", "m")
 

@@ -250,6 +250,7 @@ class Names:
         if self.arm is not None or name.pre_sub or name.pre_sup:
             return False
         component = len(name.base) == 1 and bool(COMPONENT.fullmatch(name.sub))
+        component = component or (name.base == "L" and name.sub.isdigit())  # a link's length; L alone is much else
         if self.reader.spelling.screws and (name.base in NO_NUMBERS or OF_SCREWS.fullmatch(name.key)):
             return name.base not in NO_NUMBERS
         return component or name.key in self.reader.spelling.masses or bool(FREE_IN_GENERAL.fullmatch(name.base))

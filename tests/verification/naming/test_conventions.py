@@ -170,20 +170,20 @@ J_{12}  ⟶  jacobian 2|1; jacobian 2|0
 {}^1J  ⟶
 {}^1J_2  ⟶  jacobian 2|1
 J_{v7}  ⟶
-v  ⟶  velocity 2|0 123
-v_1  ⟶  velocity 1|0 123
+v  ⟶  velocity 2|0 123; velocity 2|0; velocity 2|0 126
+v_1  ⟶  velocity 1|0 123; velocity 1|0; velocity 1|0 126
 v_{2,x}  ⟶  velocity 2|0 1.
 v_x  ⟶  velocity 2|0 1.
 \omega  ⟶  velocity 2|0 456; velocity 2|0 6.
 \omega_1  ⟶  velocity 1|0 456; velocity 1|0 6.
 \omega_z  ⟶  velocity 2|0 6.
 \omega_{1,y}  ⟶  velocity 1|0 5.
-V  ⟶  velocity 2|0 123; velocity 2|0
+V  ⟶  velocity 2|0 123; velocity 2|0; velocity 2|0 126
 V_x  ⟶  velocity 2|0 1.
 \xi  ⟶  velocity 2|0
 \xi_x  ⟶
 t  ⟶  origin 2|0; velocity 2|0
-{}^1v_2  ⟶  velocity 2|1 123
+{}^1v_2  ⟶  velocity 2|1 123; velocity 2|1; velocity 2|1 126
 w  ⟶  velocity 2|0 456; velocity 2|0 6.; manipulability 2|0.
 w_2  ⟶  velocity 2|0 456; velocity 2|0 6.
 \mu  ⟶  manipulability 2|0.
@@ -228,7 +228,7 @@ T  ⟶  pose P|0; pose 3|0
 {}^3T_P  ⟶  pose P|3; pose 3|3
 {}^3p  ⟶  origin P|3; origin 3|3
 J_P  ⟶  jacobian P|0; jacobian 3|0; jacobian 3|0 123
-v  ⟶  velocity P|0 123; velocity 3|0 123
+v  ⟶  velocity P|0 123; velocity P|0; velocity 3|0 123; velocity 3|0
 w  ⟶  velocity P|0 456; velocity P|0 6.; velocity 3|0 456; velocity 3|0 6.; manipulability 3|0.; manipulability P|0.
 \varphi  ⟶
 p_n  ⟶  origin 3|0
@@ -250,7 +250,7 @@ J  ⟶
 J_v  ⟶  jacobian 6|3 123
 T_{36}  ⟶  pose 6|3
 p_W  ⟶  origin 6|3; origin 5|3; origin 4|3
-v_6  ⟶  velocity 6|3 123
+v_6  ⟶  velocity 6|3 123; velocity 6|3
 """,
     "named": r"""
 p  ⟶  origin 2|1; task 2|1; origin 2|B; task 2|B
@@ -259,7 +259,7 @@ T_2  ⟶  pose 2|1; pose 2|B
 {}^1T_2  ⟶  pose 2|1
 J  ⟶  jacobian 2|1; jacobian 2|B
 J_v  ⟶  jacobian 2|1 123; jacobian 2|B 123
-v_1  ⟶  velocity 1|1 123; velocity 1|B 123
+v_1  ⟶  velocity 1|1 123; velocity 1|1; velocity 1|1 126; velocity 1|B 123; velocity 1|B; velocity 1|B 126
 p_{B2}  ⟶  origin 2|B; task 2|B
 p_{12}  ⟶  origin 2|1; task 2|1; origin 2|B; task 2|B
 r_{12}  ⟶  rotation 2|1 1 × 2.; rotation 2|B 1 × 2.

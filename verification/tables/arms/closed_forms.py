@@ -14,7 +14,7 @@ from armproof.verification.equations.alignment import Pair, is_near
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare_key
+from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
 from armproof.verification.tables.arms.jacobians import coordinates_of_jacobian
@@ -224,7 +224,8 @@ def _given(chain: n.Chain, spelt: re.Pattern[str]) -> Iterator[tuple[str, str, n
     own = _coordinate(bare_key(name) or "", spelt)
     if own is not None and not isinstance(others[-1], n.Matrix):  # x = x_1 + l_2 c_12 = l_1 c_1 + l_2 c_12
         yield *own, others[-1]
-    column = next((cells for other in others if (cells := _column(name, other, spelt))), ())
+    columns = [cells for other in reversed(others) if (cells := _column(name, other, spelt))]
+    column = next((cells for cells in columns if not all(isinstance(bare(cell), n.Name) for cell in cells)), ())
     letters = [_coordinate(bare_key(row[0]) or "", spelt) for row in name.rows] if isinstance(name, n.Matrix) else []
     number = f"_{name.sub}" if isinstance(name, n.Name) and name.sub.isdigit() and name.base in _POINTS else ""
     named = letters if letters and None not in letters else [(axis, f"{axis}{number}") for axis in "xyz"]
