@@ -36,6 +36,7 @@ class OfPoints:
             return outcome
         if not all(isinstance(cell, Scalar) for cell in value.cells):
             return outcome
+        consulted = frozenset(self.members.names.state.consulted)
         for point in self._points(name):
             by = self._variables(point, value.shape[1])
             if by is None or not len(point) <= value.shape[0] <= 3:
@@ -48,13 +49,18 @@ class OfPoints:
                 return replace(outcome, verdict=Verdict.PROVED, findings=(said,), role=Role.CLAIM, defines=())
             if is_near(pair) and (wrong := different_entries(pair, exactly_equal)):
                 return self._wrong(outcome, pair, wrong, by)
+        self.members.names.state.consulted.intersection_update(consulted)  # it rests on no point
         return outcome
 
     def _wrong(self, outcome: Outcome, pair: Pair, wrong: list[tuple[int, int]], by: Sequence[str]) -> Outcome:
         """Refute rows that are the derivatives of nothing; where they are those of another point, that may hold the slip."""
         assert outcome.true is not None and outcome.printed is not None
+        names, name = self.members.names, bare(outcome.printed.node)
         if any(_is_gradient(pair.printed.rows[row], by) for row, _ in wrong):
-            return outcome
+            used = names.state.consulted & {(key, each.line) for key, each in names.state.definitions.items()}
+            doubt = say(Kind.CONTRADICTED, name=name.key, lines=sorted({line for _, line in used}))  # type: ignore[attr-defined]
+            names.leave_open(name.key, doubt)  # type: ignore[attr-defined]
+            return outcome.left_open(doubt)
         true = replace(outcome.printed, value=pair.true, problem=None)
         return replace(
             outcome, verdict=Verdict.REFUTED, findings=(), role=Role.CLAIM, true=true, printed=outcome.true, pair=pair,
