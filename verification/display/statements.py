@@ -104,7 +104,8 @@ class Statements:
         if len(statements) > 1 or any(isinstance(each, n.Chain) and len(each.members) > 2 for each in statements):
             statements = prepared(statements, self.names)
         told = self.names.state.told
-        if told.of_singularities and told.line == line and (found := self._of_singularities(statements, line)):
+        of_singularities = told.of_singularities and self._are_conditions(statements)
+        if of_singularities and told.line == line and (found := self._of_singularities(statements, line)):
             return found
         display = _Display(statements, line, define, latex)
         while display.index < len(statements):
@@ -119,6 +120,9 @@ class Statements:
         undecided = [each for each in display.outcomes if each.verdict is Verdict.UNCHECKED] if define else []
         for key in (key for outcome in undecided for key in outcome.defines):
             self.names.doubt(key)  # what follows from it is not decided either
+        if of_singularities:  # one that leaves others out, or is too large to tell
+            self.names.state.told = told  # the next display may be another one
+            display.outcomes = [each.unless_refuted(say(Kind.POSTURE_IN_WORDS)) for each in display.outcomes]
         first_chain = next((s for s in statements if isinstance(s, n.Chain)), None)
         if first_chain is not None and define:
             self.names.state.subject = first_chain.members[0]
@@ -135,10 +139,7 @@ class Statements:
         self, statements: list[n.Statement], line: int
     ) -> tuple[list[Outcome], dict[str, float]] | None:
         """ "The singularities are θ_2 = 0 or θ_2 = π": det J = 0 there and nowhere else. What leaves some out is open."""
-        chains = [each for each in statements if isinstance(each, n.Chain)]
-        equal = [each for each in chains if each.relations]  # and the π of θ_2 = 0 or π
-        if self.names.arm is None or not all(is_condition(each) and each.relations == ("=",) for each in equal):
-            return None
+        statements = _as_alternatives(statements)
         vanishes = n.Chain((n.Call("det", (n.Name("J"),), "\\det"), n.Number(Fraction(0))), ("=",))
         for kind, decided in (("⇔", HOLDS), ("⇐", (Verdict.REFUTED,))):
             implied = [vanishes, n.Connective(kind, kind), *statements]
@@ -152,6 +153,11 @@ class Statements:
                 display.outcomes[0].also(say(Kind.OF_SINGULARITIES))
                 return display.outcomes, display.counterexample
         return None
+
+    def _are_conditions(self, statements: list[n.Statement]) -> bool:
+        chains = [each for each in statements if isinstance(each, n.Chain)]
+        equal = [each for each in chains if each.relations]  # and the π of θ_2 = 0 or π
+        return self.names.arm is not None and all(is_condition(each) and each.relations == ("=",) for each in equal)
 
     def _take_next(self, display: _Display) -> None:
         statement = display.statements[display.index]
@@ -303,3 +309,11 @@ class Statements:
                 if outcome.tells(Kind.NO_EQUATION):
                     text = latex[statement.span[0] : statement.span[1]].strip()
                     outcome.role, outcome.findings = Role.CLAIM, (say(Kind.LEFT_OUT, text=text),)
+
+
+def _as_alternatives(statements: list[n.Statement]) -> list[n.Statement]:
+    """Return conditions that only commas stand between as alternatives: s_3 = 0, a_2 c_2 + a_3 c_23 = 0."""
+    if not all(isinstance(each, n.Chain) for each in statements):
+        return statements
+    between = [(n.Connective("or", "or"), each) for each in statements[1:]]
+    return [*statements[:1], *(each for pair in between for each in pair)]

@@ -14,7 +14,8 @@ _POSTURE = re.compile(
     rf"\b(?:(?:out)?stretched|(?:fully|completely|entirely) (?:extended|folded|retracted)|full extension|folded|"
     rf"(?:zero|home|rest|initial|reference|singular|upright|vertical|horizontal) {_PLACE}|at the origin|straight {_ARM}|"
     rf"{_ARM}(?: (?:is|are|being|est|sont|étant))? {_LIES}|tendue?s?|en extension|repliée?s?|dépliée?s?|à l['’]origine|"
-    rf"{_PLACE} (?:zéro|nulle|initiale|singulière|de repos|de référence|verticale|horizontale))\b",
+    rf"{_PLACE} (?:zéro|nulle|initiale|singulière|de repos|de référence|verticale|horizontale)|"
+    r"(?:vanish(?:es)?|s['’]annule(?:nt)?|est nul(?:le)?) (?:when|if|iff|for|at|pour|si|quand|lorsque|ssi))\b",
     re.IGNORECASE,
 )
 
@@ -28,8 +29,8 @@ _LOSES = (
 _SINGULARITIES = re.compile(
     rf"\b(?:(?:{_LOSES}) (?:exactly |precisely |only )?(?:when|whenever|iff|if|for|at)(?: and only if)?|(?:singularit(?:y|ies)|singularités?|singularidad(?:es)?|singularità|(?:singular|kinematic) {_PLACE}s?|{_PLACE}s? singulières?|"
     rf"configuraciones singulares){_OF_ARM}(?: (?:then|thus|therefore|here|donc|alors))?"
-    r" (?:are|is|are given by|is given by|occurs?|arises?|are at|(?:occurs?|arises?|appears?) (?:at|when|where|if|for)|when|sont|est|"
-    r"sont données? par|(?:se produisent|apparaissent) (?:pour|lorsque|quand|si)|son|ocurren (?:cuando|en|si)|sono)"
+    r"(?:\s*:(?=\s*\Z)| (?:are|is|are given by|is given by|occurs?|arises?|are at|(?:occurs?|arises?|appears?) (?:at|when|where|if|for)|when|sont|est|"
+    r"sont données? par|(?:se produisent|apparaissent) (?:pour|lorsque|quand|si)|son|ocurren (?:cuando|en|si)|sono))"
     rf"|{_ARM}{_OF_ARM} (?:is|becomes|est|devient|es|è) (?:singular|singulier|singulière) "
     r"(?:exactly |precisely |exactement )?(?:when|iff|if|for|at|lorsque|quand|si|pour|cuando|quando)(?: and only if| et seulement si)?)"
     r"\s*:?\s*\Z",

@@ -21,13 +21,15 @@ from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.forces import LETTERS as OF_FORCES
 from armproof.verification.equations.forces import heed_forces, unless_left_out, with_components
 from armproof.verification.equations.foreign_index import of_foreign_index
-from armproof.verification.equations.given_values import adopts_letters, keys_alone, new_letters, new_name
+from armproof.verification.equations.given_values import adopts_letters, keys_alone, names_alone, new_letters, new_name
 from armproof.verification.equations.jacobian_rows import RowsOfJacobians
 from armproof.verification.equations.letter_matrices import (
+    FEWEST_LETTERS,
     await_value,
     awaited,
     entries_elsewhere,
     forget_letters,
+    forget_letters_of,
     of_defined_rotation,
     stale,
     take_entries,
@@ -148,7 +150,7 @@ class ChainChecker:
         now = self._begun(chain, first_equation, line, define)
         if (said := self._of_other_index(now)) is not None or (said := self._of_no_value(now)) is not None:
             return said
-        outcomes = self._judged(now, self._compared(now))
+        outcomes = self._of_awaited(now, self._judged(now, self._compared(now)))
         if (anew := self._with_letters_anew(now, outcomes)) is not None:
             return anew
         if now.defined is not None:
@@ -299,6 +301,7 @@ class ChainChecker:
     def _evaluated(self, chain: n.Chain) -> tuple[list[Member], frozenset[str]]:
         """Return the sides with their values, and the new letters that the chain defines: the names alone of these have none."""
         new, fresh = new_name(self.names, chain), new_letters(self.names, chain)
+        unused = {each.key for member in chain.members for each in names_alone(member) if self.names.is_new(each)}
         members = [
             Member(node, None, UnboundName(new))
             if new is not None and bare_key(node) == new
@@ -306,6 +309,9 @@ class ChainChecker:
             for node in chain.members
         ]
         if not (fresh and len(members) > 1 and all(member.known for member in members)):
+            is_named = any(bare_key(each.node) and isinstance(each.problem, UnboundName) for each in members)
+            if is_named and len(unused) >= FEWEST_LETTERS:
+                self.names.used.difference_update(unused)  # T = [n o a p] says nothing of them
             return members, frozenset()
         unbound = UnboundName(min(fresh))
         return [Member(m.node, None, unbound) if fresh & keys_alone(m.node) else m for m in members], fresh
@@ -365,6 +371,15 @@ class ChainChecker:
         """Let the r_{ij} be of a matrix; what the first reading of a chain defined by others of them means nothing then."""
         self.names.state.definitions = now.before.copy()
         take_entries(self.names, entries)
+
+    def _of_awaited(self, now: _Pass, first: list[Outcome]) -> list[Outcome]:
+        """Return the outcomes where the letters of U_0 = [s n a P], which never gets a value, mean what they usually do, if all hold."""
+        matrices = [matrix for matrix, _ in self.names.state.awaited.values()] if now.is_open else []
+        letters = {name.key for matrix in matrices for name in names_alone(matrix)}
+        if not any(isinstance(b, n.Name) and b.key in letters for m in now.chain.members for b in n.walk(m)):
+            return first
+        tried = self._aside(now.chain, now.first, now.line, partial(forget_letters_of, self.names, matrices))
+        return tried if all(outcome.verdict in HOLDS for outcome in tried) else first
 
     def _of_defined_rotation(self, now: _Pass) -> list[Outcome] | None:
         """Return the outcomes where r_{ij} are of the rotation that a document without an arm gave last, if all hold."""

@@ -135,6 +135,12 @@ def await_value(names: Names, key: str, letters: n.Node, line: int) -> Outcome:
     return Outcome(Verdict.DEFINED, (say(Kind.DEFINES_ENTRIES, names=sorted(keys)),), defines=tuple(sorted(keys)))
 
 
+def forget_letters_of(names: Names, matrices: Iterable[n.Node]) -> None:
+    """Take back what the letters of matrices have meant so far."""
+    for letters in matrices:
+        forget_letters(names, letters)
+
+
 def forget_letters(names: Names, letters: n.Node) -> None:
     """Take back what the letters of a matrix have meant so far, by convention or by another matrix."""
     keys = keys_alone(letters)

@@ -38,7 +38,7 @@ def without_misreading(outcome: Outcome, chain: n.Chain, names: Names, erratum: 
     """
     reason = _rotation_for_pose(outcome, names) or _own_name(chain, names) or _determinant(outcome, names)
     reason = reason or _numbered_twice(chain) or _turned_tool(outcome, names) or _on_both_sides(outcome, names)
-    reason = reason or _function_or_factor(chain)
+    reason = reason or _function_or_factor(chain) or _of_other_size(chain, names)
     if names.arm is None:
         reason = reason or holds_for_unit_vector(outcome)
         is_open = reason is None and bool(names.reader.spelling.screws)
@@ -204,7 +204,15 @@ def sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Findi
     understood = all(held) or elementary or _are_columns(outcome)
     if not by_convention or (explicit and not points and understood):
         return None
-    return say(Kind.SIZES_OF_CONVENTION, reason=outcome.findings[0])
+    doubt = say(Kind.SIZES_OF_CONVENTION, reason=outcome.findings[0])
+    names.state.other_sizes |= {name.key: doubt for name in by_convention if name in map(bare, chain.members)}
+    return doubt
+
+
+def _of_other_size(chain: n.Chain, names: Names) -> Finding | None:
+    """What is said of a J that was printed as a matrix of another size may be meant of that one."""
+    held = (b.key for member in chain.members for b in n.walk(member) if isinstance(b, n.Name))
+    return next((names.state.other_sizes[key] for key in held if key in names.state.other_sizes), None)
 
 
 def _tells_sizes(outcome: Outcome) -> bool:

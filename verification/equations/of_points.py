@@ -46,6 +46,7 @@ class OfPoints:
             return outcome
         if not all(isinstance(cell, Scalar) for cell in value.cells):
             return outcome
+        consulted = frozenset(self.members.names.state.consulted)
         for point in self._points(name):
             by = self._variables(point, value.shape[1])
             if by is None or not len(point) <= value.shape[0] <= 3:
@@ -58,6 +59,7 @@ class OfPoints:
                 return replace(outcome, verdict=Verdict.PROVED, findings=(said,), role=Role.CLAIM, defines=())
             if is_near(pair) and (wrong := different_entries(pair, exactly_equal)):
                 return self._wrong(outcome, pair, wrong, by)
+        self.members.names.state.consulted.intersection_update(consulted)  # it rests on no point
         return outcome
 
     def _of_speed(self, outcome: Outcome, name: n.Name, value: Scalar) -> Outcome:
@@ -86,8 +88,17 @@ class OfPoints:
     def _wrong(self, outcome: Outcome, pair: Pair, wrong: list[tuple[int, int]], by: Sequence[str]) -> Outcome:
         """Refute rows that are the derivatives of nothing; where they are those of another point, that may hold the slip."""
         if any(_is_gradient(pair.printed.rows[row], by) for row, _ in wrong):
-            return outcome
+            return self._left_open(outcome)
         return self._refuted(outcome, pair, wrong)
+
+    def _left_open(self, outcome: Outcome) -> Outcome:
+        """Leave a matrix open with its name: it, or what says the coordinates, holds the slip."""
+        assert outcome.printed is not None
+        names, name = self.members.names, bare(outcome.printed.node)
+        used = names.state.consulted & {(key, each.line) for key, each in names.state.definitions.items()}
+        doubt = say(Kind.CONTRADICTED, name=name.key, lines=sorted({line for _, line in used}))  # type: ignore[attr-defined]
+        names.leave_open(name.key, doubt)  # type: ignore[attr-defined]
+        return outcome.left_open(doubt)
 
     @staticmethod
     def _refuted(outcome: Outcome, pair: Pair, wrong: list[tuple[int, int]]) -> Outcome:

@@ -66,6 +66,9 @@ def product_value(evaluator: Evaluating, node: n.Product) -> Value:
         if not operator and isinstance(before, n.Name) and _is_nought(factor):
             raise UnboundName(before.key + "(0)")  # θ(0) is no product: it is the value at the time 0
         value = evaluator.evaluate(factor)
+        if evaluator.names.arm is None and _is_point(factor) and _is_pose(result) and value.shape == (3, 1):
+            result = result.block(range(3), range(3)) @ value + result.block(range(3), range(3, 4))
+            continue  # {}^AP = {}^A_BT {}^BP, of which the 1 below is left to the reader
         if isinstance(bare(factor), n.Name) and not isinstance(value, Matrix | Identity) and _is_pose(result):
             raise EvaluationError(say(Kind.PRODUCT_OF_POSE, one="4×4", other="1×1"))  # T x_N, where x_N is a vector
         result = multiply(result, operator, value)
@@ -92,6 +95,12 @@ def _in_plane(evaluator: Evaluating, node: n.Product) -> Matrix | None:
 def _is_pose(value: Value) -> bool:
     """Whether a value is 4×4 with the last row of a transform."""
     return isinstance(value, Matrix) and value.shape == (4, 4) and all(map(is_zero, value.rows[3][:3]))
+
+
+def _is_point(node: n.Node) -> bool:
+    """Whether a name is that of a point."""
+    name = bare(node)
+    return isinstance(name, n.Name) and name.base in ("p", "P")
 
 
 def _is_nought(node: n.Node) -> bool:

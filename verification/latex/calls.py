@@ -37,8 +37,7 @@ class CallReader(NameReader):
             return None
         _, text, span = subs[0]
         amount = self._elementary_amount(text, span)
-        below = n.walk(amount) if amount is not None else ()
-        if amount is None or not any(isinstance(b, n.Name) and b.base in ANGLE_LETTERS for b in below):
+        if amount is None or not any(map(_tells_angle, n.walk(amount))):
             return None
         axis = n.Name(canonical_script(text)[0].lower(), span=span)
         call = n.Call("Rot3", (axis, amount), self.text[item.start : span[1]], "script", span=(item.start, span[1]))
@@ -225,6 +224,12 @@ class CallReader(NameReader):
             second, after = self.next_factor(items, after)
             return n.Product((node, second), ("",), span=(first.start, second.span[1])), after
         return node, after
+
+
+def _tells_angle(node: n.Node) -> bool:
+    """Whether a node shows that what it is part of is an angle, and no index: θ, π, 90°."""
+    is_letter = isinstance(node, n.Name) and (node.base in ANGLE_LETTERS or node.key == "pi")
+    return is_letter or (isinstance(node, n.Postfix) and node.operator == "deg")
 
 
 def _arguments(item: Item) -> tuple[n.Node, ...]:

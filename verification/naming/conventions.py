@@ -70,6 +70,9 @@ def conventional(name: n.Name, arm: Arm, transforms: str) -> tuple[Quantity, ...
         return ()
     if name.base in ("WC", "wc", "EE"):  # the centre of the wrist, its x: p_{WC}, p_{WC,x}
         name = replace(name, base="p", sub=f"{name.base.upper()},{name.sub}".rstrip(","))
+    is_centre = name.base in AXES and name == n.Name(name.base, "c")
+    if is_centre:  # (x_c, y_c, z_c) of the wrist; p_c may be a centre of mass
+        name = replace(name, sub="w")
     placed = bool(name.pre_sup or name.sup)
     if not placed:
         bases = dict.fromkeys((numbered_frames(arm)[0], arm.frames[0]))

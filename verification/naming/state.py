@@ -183,6 +183,7 @@ class DocumentState:
         inferred: names whose meaning the other side of an equation told.
         conventional: those of them that only convention binds.
         placed: names of blocks that are what convention says, as their place in a matrix showed → the line and the section of its display.
+        other_sizes: usual names that are printed as a matrix of another size, each with what was said there.
         awaited: a name without a value → the matrix of letters that it is equated to, its entries once it has one, and the line.
         printed: the rotation that a matrix printed last was, or that of the pose: its entries may be the r_ij behind it.
         usual: name and heading under which an equation was exactly what convention says, and what that is.
@@ -216,6 +217,7 @@ class DocumentState:
     inferred: dict[str, Quantity] = field(default_factory=dict)
     conventional: set[str] = field(default_factory=set)
     placed: dict[str, tuple[int, str]] = field(default_factory=dict)
+    other_sizes: dict[str, Finding] = field(default_factory=dict)
     awaited: dict[str, tuple[n.Node, int]] = field(default_factory=dict)
     printed: Quantity | None = None
     usual: dict[tuple[str, str], Quantity] = field(default_factory=dict)

@@ -15,7 +15,9 @@ class Moves:
     joints: list[str] = field(default_factory=list)
 
     def add(self, column: str, value: str, joint: str = "") -> None:
-        """Add one entry of a row: to the last row, where that leads to the same frame."""
+        """Add one entry of a row: to the last row, where that leads to the same frame; a shift by nothing is none."""
+        if value == "0" and not joint:
+            return
         row = self.rows[-1] if self.rows else {column: value}
         is_behind = column in ("theta", "d") and (row.get("a", "0"), row.get("alpha", "0")) != ("0", "0")
         if row.get(column, "0") != "0" or is_behind or (joint and self.joints[-1]):
