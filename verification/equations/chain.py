@@ -167,7 +167,8 @@ class ChainChecker:
         state.signs.read.clear()
         before = state.definitions.copy()
         placed = state.placed | {k: (each.line, each.section) for k, each in before.items() if each.by_place}
-        ended = forget_ended(self.names, chain) if define else {}
+        is_over = define and any(each.has_ended for each in before.values())
+        ended = forget_ended(self.names, chain) if is_over else {}
         if define and (masses := self.names.reader.spelling.masses):  # g = 9.81 says what it is
             state.adopted -= masses & {bare_key(member) or "" for member in chain.members}
         if define and self.names.arm is not None and n.letters(chain) & OF_FORCES:
