@@ -68,12 +68,12 @@ class Equality:
         pairs = [self._with_last_coordinate(true.node, pair) for pair in pairs]
         best: tuple[Pair, list[tuple[int, int]]] | None = None
         if true.rank < 4:  # only a quantity of the arm may be met in another shape
-            rotations = _is_made_of_rotations(true.node)
+            rotations, reshaped = _is_made_of_rotations(true.node), pairs
             pairs = [pair for pair in pairs if not pair.note or (rotations and pair.note == ROTATION)]
             if not pairs:
                 sizes = [v.size if isinstance(v, Matrix) else "a scalar" for v in (printed.value, true.value)]
                 outcome.findings = (say(Kind.WRONG_SIZE, printed=sizes[0], correct=sizes[1]),)
-                return outcome
+                return outcome.left_open(*outcome.findings) if any(map(agree_exactly, reshaped)) else outcome
         for pair in pairs:
             if branches:
                 wrong = self._wrong_in_branches(true.node, printed.node, pair)
@@ -146,11 +146,13 @@ class Equality:
         return outcome
 
     def _with_last_coordinate(self, node: n.Node, pair: Pair) -> Pair:
-        """The fourth coordinate is 1 of a point, 0 of a direction or a difference of points."""
-        quantity = self.members.quantity_of(node)
-        if pair.note != HOMOGENEOUS or quantity is None or quantity.kind not in ("origin", "axis", "difference"):
+        """The fourth coordinate is 1 of a point, 0 of a direction, a rate or a difference of points."""
+        quantity = self.members.quantity_of(bare(node))
+        is_rate = n.has_rates(node) or isinstance(bare(node), n.Derivative)
+        if pair.note != HOMOGENEOUS or not (is_rate or quantity):
             return pair
-        last = self.exact.ring.one if quantity.kind == "origin" else self.exact.ring.zero
+        is_point = quantity is not None and (quantity.kind == "origin" or quantity.columns == (4,)) and not is_rate
+        last = self.exact.ring.one if is_point else self.exact.ring.zero
         return replace(pair, true=Matrix((*pair.true.rows[:3], (last,))))
 
     def _wrong_in_branches(self, true: n.Node, printed: n.Node, pair: Pair) -> list[tuple[int, int]]:

@@ -346,7 +346,7 @@ def _is_of_letters(node: n.Node) -> bool:
         for cell in cells
         if isinstance(name := bare(cell), n.Name) and (name.sub in tuple("xyz") or name.base in "rR")
     }
-    return len(cells) == len(letters) == 9
+    return len(cells) == len(letters) in (4, 9)  # in the plane, or in space
 
 
 def _is_nought(node: n.Node) -> bool:
