@@ -128,6 +128,17 @@ class Claim:
         cells = [latex[cell.span[0] : cell.span[1]] for cell in matrix.rows[0]]
         return r"\begin{bmatrix} " + r" \\ ".join(cells) + r" \end{bmatrix}"
 
+    def spread(self, latex: str) -> str:
+        """Return a matrix with the scalar before it brought into its cells, where slips are looked for; "" of any other formula."""
+        node = n.ungrouped(self.read(latex))
+        factors = [n.ungrouped(factor) for factor in node.factors] if isinstance(node, n.Product) else []
+        matrices = [factor for factor in factors if isinstance(factor, n.Matrix)]
+        scalars = [factor for factor in factors if not isinstance(factor, n.Matrix)]
+        if len(matrices) != 1 or len(scalars) != 1 or any(isinstance(part, n.Matrix) for part in n.walk(scalars[0])):
+            return ""
+        rows = (" & ".join(_times(latex, scalars[0], cell) for cell in row) for row in matrices[0].rows)
+        return r"\begin{bmatrix} " + r" \\ ".join(rows) + r" \end{bmatrix}"
+
     def _has_its_letters(self, latex: str) -> bool:
         """Whether all letters of the task stand in an answer, so that its numbers stand for none of them."""
         return {*self.letters} <= {name.key for name in _names_in(self.read(latex))}
@@ -382,6 +393,16 @@ def judge_formula(claim: Claim, answer: Any) -> Feedback:
 def as_column(feedback: Feedback) -> Feedback:
     """Return the feedback on a row that was read as the column that is asked."""
     return replace(feedback, notes=(*feedback.notes, look_up("read as a column: what is asked has one entry a row")))
+
+
+def _times(latex: str, scalar: n.Node, cell: n.Node) -> str:
+    """Return a cell times a scalar, as both are written; over its denominator where that is all of it."""
+    factor, text = (latex[node.span[0] : node.span[1]] for node in (scalar, cell))
+    if text.strip() == "0":
+        return "0"
+    if isinstance(scalar, n.Quotient) and isinstance(scalar.numerator, n.Number) and scalar.numerator.value == 1:
+        return rf"\frac{{{text}}}{{{latex[scalar.denominator.span[0] : scalar.denominator.span[1]]}}}"
+    return rf"{factor} \left({text}\right)"
 
 
 def _equal_at(samples: int) -> str:

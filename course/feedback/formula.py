@@ -118,6 +118,9 @@ class Formula:
         )
         if feedback.is_general and not is_function(answer) and (unknown := self.claim.unbound(self._as_latex(answer))):
             return replace(feedback, message=unknown, rows=(), findings=())
+        if not is_function(answer) and feedback.is_piecemeal and (spread := self.claim.spread(self._as_latex(answer))):
+            in_cells = self.judge(spread)
+            return in_cells if in_cells.outcome is Outcome.WRONG else feedback
         if feedback.outcome is Outcome.WRONG:
             feedback = self._related(self._readable(answer), feedback)
         if feedback.at and set(self.given) & set(self.arguments):

@@ -85,7 +85,7 @@ class Asked:
     def identities(self) -> Iterator[Guess]:
         """Yield sums and differences of given values, and the number with one too many: of a number that is one this is true, chance or not."""
         values = self.known or {number_text(value, "g"): value for value in self.stated}
-        if len(values) <= _FEW_LETTERS:
+        if len(values) <= _FEW_LETTERS and self.unit != "rad":  # what is in metres makes no angle
             for sign in "+-":
                 for one, other in permutations(values, 2) if sign == "-" else combinations(values, 2):
                     value = _TWO[sign](values[one], values[other])

@@ -108,8 +108,8 @@ class Quantity:
         answer, was_function = self._readable(answer), is_function(answer)
         if words := (self._rearranged(answer) if feedback.is_piecemeal else "") or self._as_a_whole(answer, feedback):
             return replace(feedback, message=words, findings=())
-        if feedback.is_general and was_function and (words := self._as_formula(answer)):
-            return replace(feedback, message=words, findings=())
+        if feedback.is_general and was_function and (formula := self._as_formula(answer)) is not None:
+            feedback = replace(feedback, message=formula.message, findings=formula.findings)
         if feedback.is_general and (words := self._relation(answer)):
             feedback = replace(feedback, message=words)
         return told_of_the_rest(feedback, self._shape, partial(self._relation, answer))
@@ -152,13 +152,13 @@ class Quantity:
         joints = {joint.symbol: q for joint, q in zip(self.loaded.joints, self.claim.samples.q[:MANY].T, strict=True)}
         return {**joints, **random_values([*self.loaded.lengths], MANY)}
 
-    def _as_formula(self, answer: Any) -> str:
-        """Return what is said of a function's result as a formula, in which slips are looked for entry by entry."""
+    def _as_formula(self, answer: Any) -> Feedback | None:
+        """Return what is said of a function's result as a formula, in which slips are looked for entry by entry; None where no slip is found."""
         try:
             feedback = self.claim.judge(self._written(answer))
         except ArmproofError:
-            return ""
-        return "" if feedback.is_general or feedback.outcome is not Outcome.WRONG else feedback.message
+            return None
+        return None if feedback.is_general or feedback.outcome is not Outcome.WRONG else feedback
 
     def _written(self, answer: Any) -> str:
         """Return an answer as LaTeX, of a function what it gives for letters."""

@@ -40,6 +40,7 @@ COLUMNS = {
 }
 TURN = 6.3  # rad: no constant angle of a table is larger
 _FRACTION = re.compile(r"\\[dt]?frac\{([^{}]*)\}\{([^{}]*)\}")
+_LETTERS = re.compile(r"(?<![\\A-Za-z_])[A-Za-z](?:_\w+)?(?![A-Za-z])")
 _PLAIN = re.compile(r"\s*[-+]?\d+(?:\.\d+)?\s*")
 _POSES = 6  # at which two arms are compared
 _NEAR = 1e-9
@@ -92,7 +93,7 @@ class Table:
         if record.entries and all(entry.finding and entry.finding.kind is Kind.ROUNDED for entry in record.entries):
             return Feedback(Outcome.LETTERS, look_up("right, but rounded: write an angle as pi/2 or np.pi / 2"))
         if record.verdict is Verdict.REFUTED:
-            told = self._in_other_order(rows) or self._misplaced(rows, record) or self._sentence(record)
+            told = self._in_other_order(rows) or self._misplaced(rows, record) or self._sentence(rows, record)
             return Feedback(Outcome.WRONG, told)
         return Feedback(Outcome.ERROR, record.message or look_up("the table cannot be read"))
 
@@ -222,20 +223,39 @@ class Table:
             return ""
         return written("rows {one} and {other} are swapped", one=one, other=other)
 
-    def _sentence(self, record: Record) -> str:
+    def _sentence(self, rows: Sequence[Sequence[str]], record: Record) -> str:
         """Name the rows and the parameter that are wrong, not their values; the same mistake of several rows once."""
+        if not all(entry.row for entry in record.entries):  # taken for a table of the other convention
+            return self._sign_first(rows) or look_up("these rows do not lead from one frame of the arm to the next")
         names = [*("i",), *ORDER[self.convention]]
-        rows: dict[str, list[int]] = {}
+        where: dict[str, list[int]] = {}
         for entry in record.entries[:4]:
             words = written("{name} is wrong", name=names[(entry.column or 1) - 1])
-            why = entry.change or _angle_off(entry.printed, entry.correct)
+            why = entry.change or _angle_off(entry.printed, entry.correct) or _too_many(entry.printed, entry.correct)
             change = f"{words} ({why})" if why else words
-            rows.setdefault(change, []).append(entry.row or 0)
+            where.setdefault(change, []).append(entry.row or 0)
         told = [
-            counted("row {rows}: {words}", "rows {rows}: {words}", len(where), rows=where, words=words)
-            for words, where in rows.items()
+            counted("row {rows}: {words}", "rows {rows}: {words}", len(each), rows=each, words=words)
+            for words, each in where.items()
         ]
         return look_up("; ").join(told) or record.message
+
+    def _sign_first(self, rows: Sequence[Sequence[str]]) -> str:
+        """Name a wrong sign for which rows look like those of the other convention, and what is wrong besides; "" where there is none."""
+        for k, row in enumerate(rows):
+            for j, name in enumerate(ORDER[self.convention]):
+                if name == "theta" or (other := _negated(row[j])) is None:
+                    continue
+                changed = [[*each] for each in rows]
+                changed[k][j] = other
+                record = self._record(changed)
+                if any(not entry.row or (entry.row, entry.column) == (k + 1, j + 2) for entry in record.entries):
+                    continue
+                words = written("{name} is wrong", name=name) + f" ({look_up('the sign')})"
+                first = counted("row {rows}: {words}", "rows {rows}: {words}", 1, rows=[k + 1], words=words)
+                rest = self._sentence(changed, record) if record.verdict is Verdict.REFUTED else ""
+                return look_up("; ").join(filter(None, [first, rest]))
+        return ""
 
     def _rows(self, answer: Any) -> list[tuple[str, ...]]:
         if isinstance(answer, str):
@@ -288,6 +308,23 @@ class Table:
     def _letters(self) -> tuple[str, ...]:
         arm = self.loaded
         return (*(joint.symbol for joint in arm.joints), *arm.lengths, *arm.angles, *self.symbols)
+
+
+def _negated(cell: str) -> str | None:
+    """Return a cell with the other sign; None of zero and of a sum."""
+    bare = cell.strip().removeprefix("-").strip()
+    if bare == "0" or "+" in bare or "-" in bare:
+        return None
+    return bare if cell.strip().startswith("-") else f"-{bare}"
+
+
+def _too_many(printed: str, correct: str) -> str:
+    """Return which letters of a cell do not belong in it."""
+    given, right = ([*dict.fromkeys(_LETTERS.findall(text))] for text in (printed, correct))
+    extra = [letter for letter in given if letter not in right]
+    if not extra:
+        return ""
+    return counted("{letters} does not belong", "{letters} do not belong", len(extra), letters=", ".join(extra))
 
 
 def _is_zero(cell: str) -> bool:

@@ -435,7 +435,7 @@ LESSON = Lesson(
                     "frame 2 in frame 1 turns with θ_2 alone",
                     own=True,
                 ),
-                Wrong(lambda q, l_2: transform(q, l_2)[:3, :3], "4"),
+                Wrong(lambda q, l_2: transform(q, l_2)[:3, :3], "right, but only a part"),
             ),
         ),
         Task(

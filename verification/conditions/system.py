@@ -23,8 +23,6 @@ from armproof.verification.latex.nodes import bare, has_branches
 from armproof.verification.singularities.elimination import BeyondReach
 from armproof.verification.singularities.linear import maximal_minors
 
-FEW_DEGREES = 15  # angles without a sign of their unit are multiples of so many
-
 
 class Undecided(EvaluationError):
     """Neither a proof nor a counterexample was found."""
@@ -236,19 +234,9 @@ def _angle_or_difference(checker: ChainChecker, left: n.Node, right: n.Node, eva
     a, b = (as_scalar(evaluator.evaluate(node)) for node in (left, right))
     if not (isinstance(a, Scalar) and isinstance(b, Scalar)):
         raise Undecided(say(Kind.MATRIX_FOR_CONDITION))
-    angle = _in_radians(a - b, checker)
-    if is_angle(checker, angle) or has_arcs(a):
-        return 1 - checker.exact.cos_sin(angle)[0]
+    if is_angle(checker, a - b) or has_arcs(a):
+        return 1 - checker.exact.cos_sin(a - b)[0]
     return a - b
-
-
-def _in_radians(angle: Scalar, checker: ChainChecker) -> Scalar:
-    """Return an angle whose number is one of degrees without their sign, θ = 180: in radians that would be many turns."""
-    terms = checker.exact.ring.terms(angle.numerator) if angle.denominator.is_one() else ()
-    number = sum((factor for powers, factor in terms if not powers), Fraction(0))
-    if not number or number % FEW_DEGREES:
-        return angle
-    return angle + number * (checker.exact.pi() / 180 - 1)
 
 
 def is_angle(checker: ChainChecker, value: Scalar) -> bool:

@@ -144,12 +144,14 @@ class Mender:
         return self._other_number(latex, cell, true, notation) or self._missing_term(latex, cell, true, notation)
 
     def _other_number(self, latex: str, cell: n.Node, true: Scalar, notation: Notation) -> tuple[str, Finding] | None:
-        """Return the cell with another number in place of one of its few, a whole one where they are several."""
+        """Return the cell, of letters, with another number in place of one of its few, a whole one where they are several."""
+        if true.is_zero() or not any(isinstance(node, n.Name) for node in n.walk(cell)):
+            return None
         powers = {id(power.exponent) for power in n.walk(cell) if isinstance(power, n.Power)}
         numbers = [
             node for node in n.walk(cell) if isinstance(node, n.Number) and node.value and id(node) not in powers
         ]
-        for node in numbers if len(numbers) <= MAX_NUMBERS and not true.is_zero() else ():
+        for node in numbers if len(numbers) <= MAX_NUMBERS else ():
             for value in self._numbers_for(cell, node, true):
                 if value <= 0 or (len(numbers) > 1 and value.denominator > 1):
                     continue

@@ -182,11 +182,11 @@ class ChainChecker:
         of_jacobian = self.members.speaks_of_jacobian(chain)
         chain = self.rows.choose(chain) if of_jacobian else chain
         settled = frozenset(state.inferred)
-        members, fresh = self._evaluated(chain)
+        members, fresh = self._evaluated(chain, define)
         is_open = define and self.names.arm is not None and not all(member.known for member in members)
         if is_open and (matrix := stale(members, self.names)) is not None:
             forget_letters(self.names, matrix)
-            members, fresh = self._evaluated(chain)
+            members, fresh = self._evaluated(chain, define)
         check = partial(self.check, first_equation=first_equation, line=line, define=define)
         definitions = Definitions(self.readings, line, define, fresh)
         return _Pass(
@@ -298,9 +298,9 @@ class ChainChecker:
         is_of_forces = self.names.state.adopted and outcome.verdict is Verdict.DEFINED
         return Torques(self.members).judge(outcome) if is_of_forces else outcome
 
-    def _evaluated(self, chain: n.Chain) -> tuple[list[Member], frozenset[str]]:
+    def _evaluated(self, chain: n.Chain, define: bool) -> tuple[list[Member], frozenset[str]]:
         """Return the sides with their values, and the new letters that the chain defines: the names alone of these have none."""
-        new, fresh = new_name(self.names, chain), new_letters(self.names, chain)
+        new, fresh = new_name(self.names, chain), new_letters(self.names, chain) if define else frozenset()
         unused = {each.key for member in chain.members for each in names_alone(member) if self.names.is_new(each)}
         members = [
             Member(node, None, UnboundName(new))

@@ -39,7 +39,7 @@ def without_misreading(outcome: Outcome, chain: n.Chain, names: Names, erratum: 
     reason = _rotation_for_pose(outcome, names) or _own_name(chain, names) or _determinant(outcome, names)
     reason = reason or _numbered_twice(chain) or _turned_tool(outcome, names) or _on_both_sides(outcome, names)
     reason = reason or _function_or_factor(chain) or _of_other_size(chain, names)
-    if names.arm is None:
+    if names.arm is None and not is_closed:
         reason = reason or holds_for_unit_vector(outcome)
         is_open = reason is None and bool(names.reader.spelling.screws)
         reason = of_other_screws(outcome) if is_open else reason

@@ -100,7 +100,7 @@ class SecondRoute:
         """Leave open what is refuted, and holds where a letter is negative: √(a²) = −a of a coordinate a."""
         if outcome.verdict is not Verdict.REFUTED or self.weighs or not any(map(self._has_roots, outcome.nodes)):
             return outcome
-        letters = [each for each in self._coordinates(outcome) if not self._fails_for_negative(each, outcome, branches)]
+        letters = [each for each in self._coordinates(outcome) if self._holds_for_negative(each, outcome, branches)]
         if letters:
             return outcome.left_open(say(Kind.NEGATIVE_ALONE, letters=", ".join(letters)))
         counts = self._as_signed_distance(outcome, branches)
@@ -188,6 +188,12 @@ class SecondRoute:
         """Whether a name in a tree was defined by a square root."""
         named = (self._named(b) for b in n.walk(node) if isinstance(b, n.Name))
         return any(isinstance(b, n.Call) and b.function in ROOTS for each in named for b in n.walk(each))
+
+    def _holds_for_negative(self, letter: str, outcome: Outcome, branches: bool) -> bool:
+        """Whether both sides have values where a letter is negative, and the same: arcsin(f/K) has none anywhere."""
+        own = self.sampled()
+        errors = self.sampled_errors(outcome, branches, own.at({letter: -own.symbol(letter)}))
+        return errors is None or (errors.samples >= FEWEST and not errors.wrong(TOLERANCE))
 
     def _fails_for_negative(self, letter: str, outcome: Outcome, branches: bool) -> bool:
         own = self.sampled()

@@ -236,6 +236,20 @@ def test_what_cannot_be_judged_says_what_is_expected(asks: Any, answer: Any, wor
     assert words in feedback.message
 
 
+@pytest.mark.parametrize(
+    "rows", [("0 & v_3 & v_2", "v_3 & 0 & v_1", "v_2 & v_1 & 0"), ("v_1 & 0 & 0", "0 & v_2 & 0", "0 & 0 & v_3")]
+)
+def test_the_letters_of_an_answer_mean_what_the_task_says(rows: tuple[str, ...]) -> None:
+    skew = Formula(
+        r"\begin{bmatrix} 0 & -v_3 & v_2 \\ v_3 & 0 & -v_1 \\ -v_2 & v_1 & 0 \end{bmatrix}", ("v_1", "v_2", "v_3")
+    )
+    assert (
+        skew.judge(rf"\begin{{bmatrix}} {rows[0]} \\ {rows[1]} \\ {rows[2]} \end{{bmatrix}}").outcome is Outcome.WRONG
+    )
+    length = Formula("1", ("k_x", "k_y", "k_z"))
+    assert length.judge("k_x^2 + k_y^2 + k_z^2").outcome is Outcome.WRONG
+
+
 def test_a_table_is_not_wrong_for_an_angle_in_decimals() -> None:
     crane = Table({"dh": "classic", "rows": [{"theta": "theta_1", "d": "h", "a": 0, "alpha": "pi/2"}]}, "classic")
     assert crane.judge([("theta_1", "h", 0, 1.5708)]).outcome is Outcome.LETTERS

@@ -20,6 +20,7 @@ ROWS = (r"C\theta & -S\theta & 0 & a", r"S\theta C\alpha & C\theta C\alpha & -S\
 LINK = Formula(matrix(*ROWS), ("a", "alpha", "d", "theta"))
 JACOBIAN = Quantity("planar_2r", {"jacobian": 2, "rows": [1, 2]})
 FIRST, SECOND = "-l_1 S_1 - l_2 S_{12} & -l_2 S_{12}", "l_1 C_1 + l_2 C_{12} & l_2 C_{12}"
+INVERSE = Formula(r"\frac{1}{x y} " + matrix(r"y \cos u & y \sin u", r"-x \sin u & x \cos u"), ("x", "y", "u"))
 MOTION = Formula(matrix("x + y", "x - y", "x z"), ("x", "y", "z"))
 TURN = Formula(
     r"\operatorname{atan2}(y, x) - \operatorname{atan2}(n, m)", ("x", "y", "m", "n"), unit="rad",
@@ -43,6 +44,8 @@ CRANE = Table({"dh": "classic", "rows": [{"theta": "theta_1", "d": "h", "a": 0, 
         (JACOBIAN, matrix(SECOND, FIRST.replace("S_{12} & ", "S_{2} & ")), "rows 1 and 2 are swapped; once that is put right: entry (1, 1): index 1 is missing"),
         (LINK, matrix(ROWS[0], ROWS[1], "0 & 0 & 0 & 1", ROWS[2].replace("C\\theta S", "-C\\theta S")), "rows 3 and 4 are swapped; once that is put right: entry (3, 2): wrong sign"),
         (LINK, matrix(*(" & ".join(line) for line in zip(*(ROWS[k].split(" & ") for k in (3, 1, 2, 0)), strict=True))), "the matrix is transposed; once that is put right: rows 1 and 4 are swapped"),
+        (INVERSE, r"\frac{1}{x y} " + matrix(r"y \cos u & y \cos u", r"-x \sin u & -x \cos u"), "entry (1, 2): cosine for sine; entry (2, 2): wrong sign"),
+        (INVERSE, r"\frac{1}{x} " + matrix(r"y \cos u & y \sin u", r"-x \sin u & x \cos u"), "entries (1, 1), (1, 2)"),
         (MOTION, matrix("x - y", "x z", "x + y"), "the rows are right, their order is not"),
         (MOTION, matrix("x + 2 y", "x - y", "x + z"), "entry (1, 1)"),
         (MOTION, matrix("x", "x - y", "z"), "entry (1, 1): the term y is missing; entry (3, 1): a factor x is missing"),
@@ -76,6 +79,25 @@ def test_a_letter_that_falls_out_of_an_answer_is_not_called_absent() -> None:
     cancelled = Formula("x y", ("x", "y")).judge(r"\frac{x y}{x y} + 2").message
     assert cancelled == "x, y have no effect in your answer: what is asked depends on them"
     assert Formula("x y", ("x", "y")).judge("2 x + 1").message.startswith("y is missing")
+
+
+def test_a_matrix_with_its_factor_before_it_is_right_as_it_stands() -> None:
+    assert INVERSE.judge(r"\frac{1}{x y} " + matrix(r"y \cos u & y \sin u", r"-x \sin u & x \cos u")).is_right
+
+
+def test_signs_that_make_a_table_look_like_one_of_the_other_convention_are_named() -> None:
+    spec = {"dh": "modified", "rows": [{"alpha": 0, "a": 0, "d": 0, "theta": "theta_1"}, {"alpha": 0, "a": "a_1", "d": 0, "theta": "theta_2"},
+        {"alpha": "pi", "a": "a_2", "d": "d_3", "theta": 0}, {"alpha": 0, "a": 0, "d": "d_4", "theta": "theta_4"}]}  # fmt: skip
+    asks = Table(spec, "modified")
+    rows = [(0, 0, 0, "theta_1"), (0, "-a_1", 0, "theta_2"), ("pi", "a_2", "-d_3", 0), (0, 0, "d_4", "theta_4")]
+    assert asks.judge(rows).message == "row 2: a is wrong (the sign); row 3: d is wrong (the sign)"
+    rows = [
+        (0, 0, "d_4 + d_3", "theta_1"),
+        (0, "a_1", 0, "theta_2"),
+        ("pi", "a_2", "d_3", 0),
+        (0, 0, "d_4 + a_1", "theta_4"),
+    ]
+    assert "row 4: d is wrong (a_1 does not belong)" in asks.judge(rows).message
 
 
 def test_two_rows_of_a_table_that_are_exchanged_are_named() -> None:

@@ -86,7 +86,7 @@ def squared(answer: str) -> str:
         (RADIUS, "x", "y is missing: what is asked depends on it"),
         (VELOCITY, r"w \cos\theta - r u \sin\theta", "u and w are exchanged"),
         (FACING, r"\arccos\frac{x}{\sqrt{x^2 + y^2}}", "for some values only"),
-        (INVERSE, INVERSE.latex.replace("l_1 S_2", "l_1 C_2"), r"your answer is sin \theta_2 / cos \theta_2 times"),
+        (INVERSE, INVERSE.latex.replace("l_1 S_2", "l_1 C_2"), "entries (1, 1), (1, 2), (2, 1), (2, 2): cosine for sine"),
         (TOOL, r"\begin{bmatrix} 0 \\ l_1 S_1 + l_2 S_{12} \end{bmatrix}", "what is asked is not zero"),
         (AWAY, r"\operatorname{atan2}(-x, y)", "the arguments of atan2 are exchanged"),
         (BENT, lambda D: np.arcsin(np.sqrt(1 - D**2)), "the sine is right, the angle is not"),
