@@ -139,7 +139,6 @@ def _value(checker: ChainChecker, left: n.Node, right: n.Node, evaluator: Evalua
     value = as_scalar(evaluator.evaluate(right))
     if isinstance(value, Scalar) and isinstance(left, n.Name):
         value = checker.names.variable_at(symbol, value, checker.exact, left.key)
-    value = _in_radians(value, checker) if isinstance(value, Scalar) else value
     if not isinstance(value, Scalar) or not is_angle(checker, checker.exact.symbol(symbol) - value):
         return ()
     return () if ("symbol", symbol) in value.generators else ((symbol, value),)
