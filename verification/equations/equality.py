@@ -73,7 +73,8 @@ class Equality:
             if not pairs:
                 sizes = [v.size if isinstance(v, Matrix) else "a scalar" for v in (printed.value, true.value)]
                 outcome.findings = (say(Kind.WRONG_SIZE, printed=sizes[0], correct=sizes[1]),)
-                return outcome.left_open(*outcome.findings) if any(map(agree_exactly, reshaped)) else outcome
+                vectors = (pair for pair in reshaped if 1 in pair.printed.shape)
+                return outcome.left_open(*outcome.findings) if any(map(agree_exactly, vectors)) else outcome
         for pair in pairs:
             if branches:
                 wrong = self._wrong_in_branches(true.node, printed.node, pair)
