@@ -374,7 +374,8 @@ class ChainChecker:
 
     def _of_awaited(self, now: _Pass, first: list[Outcome]) -> list[Outcome]:
         """Return the outcomes where the letters of U_0 = [s n a P], which never gets a value, mean what they usually do, if all hold."""
-        matrices = [matrix for matrix, _ in self.names.state.awaited.values()] if now.is_open else []
+        awaited_now = self.names.state.awaited if now.is_open else {}
+        matrices = [matrix for key, (matrix, _) in awaited_now.items() if key.startswith("U")]  # as Paul and Khalil say
         letters = {name.key for matrix in matrices for name in names_alone(matrix)}
         if not any(isinstance(b, n.Name) and b.key in letters for m in now.chain.members for b in n.walk(m)):
             return first

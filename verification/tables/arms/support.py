@@ -266,9 +266,10 @@ def _told(inferred: Inference, records: tuple[Record, ...]) -> tuple[Record, ...
 def _is_data(taken: TakenArm, record: Record, links: frozenset[int] = frozenset()) -> bool:
     """Whether the arm was taken from a table, or from the equation in a display that is about these links."""
     place = (record.cell, record.line)
-    of_tool = bool(links) and FRAMES not in links  # what a closed form says of another point is no source
-    count = {"table": True, "matrices": len(links) == 1 or place in taken.products}.get(taken.source, of_tool)
-    return place in taken.lines and count
+    count = len(taken.front["arm"]["rows"]) if "arm" in taken.front else 0
+    of_tool = bool(links) and not (FRAMES in links and max(links) < count)  # of another point it is no source
+    is_source = {"table": True, "matrices": len(links) == 1 or place in taken.products}.get(taken.source, of_tool)
+    return place in taken.lines and is_source
 
 
 @dataclass(frozen=True)
