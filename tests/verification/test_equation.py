@@ -174,7 +174,7 @@ def test_sizes_of_a_name_by_convention_refute_nothing(judge: Judge) -> None:
         (r"\theta_2 = \pm\arccos c_2", Verdict.PROVED),
         (r"\theta_2 = \pm\arcsin c_2", Verdict.REFUTED),
         (r"\theta_1 = \operatorname{atan2}(s_1, c_1)", Verdict.PROVED),
-        (r"\theta_1 = \operatorname{atan2}(c_1, s_1)", Verdict.REFUTED),
+        (r"\theta_1 = \operatorname{atan2}(-s_1, c_1)", Verdict.REFUTED),
         (r"\theta_1 = \operatorname{atan2}(-s_1, -c_1)", Verdict.REFUTED),
         (r"\sqrt{a_1^2 + 2 a_1 a_2 + a_2^2} = a_1 + a_2", Verdict.PROVED),
         (r"|c_1| = \sqrt{c_1^2}", Verdict.CONFIRMED),
@@ -196,7 +196,7 @@ def test_a_root_elsewhere_in_the_document_excuses_nothing(check: Check, false: s
 
 
 @pytest.mark.parametrize(
-    "angle", [r"\operatorname{atan2}(c_1, s_1)", r"\operatorname{atan2}(-s_1, -c_1)", r"\arccos s_1"]
+    "angle", [r"\operatorname{atan2}(-s_1, c_1)", r"\operatorname{atan2}(-s_1, -c_1)", r"\arccos s_1"]
 )
 def test_a_wrong_angle_is_refuted_without_the_double_plant_too(judge: Judge, angle: str) -> None:
     assert judge(rf"\theta_1 = {angle}", confirm=False).verdict is Verdict.REFUTED
