@@ -1,5 +1,6 @@
 """Catalogues: what the sources say and a translation has not is found, and what is translated is said."""
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -21,7 +22,10 @@ def catalogue(tmp_path: Path) -> Path:
     update(path, "fr", SAID)
     text = path.read_text()
     text = text.replace('"no frame {frame}"\nmsgstr ""', '"no frame {frame}"\nmsgstr "pas de repère {frame}"')
-    text = text.replace('msgstr[0] ""\nmsgstr[1] ""', 'msgstr[0] "{number} repère"\nmsgstr[1] "{number} repères"')
+    text = text.replace('msgstr[0] ""', 'msgstr[0] "{number} repère"')
+    text = re.sub(
+        r'(msgstr\[\d\]) ""', r'\1 "{number} repères"', text
+    )  # two forms or, with the millions, three: as Babel has it
     path.write_text(text)
     return path
 

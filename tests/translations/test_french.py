@@ -96,7 +96,7 @@ def test_headings_of_a_document_with_a_catalogue_are_french(tmp_path: Path) -> N
         share, found = english_in(visible(page.read_text(encoding="utf-8")))
         assert share < 0.005, found
     sheet = (tmp_path / "errata.md").read_text(encoding="utf-8")
-    assert "ligne 63\u00a0: L'inverse" in sheet and "telle qu'imprimée" in sheet and "`a_i = 0,49`\u00a0; `" in sheet
+    assert "ligne 63\u00a0: L'inverse" in sheet and "telle qu'imprimée" in sheet and "$a_i = 0{,}49$\u00a0; $" in sheet
     assert english_in(said + sheet)[0] < 0.005
     run(tmp_path, "verify", document, *asked, "--lang", "en")
     assert "line 63: The inverse" in (tmp_path / "errata.md").read_text(encoding="utf-8")
