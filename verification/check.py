@@ -562,7 +562,7 @@ class DocumentChecker:
         if (state := self.names.state).conventional:
             keys = self._keys_in(outcome) & state.conventional
             result = replace(result, usual={key: state.inferred[key] for key in sorted(keys) if key in state.inferred})
-        if "tan" in record.latex and outcome.verdict in DECIDED:
+        if "tan" in record.latex.lower() and outcome.verdict in DECIDED:
             result = replace(result, order=self._order(outcome))
         if self.inferred.arm is not None:
             source, told_by = self.inferred.arm.source, self.inferred.arm.told_by

@@ -120,8 +120,8 @@ def _holds_with(
     again: Callable[[], bool],
 ) -> bool:  # fmt: skip
     """Whether an equation holds where a name has another formula."""
-    made = checker.names.state.definitions
-    made[key] = replace(definition, evaluate=checker.members.meaning(formula))
+    state = checker.names.state
+    state.definitions[key] = replace(definition, evaluate=checker.members.meaning(formula))
     try:
         if outcome.pair is None or outcome.there or any(map(_has_branches, outcome.nodes)):
             return again()
@@ -130,7 +130,7 @@ def _holds_with(
     except EvaluationError:
         return False
     finally:
-        made[key] = definition
+        state.definitions[key] = definition  # the dictionary may be another one: what is tried puts a whole state back
 
 
 def _has_branches(node: n.Node) -> bool:

@@ -48,7 +48,8 @@ def test_the_root_of_a_square_is_not_negative(judge: Judge, latex: str, verdict:
     ],
 )
 def test_a_square_common_to_sine_and_cosine_leaves_the_angle(judge: Judge, latex: str, verdict: Verdict) -> None:
-    record = judge(REACH, latex, **RX90)
+    shown = r"\rho + d_3 S_{23} = a_3 C_2", r"\theta_1 = \operatorname{atan2}(\rho P_y, \rho P_x)"
+    record = judge(REACH, *shown, latex, **RX90)
     assert record.verdict is verdict, record.message
     if verdict is Verdict.CONFIRMED:
         assert "one branch" in record.message

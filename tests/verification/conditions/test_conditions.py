@@ -275,7 +275,7 @@ def test_cases_are_checked_each_under_its_condition(judge: Judge) -> None:
     general = {"arm": None}
     both = (r"y = (1 - \sigma) a + \sigma b", r"y = \begin{cases} a & \sigma = 0 \\ b & \sigma = 1 \end{cases}")
     assert judge(*both, **general).verdict is Verdict.PROVED
-    assert judge(both[0], both[1].replace("1 \\end", "2 \\end"), **general).verdict is Verdict.REFUTED
+    assert judge(*both, both[1].replace("1 \\end", "2 \\end"), **general).verdict is Verdict.REFUTED
     assert judge(right, **general).verdict is not Verdict.PROVED
 
 

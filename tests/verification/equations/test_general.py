@@ -123,7 +123,7 @@ def test_somebodys_own_matrix_of_that_name_is_a_definition(judge: Judge) -> None
     own = r"A_i = \begin{bmatrix} a_i & 1 \\ 0 & 1 \end{bmatrix}"
     assert judge(own, arm=None).outcomes[0].role is Role.DEFINITION
     assert judge(own, r"\det A_i = a_i", arm=None).verdict is Verdict.PROVED
-    assert judge(own, r"\det A_i = -a_i", arm=None).verdict is Verdict.REFUTED
+    assert judge(own, r"\det A_i = a_i", r"\det A_i = -a_i", arm=None).verdict is Verdict.REFUTED
     assert judge(own, r"\det A_i = 1", arm=None).verdict is Verdict.UNCHECKED  # or what a_i is asked to be
 
 

@@ -306,5 +306,6 @@ def test_the_rotation_to_a_frame_that_a_document_adds_is_that_of_its_pose(judge:
     added = (
         r"T^2_3 = \begin{bmatrix} 0 & -1 & 0 & 2 l_1 \\ 1 & 0 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}"
     )
-    assert judge(added, r"R^0_3 = R^0_2 R_z(\frac{\pi}{2})", arm="planar_2r").verdict == "proved"
-    assert judge(added, r"R^0_3 = R^0_2", arm="planar_2r").verdict == "refuted"
+    right = r"R^0_3 = R^0_2 R_z(\frac{\pi}{2})"
+    assert judge(added, right, arm="planar_2r").verdict == "proved"
+    assert judge(added, right, r"R^0_3 = R^0_2", arm="planar_2r").verdict == "refuted"

@@ -96,8 +96,8 @@ def test_displays_with_a_named_sign_are_proved(check: Callable[..., Any]) -> Non
 
 
 def test_a_wrong_display_with_a_named_sign_is_refuted(check: Callable[..., Any]) -> None:
-    wrong = r"\theta_2 = \sigma_1 \arccos (2D)"
-    assert check(D, SIGN, wrong, arm=TWO_LINKS, quantities=XY).equations[-1].verdict is Verdict.REFUTED
+    shown, wrong = r"2 l_1 l_2 D = X^2 + Y^2 - l_1^2 - l_2^2", r"\theta_2 = \sigma_1 \arccos (2D)"
+    assert check(D, shown, SIGN, wrong, arm=TWO_LINKS, quantities=XY).equations[-1].verdict is Verdict.REFUTED
 
 
 def test_an_erratum_is_no_step(check: Callable[..., Any]) -> None:

@@ -258,9 +258,11 @@ def test_what_stands_behind_a_second_meaning_is_decided_as_the_next_equation(jud
         assert [(each.index, each.verdict) for each in record.outcomes] == [(1, Verdict.UNCHECKED), (2, verdict)]
 
 
-def test_a_slip_of_a_letters_meaning_is_refuted(judge: Judge) -> None:
-    assert judge(r"K = a_2c_2 + a_3c_3", r"K = a_2c_2 + a_3s_3", arm=ARM).verdict is Verdict.REFUTED
-    assert judge(r"K = 2a_2c_2", r"K = a_2c_2", arm=ARM).verdict is Verdict.REFUTED
+def test_a_slip_of_a_letters_meaning_is_refuted_where_something_else_holds_with_it(judge: Judge) -> None:
+    line, slip = r"K = a_2c_2 + a_3c_3", r"K = a_2c_2 + a_3s_3"
+    assert judge(line, r"K - a_3c_3 = a_2c_2", slip, arm=ARM).verdict is Verdict.REFUTED
+    assert judge(r"K = 2a_2c_2", r"K^2 = 4a_2^2c_2^2", r"K = a_2c_2", arm=ARM).verdict is Verdict.REFUTED
+    assert judge(line, slip, arm=ARM).verdict is Verdict.UNCHECKED  # one of the two is wrong
     assert judge(r"K = a_2c_2", r"K = a_3c_3 = a_3s_3", arm=ARM).verdict is Verdict.REFUTED
 
 
@@ -282,8 +284,8 @@ def test_what_another_exercise_defines_refutes_nothing() -> None:
     other = check_document(write_exercises(("Exercise 1", "K = a_2c_2"), ("Exercise 2", claim))).equations[-1]
     assert other.verdict is Verdict.UNCHECKED and "another exercise" in other.message
     for first, second in (("Notation", "Exercise 2"), ("Exercise 1", "Exercise 1"), ("Exercise 1", "The elbow")):
-        same = check_document(write_exercises((first, "K = a_2c_2"), (second, claim))).equations[-1]
-        assert same.verdict is Verdict.REFUTED
+        said = (first, "K = a_2c_2"), (first, "K^2 = a_2^2c_2^2"), (second, claim)
+        assert check_document(write_exercises(*said)).equations[-1].verdict is Verdict.REFUTED
 
 
 def test_an_entry_of_a_pose_keeps_its_meaning_in_every_section() -> None:

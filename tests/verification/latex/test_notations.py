@@ -158,7 +158,9 @@ def test_every_spelling_of_atan2_has_two_arguments_y_first(judge: Judge, spellin
     assert right.verdict is Verdict.CONFIRMED
     assert "branch" in right.message
     swapped = spelling.replace("p_y", "p_z").replace("p_x", "p_y").replace("p_z", "p_x")
-    assert judge(SOLVED, rf"\theta_1 = {swapped}", arm=ARM).verdict is Verdict.REFUTED
+    assert judge(SOLVED, rf"\theta_1 = {spelling}", rf"\theta_1 = {swapped}", arm=ARM).verdict is Verdict.REFUTED
+    alone = judge(SOLVED, rf"\theta_1 = {swapped}", arm=ARM)
+    assert alone.verdict is Verdict.UNCHECKED and "atan2(x, y)" in alone.message
 
 
 COSINE = r"\frac{p_x^2+p_y^2+(p_z-d_1)^2-a_2^2%sa_3^2}{2a_2a_3}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import re
+from contextvars import copy_context
 from pathlib import Path
 
 import pytest
@@ -117,6 +118,7 @@ def test_a_correction_of_a_whole_display_is_written_whole(tmp_path: Path) -> Non
 
 def test_the_example_is_in_the_letters_of_formulas_with_the_comma_of_its_language(tmp_path: Path) -> None:
     (tmp_path / "a.md").write_text(f"{FRONT}$$ x = l_1 c_1 - l_2 c_{{12}} $$\n", encoding="utf-8")
-    CliRunner().invoke(app, ["verify", str(tmp_path), "--errata", str(tmp_path / "errata.md"), "--lang", "fr"])
+    arguments = ["verify", str(tmp_path), "--errata", str(tmp_path / "errata.md"), "--lang", "fr"]
+    copy_context().run(CliRunner().invoke, app, arguments)  # the language that is asked for stays there
     text = (tmp_path / "errata.md").read_text(encoding="utf-8")
     assert re.search(r"\$\\theta_1 = -?\d\{,\}\d+\$\u00a0; \$\\theta_2 = ", text), text

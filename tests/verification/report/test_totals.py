@@ -50,7 +50,7 @@ def test_causes_are_told_the_most_frequent_first_with_what_to_write(tmp_path: Pa
 
 def test_where_no_arm_is_known_that_is_what_is_missing(tmp_path: Path) -> None:
     unused = "$$ D = k_9 $$\n\n"
-    _, *causes = said(result(tmp_path, PROVED, unused, front=""))
+    _, *causes = said(result(tmp_path, "$$ p_2 = 2 p_1 $$\n\n", unused, front=""))
     assert causes == ["2 × no arm is known: name it in the front matter (arm: …), or print its DH table"]
     assert not any("no arm" in line for line in said(result(tmp_path, PROVED, unused)))
 

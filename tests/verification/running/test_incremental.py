@@ -15,6 +15,7 @@ from armproof.verification.check import DocumentChecker, check_document, load_ar
 from armproof.verification.document import Display, Document, find_documents, parse_document
 from armproof.verification.document.model import Listing
 from armproof.verification.errors import DocumentError
+from armproof.verification.findings import Kind, say
 from armproof.verification.latex.nodes import Chain, Name
 from armproof.verification.latex.writer import Notation
 from armproof.verification.naming.state import Definition, DocumentState, JacobianRows, PrintedError, Stated, Told
@@ -40,6 +41,7 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "section": lambda state: setattr(state, "section", "A title"),
     "exercise": lambda state: setattr(state, "exercise", "Exercise 1"),
     "apart": lambda state: setattr(state, "apart", 1),
+    "other_sizes": lambda state: state.other_sizes.update(J=say(Kind.NO_EQUATION)),
     "subject": lambda state: setattr(state, "subject", Name("a")),
     "definitions": lambda state: state.definitions.update(a=Definition(float)),
     "inferred": lambda state: state.inferred.update(J=Quantity("jacobian", "2")),
@@ -52,7 +54,7 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "used_in_general": lambda state: state.used_in_general.add("a"),
     "listed": lambda state: setattr(state, "listed", (Listing(3, ("q_{1} = 0",)),)),
     "adopted": lambda state: state.adopted.add("L_3"),
-    "balanced": lambda state: state.balanced.add(("tau", "")),
+    "balanced": lambda state: state.balanced.update({("tau", ""): None}),
     "beyond": lambda state: state.beyond.update(E=("2", "T_E")),
     "configuration": lambda state: state.configuration.update(theta_1=Stated(Name("a"), 0.5)),
     "told": lambda state: setattr(state, "told", Told(in_words=True)),

@@ -111,7 +111,12 @@ def test_numbers_beside_letters_are_no_slip_where_no_arm_is_given() -> None:
     column = r"$$ \begin{bmatrix} x \\ y \end{bmatrix} = \begin{bmatrix} A \\ B \end{bmatrix} $$"
     assert verdicts(text + column.replace("A", "0.39").replace("B", "0.48"))[-1] == "unchecked"
     letters = column.replace("A", "l_1 c_1 + l_2 c_{12}").replace("B", "l_1 s_1 + l_2 s_{12}")
-    assert verdicts(text + letters)[-1] == "refuted"
+    assert (
+        verdicts(
+            text + "$$ x^2 = (l_1 c_1 + l_2 c_{12})^2 $$\n\n$$ y^2 = (2 l_1 s_1 - 3 l_2 s_{12})^2 $$\n\n" + letters
+        )[-1]
+        == "refuted"
+    )
 
 
 PLANAR = "---\narm: planar_2r\n---\n\n"
