@@ -20,7 +20,7 @@ from armproof.verification.equations.compositions import is_composition
 from armproof.verification.equations.differentials import is_of_rates, with_rates
 from armproof.verification.equations.doubts import is_of_arm
 from armproof.verification.equations.each_joint import holds_for_each_joint
-from armproof.verification.equations.elementary import is_elementary_rotation
+from armproof.verification.equations.elementary import axis_of_another_frame, is_elementary_rotation
 from armproof.verification.equations.general_links import GeneralStatements, is_sum_of_indices
 from armproof.verification.equations.given_targets import asked_of_the_tool
 from armproof.verification.equations.given_values import GivenValues, named_sign
@@ -39,6 +39,7 @@ from armproof.verification.naming.quantities import is_inverse_link
 from armproof.verification.naming.state import DocumentState, Key, Told
 from armproof.verification.verdict import DECIDED, HOLDS, Role, Verdict
 
+AXES = frozenset("xyz")
 CLOSE = 1e-9  # so near are angles that are the same
 
 
@@ -129,6 +130,8 @@ class Claims:
         if any(isinstance(below, n.Dots) for below in n.walk(chain)):
             unwritten = say(Kind.TERMS_UNWRITTEN, text="…")
             outcomes = [each.unless_refuted(unwritten) for each in outcomes]
+        if n.letters(chain) & AXES and (doubt := axis_of_another_frame(chain)) is not None:
+            outcomes = [each.left_open(doubt) if each.verdict in HOLDS else each for each in outcomes]
         foreign = self.names.state.foreign()
         for outcome in outcomes if foreign else ():
             if outcome.verdict is Verdict.REFUTED:

@@ -2,14 +2,18 @@ r"""The elementary rotations where a name does not say by which angle: R_x = [1,
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
 from dataclasses import replace
 
 from armproof.verification.equations.general_links import GeneralStatements
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.verdict import Verdict
 
 _AXES = {"x": "x", "X": "x", "roll": "x", "y": "y", "Y": "y", "pitch": "y", "z": "z", "Z": "z", "yaw": "z"}
+_AXIS_OF_FRAME = re.compile(r"[xyz]_\{?([^{},\s]+)\}?", re.IGNORECASE)
 _ANGLE = n.Name("alpha", text=r"\alpha")
 
 
@@ -35,3 +39,25 @@ def elementary_rotation(chain: n.Chain) -> n.Chain | None:
     turned = n.substitute_each(others[0], {id(each): replace(each, arguments=(_ANGLE,)) for each in calls})
     call = n.Call("Rot3", (n.Name(axis), _ANGLE), f"R_{axis}", "script")
     return replace(chain, members=(call, turned))
+
+
+def axis_of_another_frame(chain: n.Chain) -> Finding | None:
+    """Return the doubt where Rot_{x_k} or Trans_{x_k} is about an axis of neither frame of the one transform that a chain is about."""
+    below = [each for member in chain.members for each in n.walk(member)]
+    axes = [each.arguments[0] for each in below if isinstance(each, n.Call) and each.function in ("Rot", "Trans")]
+    found = [match for axis in axes if isinstance(axis, n.Name) and (match := _AXIS_OF_FRAME.match(axis.text))]
+    frames = [indices for each in below if isinstance(each, n.Name) and (indices := [*_frames_of(each)])]
+    if len(frames) != 1:
+        return None
+    others = (match[0] for match in found if match[1] not in frames[0])
+    return next((say(Kind.AXIS_OF_ANOTHER_FRAME, axis=axis) for axis in others), None)
+
+
+def _frames_of(name: n.Name) -> Iterator[str]:
+    """Yield the frames between which a transform leads by its indices: A_i leads from frame i-1."""
+    indices = [index for index in (name.pre_sup, name.pre_sub, name.sup, name.sub) if index]
+    if name.base not in "TAHR" or not indices:
+        return
+    yield from indices
+    if len(indices) == 1:
+        yield str(int(indices[0]) - 1) if indices[0].isdigit() else f"{indices[0]}-1"

@@ -271,7 +271,7 @@ def _applied_name(evaluator: Evaluating, node: n.Call) -> Value:
         if len(arguments) == 1:
             return multiply(evaluator.evaluate(name), "", evaluator.evaluate(arguments[0]))
         raise EvaluationError(say(Kind.WRONG_NUMBER_OF_VALUES, name=name.key, given=len(arguments), joints=len(own)))
-    if all(is_variable(argument, names) for argument in arguments):
+    if all(is_variable(argument, names) for argument in arguments) and len({*letters}) == len(letters):
         return evaluator.evaluate(name)
     raise UnboundName(key)
 

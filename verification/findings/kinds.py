@@ -39,6 +39,7 @@ class Kind(MessageKind):
     NO_EQUATION = "no_equation", "states no equation"
     CONDITION = "condition", "a condition, not a claim"
     CONFIGURATION = "configuration", "a configuration, not a claim"
+    AXIS_OF_ANOTHER_FRAME = "axis_of_another_frame", "`{axis}` is an axis of neither frame that this transform leads between"
     TERMS_UNWRITTEN = "terms_unwritten", "'{text}' stands for terms that are not written out: what they are is not decided"
     PATTERN = "pattern", "an ellipsis stands for terms: a pattern, not a claim"
     SIGN = "sign", "`{name}` is a sign, either one"
