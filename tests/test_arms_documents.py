@@ -212,7 +212,8 @@ def test_one_joint_the_other_way_is_caught_and_named(name: str) -> None:
     count = len(arm.joints)
     for k, joint in enumerate(arm.joints):
         signs = ", ".join("-1" if i == k else "1" for i in range(count))
-        (record,) = judge(name, rf"J = {jacobian} \operatorname{{diag}}({signs})")
+        shown, wrong = f"J = {jacobian}", rf"J = {jacobian} \operatorname{{diag}}({signs})"
+        _, record = judge(name, shown, wrong)  # what shorthands say may be the mistake, where nothing holds with them
         assert record.verdict is Verdict.REFUTED
         assert {entry.column for entry in record.entries} == {k + 1}
         assert (
@@ -224,8 +225,8 @@ def test_one_joint_the_other_way_is_caught_and_named(name: str) -> None:
 def test_one_mirrored_axis_is_caught(name: str) -> None:
     pose = CLOSED_FORMS[name].pose
     mirror = r"\operatorname{diag}(1, -1, 1, 1)"
-    (before,), (after,) = (
-        judge(name, f"X = {turned}") for turned in (f"{mirror} {pose}", f"{pose} {mirror}")
+    (_, before), (_, after) = (
+        judge(name, f"X = {pose}", f"X = {turned}") for turned in (f"{mirror} {pose}", f"{pose} {mirror}")
     )  # of two, what both rest on may be the mistake
     assert before.verdict is after.verdict is Verdict.REFUTED
     assert {entry.row for entry in before.entries} == {2} and {entry.column for entry in after.entries} == {2}

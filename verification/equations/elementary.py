@@ -10,6 +10,7 @@ from armproof.verification.equations.general_links import GeneralStatements
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
+from armproof.verification.latex.tokens import canonical_script
 from armproof.verification.verdict import Verdict
 
 _AXES = {"x": "x", "X": "x", "roll": "x", "y": "y", "Y": "y", "pitch": "y", "z": "z", "Z": "z", "yaw": "z"}
@@ -44,8 +45,9 @@ def elementary_rotation(chain: n.Chain) -> n.Chain | None:
 def axis_of_another_frame(chain: n.Chain) -> Finding | None:
     """Return the doubt where Rot_{x_k} or Trans_{x_k} is about an axis of neither frame of the one transform that a chain is about."""
     below = [each for member in chain.members for each in n.walk(member)]
-    axes = [each.arguments[0] for each in below if isinstance(each, n.Call) and each.function in ("Rot", "Trans")]
-    found = [match for axis in axes if isinstance(axis, n.Name) and (match := _AXIS_OF_FRAME.match(axis.text))]
+    heads = [each.head for each in below if isinstance(each, n.Call) and each.function in ("Rot", "Trans")]
+    axes = [canonical_script(head.partition("_")[2]) for head in heads]
+    found = [match for axis in axes if (match := _AXIS_OF_FRAME.match(axis))]
     frames = [indices for each in below if isinstance(each, n.Name) and (indices := [*_frames_of(each)])]
     if len(frames) != 1:
         return None

@@ -167,7 +167,7 @@ class CallReader(NameReader):
             elif kind == "SUP":
                 powers.append(script)
             elif kind == "SUB" and function in ("Rot", "Trans"):
-                axis = n.Name(canonical_script(text)[:1].lower(), text=canonical_script(text), span=span)
+                axis = n.Name(canonical_script(text)[:1].lower(), span=span)
                 if (amount := self._elementary_amount(text, span)) is not None:
                     return self._scripted_call(item, function, (axis, amount), script, "script"), index + 1
             elif kind == "SUB" and function in ("cos", "sin"):
