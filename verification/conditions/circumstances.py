@@ -275,11 +275,13 @@ class Circumstances:
         values = [self.given.values_of(chain) for chain in given[0]]
         if not all(values):
             return None
-        before, state = self.names.state.copy(), self.names.state
+        state = self.names.state
         lengths = {name: each for name, each in state.configuration.items() if name in self.given.lengths}
-        state.configuration = lengths | self.given.stated({k: v for each in values for k, v in (each or {}).items()})
-        outcomes = [each for chain in claims[0] for each in self.checker.check(chain, equation, 0, define=False)]
-        state.become(before)
+        with state.unchanged():
+            state.configuration = lengths | self.given.stated(
+                {k: v for each in values for k, v in (each or {}).items()}
+            )
+            outcomes = [each for chain in claims[0] for each in self.checker.check(chain, equation, 0, define=False)]
         nowhere = say(Kind.NUMBERS_OF_NOWHERE)
         if any(nowhere in outcome.findings for outcome in outcomes):
             return Outcome(Verdict.UNCHECKED, (nowhere,), equation)

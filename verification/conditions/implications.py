@@ -88,12 +88,12 @@ class Implications:
         """Return the verdict where an implication holds of the tool's coordinates, as x, y mostly are; else None."""
         if self.names.arm is None:
             return None
-        before, judged = self.names.state.copy(), None
-        self.names.forget(key for outcome in steps for key in outcome.defines if not outcome.is_condition)
-        if self.checker.conventions.infer_tool(implication.chains):
-            judged = self.judge(implication, [Outcome(Verdict.UNCHECKED)], equation, links)
-        before.consulted |= self.names.state.consulted  # what the verdict rests on
-        self.names.state.become(before)
+        judged = None
+        with self.names.state.unchanged() as before:
+            self.names.forget(key for outcome in steps for key in outcome.defines if not outcome.is_condition)
+            if self.checker.conventions.infer_tool(implication.chains):
+                judged = self.judge(implication, [Outcome(Verdict.UNCHECKED)], equation, links)
+            before.consulted |= self.names.state.consulted  # what the verdict rests on
         return judged if judged is not None and judged[0].verdict in HOLDS else None
 
     def beside(self, judged: Judgement, implication: Implication, above: list[Implication], equation: int) -> Judgement:

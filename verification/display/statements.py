@@ -146,9 +146,9 @@ class Statements:
             implication = find_implication(implied, 0)
             if implication is None or implication.after < len(implied):
                 return None
-            display, before = _Display(implied, line, False, ""), self.names.state.copy()
-            self._take_implication(display, implication)
-            self.names.state.become(before)
+            display = _Display(implied, line, False, "")
+            with self.names.state.unchanged():
+                self._take_implication(display, implication)
             if [each.verdict in decided for each in display.outcomes] == [True]:
                 display.outcomes[0].also(say(Kind.OF_SINGULARITIES))
                 return display.outcomes, display.counterexample

@@ -397,10 +397,10 @@ class ChainChecker:
         self, chain: n.Chain, first_equation: int, line: int, first: Callable[[], None] = lambda: None
     ) -> list[Outcome]:
         """Check another chain, with what is done `first`, and leave nothing of it behind."""
-        before, meant = self.names.state.copy(), (self.conventions.doubts, self.conventions.before)
-        first()
-        tried = self.check(chain, first_equation, line, define=False)
-        self.names.state.become(before)
+        meant = self.conventions.doubts, self.conventions.before
+        with self.names.state.unchanged():
+            first()
+            tried = self.check(chain, first_equation, line, define=False)
         self.conventions.doubts, self.conventions.before = meant
         return tried
 

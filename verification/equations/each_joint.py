@@ -75,11 +75,9 @@ def _at(name: n.Name, letter: str, number: int) -> n.Name:
 
 
 def _holds(checker: ChainChecker, chain: n.Chain, equation: int, line: int) -> bool:
-    before = checker.names.state.copy()
     try:
-        outcomes = checker.check(chain, equation, line, define=False)
+        with checker.names.state.unchanged():
+            outcomes = checker.check(chain, equation, line, define=False)
     except (EvaluationError, RecursionError):
         return False
-    finally:
-        checker.names.state.become(before)
     return bool(outcomes) and all(outcome.verdict is Verdict.PROVED for outcome in outcomes)

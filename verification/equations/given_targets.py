@@ -20,10 +20,9 @@ def asked_of_the_tool(names: Names, outcomes: list[Outcome], again: Callable[[],
     given = names.state.given()
     if not given or not any(_moves(names, outcome) for outcome in outcomes):
         return outcomes
-    before = names.state.copy()
-    names.forget(key for key, _ in given)
-    tried = again()
-    names.state.become(before)
+    with names.state.unchanged():
+        names.forget(key for key, _ in given)
+        tried = again()
     of_both = zip(outcomes, tried, strict=True) if len(tried) == len(outcomes) else ((each, each) for each in outcomes)
     judged = [_judged(each, other, given[0]) if _moves(names, each) else each for each, other in of_both]
     if all(outcome.verdict in HOLDS for outcome in judged):

@@ -25,13 +25,10 @@ def unless_of_a_sign(names: Names, outcomes: list[Outcome], again: Again) -> lis
 
 def _proved_with(names: Names, key: str, value: int, again: Again) -> list[int]:
     """Return which equations are proved where a sign is a number."""
-    before = names.state.copy()
-    del names.state.signs.values[key]
-    names.define(key, lambda algebra: algebra.rational(Fraction(value)))
-    try:
+    with names.state.unchanged():
+        del names.state.signs.values[key]
+        names.define(key, lambda algebra: algebra.rational(Fraction(value)))
         return _proved(again())
-    finally:
-        names.state.become(before)
 
 
 def _proved(outcomes: list[Outcome]) -> list[int]:

@@ -44,12 +44,11 @@ def of_vectors(
         for key in made if define else ():
             names.define(key, undecided(doubt), line)
         return [outcome.left_open(doubt) for outcome in of_numbers]
-    before = names.state.copy()
-    for letter in letters:
-        components = [f"{letter}_{suffix}" for suffix in _suffixes(chain, letter)]
-        names.define(letter, partial(_column, components), line)
-    tried = check(False)
-    names.state.become(before)
+    with names.state.unchanged():
+        for letter in letters:
+            components = [f"{letter}_{suffix}" for suffix in _suffixes(chain, letter)]
+            names.define(letter, partial(_column, components), line)
+        tried = check(False)
     others = {b.key for b in n.walk(chain) if isinstance(b, n.Name) and b.key != "pi"} - letters
     of_letters = {key for key in others if key.rpartition("_")[0] in letters}
     refuted = [any(o.verdict is Verdict.REFUTED for o in outcomes) for outcomes in (of_numbers, tried)]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from itertools import product
 from typing import Any
@@ -323,6 +324,15 @@ class DocumentState:
         return DocumentState(
             **{name: value.copy() if hasattr(value, "copy") else value for name, value in vars(self).items()}
         )
+
+    @contextmanager
+    def unchanged(self) -> Iterator[DocumentState]:
+        """Let nothing stay of what is tried within, errors or not; yield the state that is put back."""
+        before = self.copy()
+        try:
+            yield before
+        finally:
+            self.become(before)
 
     def become(self, other: DocumentState) -> None:
         """Take over another state, which stays as it is: whoever holds this one goes on from there."""

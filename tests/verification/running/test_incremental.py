@@ -212,3 +212,14 @@ def test_every_part_of_a_state_is_copied_compared_and_put_back() -> None:
         assert state == before, name
         change(state)
         assert state == changed and before == DocumentState(), name
+
+
+def test_nothing_stays_of_what_is_tried_though_it_fails() -> None:
+    state = DocumentState()
+    made = state.definitions
+    with pytest.raises(DocumentError), state.unchanged() as before:
+        made["a"] = Definition(float)
+        state.used.add("a")
+        before.consulted.add(("a", 1))  # what is put back may be told more
+        raise DocumentError("no")
+    assert (state.definitions, state.used, state.consulted) == ({}, set(), {("a", 1)})
