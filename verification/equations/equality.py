@@ -73,7 +73,11 @@ class Equality:
             if not pairs:
                 sizes = [v.size if isinstance(v, Matrix) else "a scalar" for v in (printed.value, true.value)]
                 outcome.findings = (say(Kind.WRONG_SIZE, printed=sizes[0], correct=sizes[1]),)
-                vectors = (pair for pair in reshaped if 1 in pair.printed.shape)
+                sides = (true.node, printed.node)
+                of_arm = any(self.members.quantity_of(below) for side in sides for below in n.walk(side))
+                vectors = (
+                    pair for pair in reshaped if of_arm and 1 in pair.printed.shape
+                )  # else its size is the document's
                 return outcome.left_open(*outcome.findings) if any(map(agree_exactly, vectors)) else outcome
         for pair in pairs:
             if branches:
