@@ -32,9 +32,9 @@ class RowsOfJacobians:
     def choose(self, chain: n.Chain) -> n.Chain:
         """Return a chain in which J of det J and J^{-1} is square; a matrix printed for J decides its rows anew."""
         shown = self.names.state.shown
-        for printed in [*self._printed(chain)]:
-            if not shown[printed.key].printed or shown[printed.key].section != self.names.state.section:
-                del shown[printed.key]
+        for key in {printed.key for printed in self._printed(chain)}:  # J = J = […] prints it once
+            if not shown[key].printed or shown[key].section != self.names.state.section:
+                del shown[key]
         rows = rows_told(chain, self.names) or _rows_of_plane(chain)
         for below in n.walk(chain):
             if rows is not None and isinstance(below, n.Name) and self._is_open(below):
