@@ -142,6 +142,13 @@ def _dot(row: Iterable[Cell], column_: Iterable[Cell]) -> Cell:
     return total
 
 
+def inverse_pose(pose: Matrix) -> Matrix:
+    """Return the inverse of a pose, [R^T, -R^T p; 0, 1], without dividing."""
+    turned = pose.block(range(3), range(3)).transpose
+    back = -(turned @ pose.block(range(3), [3]))
+    return Matrix((*((*row, *cell) for row, cell in zip(turned.rows, back.rows, strict=True)), pose.rows[3]))
+
+
 def column(cells: Iterable[Cell]) -> Matrix:
     """Return a column vector."""
     return Matrix(tuple((cell,) for cell in cells))

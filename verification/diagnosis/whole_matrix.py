@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.algebra.matrix import Matrix, is_zero
+from armproof.verification.algebra.matrix import Matrix, inverse_pose, is_zero
 from armproof.verification.algebra.protocol import link_matrix
 from armproof.verification.equations.alignment import Pair, equal_matrices, exactly_equal
 from armproof.verification.equations.chain import ChainChecker
@@ -37,14 +37,7 @@ def _others(checker: ChainChecker, node: n.Node, pair: Pair) -> Iterator[Candida
     if isinstance(node, n.Name) and node.base == "link":
         yield from _other_links(checker, node.sub)
     elif true.shape == (4, 4):
-        yield say(Kind.INVERTED), _inverse_pose(true)
-
-
-def _inverse_pose(pose: Matrix) -> Matrix:
-    rotation = pose.block(range(3), range(3)).transpose
-    origin = -(rotation @ pose.block(range(3), [3]))
-    rows = [(*rotation.rows[k], origin.rows[k][0]) for k in range(3)]
-    return Matrix((*rows, pose.rows[3]))
+        yield say(Kind.INVERTED), inverse_pose(true)
 
 
 def _other_links(checker: ChainChecker, convention: str) -> Iterator[Candidate]:

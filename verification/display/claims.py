@@ -35,11 +35,11 @@ from armproof.verification.equations.worked_numbers import tells_values, unitles
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key, is_number
+from armproof.verification.naming.conventions import AXES
 from armproof.verification.naming.quantities import is_inverse_link
 from armproof.verification.naming.state import DocumentState, Key, Told
 from armproof.verification.verdict import DECIDED, HOLDS, Role, Verdict
 
-AXES = frozenset("xyz")
 CLOSE = 1e-9  # so near are angles that are the same
 
 
@@ -130,7 +130,7 @@ class Claims:
         if any(isinstance(below, n.Dots) for below in n.walk(chain)):
             unwritten = say(Kind.TERMS_UNWRITTEN, text="…")
             outcomes = [each.unless_refuted(unwritten) for each in outcomes]
-        if n.letters(chain) & AXES and (doubt := axis_of_another_frame(chain)) is not None:
+        if not n.letters(chain).isdisjoint(AXES) and (doubt := axis_of_another_frame(chain)) is not None:
             outcomes = [each.left_open(doubt) if each.verdict in HOLDS else each for each in outcomes]
         foreign = self.names.state.foreign()
         for outcome in outcomes if foreign else ():

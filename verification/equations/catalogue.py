@@ -81,12 +81,7 @@ class Catalogue:
     @staticmethod
     def _refuted(outcome: Outcome, quantity: Quantity, pair: Pair, wrong: list[tuple[int, int]]) -> Outcome:
         """Return a claim of a Jacobian with a wrong entry."""
-        assert outcome.printed is not None
-        true, reading = replace(outcome.printed, value=pair.true, problem=None), kind_of(quantity).tell(quantity)
-        return replace(
-            outcome, verdict=Verdict.REFUTED, findings=(), role=Role.CLAIM, true=true, printed=outcome.true, pair=pair,
-            wrong=wrong, defines=(), read_as=reading,
-        )  # fmt: skip
+        return replace(outcome.as_wrong_claim(pair, wrong), read_as=kind_of(quantity).tell(quantity))
 
     def _is_of_the_arm(self, pair: Pair) -> bool:
         """Whether a scalar holds the arm's letters alone: d_1 - Z - d_4 is a joint solved for, and no slip in z."""

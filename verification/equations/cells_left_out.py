@@ -46,29 +46,24 @@ def _whole(cells: Sequence[n.Node], count: int) -> list[n.Node]:
         return []
     found = [_between(cells[0], cells[-1], number, count) for number in range(count)]
     shown = [*cells[: at[0]]]
-    if None in found or len(shown) >= count or not all(map(_is_same, shown, found[: len(shown)])):
+    if None in found or len(shown) >= count or shown != found[: len(shown)]:
         return []
     return [each for each in found if each is not None]
 
 
-def _is_same(one: n.Node, other: n.Node | None) -> bool:
-    """Whether two trees are written alike, wherever they stand."""
-    return other is not None and _form(one, _SCRIPTS) == _form(other, _SCRIPTS)
-
-
-def _form(value: object, scripts: Sequence[str]) -> object:
-    """Return all that a tree says but where it stands, and of the scripts of names these alone."""
+def _form(value: object) -> object:
+    """Return all that a tree says but the scripts of its names, and where it stands."""
     if isinstance(value, n.Name):
-        return (value.base, value.dots, value.primes, *(getattr(value, script) for script in scripts))
+        return (value.base, value.dots, value.primes)
     if isinstance(value, n.Node):
-        said = (getattr(value, each.name) for each in fields(value) if each.name not in ("span", "text"))
-        return (type(value).__name__, *(_form(each, scripts) for each in said))
-    return tuple(_form(each, scripts) for each in value) if isinstance(value, tuple) else value
+        said = (getattr(value, each.name) for each in fields(value) if each.compare)
+        return (type(value).__name__, *map(_form, said))
+    return tuple(map(_form, value)) if isinstance(value, tuple) else value
 
 
 def _between(first: n.Node, last: n.Node, number: int, count: int) -> n.Node | None:
     """Return the cell of a joint, counted from 0, between the first and the last one; None where these differ in more."""
-    if _form(first, ()) != _form(last, ()):
+    if _form(first) != _form(last):
         return None
     changed: dict[int, n.Node] = {}
     names = [[below for below in n.walk(tree) if isinstance(below, n.Name)] for tree in (first, last)]

@@ -147,11 +147,14 @@ def _pair(node: n.Node, reference: str) -> tuple[str, str] | None:
     elif (two := re.fullmatch(r"(\d),?(\d)", node.sub)) is not None:
         pair = two[1], two[2]
     else:
-        pair = (_before(node.sub), node.sub) if node.base in "AH" and re.fullmatch(r"[1-9in]", node.sub) else ("", "")
+        pair = (
+            (index_before(node.sub), node.sub) if node.base in "AH" and re.fullmatch(r"[1-9in]", node.sub) else ("", "")
+        )
     return pair if _rank(pair[0]) < _rank(pair[1]) < _UNKNOWN else None
 
 
-def _before(index: str) -> str:
+def index_before(index: str) -> str:
+    """Return the index of the frame before: 1 of 2, i-1 of i."""
     return str(int(index) - 1) if index.isdigit() else f"{index}-1"
 
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
+from armproof.verification.equations.compositions import index_before
 from armproof.verification.equations.general_links import GeneralStatements
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
@@ -62,4 +63,4 @@ def _frames_of(name: n.Name) -> Iterator[str]:
         return
     yield from indices
     if len(indices) == 1:
-        yield str(int(indices[0]) - 1) if indices[0].isdigit() else f"{indices[0]}-1"
+        yield index_before(indices[0])

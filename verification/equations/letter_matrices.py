@@ -56,9 +56,13 @@ def _is_usually_a_pose(node: n.Node, names: Names) -> bool:
     return any(each.kind == "pose" for each in conventional(name, names.arm, names.transforms))
 
 
+def _entries_in(chain: n.Chain) -> dict[str, n.Name]:
+    return {each.key: each for m in chain.members for each in n.walk(m) if isinstance(each, n.Name) and is_entry(each)}
+
+
 def entries_elsewhere(names: Names, chain: n.Chain) -> Iterator[dict[str, Quantity]]:
     """Yield what the r_{ij} of a chain may be of: the rotation that was printed last, or that of a wrist of three joints."""
-    found = {each.key: each for m in chain.members for each in n.walk(m) if isinstance(each, n.Name) and is_entry(each)}
+    found = _entries_in(chain)
     if names.arm is None or not found:
         return
     wrist = _of_wrist(names.arm)
@@ -89,7 +93,7 @@ def _of_wrist(arm: Arm) -> list[Quantity]:
 
 def of_defined_rotation(names: Names, chain: n.Chain, algebra: Any, line: int) -> Callable[[], None] | None:
     """Return what lets the r_{ij} of a chain be entries of the rotation that a document without an arm gave last; None without one."""
-    found = {each.key: each for m in chain.members for each in n.walk(m) if isinstance(each, n.Name) and is_entry(each)}
+    found = _entries_in(chain)
     if not found or found.keys() & names.state.definitions.keys() or any(map(keys_alone, chain.members)):
         return None  # R = [r_{ij}] is no claim
     angles = {b.key for m in chain.members for b in n.walk(m) if isinstance(b, n.Name)} - found.keys()

@@ -55,8 +55,7 @@ class OfPoints:
             rows += [[value.cells[0].ring.zero] * len(by)] * (value.shape[0] - len(rows))
             pair = Pair(Matrix(tuple(map(tuple, rows))), value)
             if agree_exactly(pair):
-                said = say(Kind.DERIVATIVES_OF_POINT)
-                return replace(outcome, verdict=Verdict.PROVED, findings=(said,), role=Role.CLAIM, defines=())
+                return _proved(outcome)
             if is_near(pair) and (wrong := different_entries(pair, exactly_equal)):
                 return self._wrong(outcome, pair, wrong, by)
         self.members.names.state.consulted.intersection_update(consulted)  # it rests on no point
@@ -68,10 +67,9 @@ class OfPoints:
             square = sum((cell * cell for cell in velocity[1:]), velocity[0] * velocity[0]).normal()
             pair = Pair(as_matrix(square), as_matrix(value), is_scalar=True)
             if agree_exactly(pair):
-                said = say(Kind.DERIVATIVES_OF_POINT)
-                return replace(outcome, verdict=Verdict.PROVED, findings=(said,), role=Role.CLAIM, defines=())
+                return _proved(outcome)
             if is_near(pair):
-                return self._refuted(outcome, pair, [(0, 0)])
+                return outcome.as_wrong_claim(pair, [(0, 0)])
         return outcome
 
     def _velocities(self, name: n.Name, value: Scalar) -> Iterator[list[Scalar]]:
@@ -89,7 +87,7 @@ class OfPoints:
         """Refute rows that are the derivatives of nothing; where they are those of another point, that may hold the slip."""
         if any(_is_gradient(pair.printed.rows[row], by) for row, _ in wrong):
             return self._left_open(outcome)
-        return self._refuted(outcome, pair, wrong)
+        return outcome.as_wrong_claim(pair, wrong)
 
     def _left_open(self, outcome: Outcome) -> Outcome:
         """Leave a matrix open with its name: it, or what says the coordinates, holds the slip."""
@@ -99,15 +97,6 @@ class OfPoints:
         doubt = say(Kind.CONTRADICTED, name=name.key, lines=sorted({line for _, line in used}))  # type: ignore[attr-defined]
         names.leave_open(name.key, doubt)  # type: ignore[attr-defined]
         return outcome.left_open(doubt)
-
-    @staticmethod
-    def _refuted(outcome: Outcome, pair: Pair, wrong: list[tuple[int, int]]) -> Outcome:
-        assert outcome.true is not None and outcome.printed is not None
-        true = replace(outcome.printed, value=pair.true.cells[0] if pair.is_scalar else pair.true, problem=None)
-        return replace(
-            outcome, verdict=Verdict.REFUTED, findings=(), role=Role.CLAIM, true=true, printed=outcome.true, pair=pair,
-            wrong=wrong, defines=(),
-        )  # fmt: skip
 
     def _points(self, name: n.Name) -> Iterator[tuple[Scalar, ...]]:
         """Yield the points with the index of a Jacobian, as the document gives them; x and y for J itself."""
@@ -140,6 +129,11 @@ class OfPoints:
         letters = {angle.partition("_")[0] for angle in angles}
         joints = tuple(f"{letter}_{k}" for letter in letters for k in range(1, count + 1))
         return joints if len(letters) == 1 and angles <= {*joints} else None
+
+
+def _proved(outcome: Outcome) -> Outcome:
+    said = say(Kind.DERIVATIVES_OF_POINT)
+    return replace(outcome, verdict=Verdict.PROVED, findings=(said,), role=Role.CLAIM, defines=())
 
 
 def _rate(value: Scalar, moving: Sequence[str], exact: ExactAlgebra) -> Scalar:

@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterator, Sequence
 
 from armproof.verification.algebra.calculus import derivative, substitute, symbols_in
-from armproof.verification.algebra.matrix import Matrix, is_zero
+from armproof.verification.algebra.matrix import Matrix, inverse_pose, is_zero
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.evaluation.exact import ExactAlgebra
-from armproof.verification.evaluation.screws import Twist, twist_in, undone
+from armproof.verification.evaluation.screws import Twist, twist_in
 from armproof.verification.findings import Finding, Kind, say
 
 _JOINT = re.compile(r"(?:theta|q|d)(?:_(\d+))?")
@@ -42,7 +42,7 @@ def _is_twist(printed: Matrix) -> bool:
 def _is_motion(pose: Matrix, variables: Sequence[str]) -> bool:
     """Whether a pose is that of a chain of joints in this order, by its twists where all are zero."""
     home = _at_zero(pose, variables)
-    twists = [twist_in(_at_zero(_by(pose, each), variables) @ undone(home)) for each in variables]
+    twists = [twist_in(_at_zero(_by(pose, each), variables) @ inverse_pose(home)) for each in variables]
     chain = _product(twists, variables, pose)
     return chain is not None and _equal(chain @ home, pose)
 
@@ -63,7 +63,7 @@ def _is_jacobian(printed: Matrix, variables: Sequence[str]) -> bool:
 
 
 def _jacobians(chain: Matrix, joints: Sequence[str], direction_first: bool) -> Iterator[Matrix]:
-    back = undone(chain)
+    back = inverse_pose(chain)
     rates = [_by(chain, each) for each in joints]
     for found in ([rate @ back for rate in rates], [back @ rate for rate in rates]):
         yield Matrix(tuple(zip(*(twist_in(each).column(direction_first) for each in found), strict=True)))

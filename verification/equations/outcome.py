@@ -66,6 +66,15 @@ class Outcome:
         """Return the outcome, left open where it is refuted."""
         return self.left_open(reason) if self.verdict is Verdict.REFUTED else self
 
+    def as_wrong_claim(self, pair: Pair, wrong: list[tuple[int, int]]) -> Outcome:
+        """Return a definition as the wrong claim that it is: what is printed for its name is another value than the name's."""
+        assert self.printed is not None
+        value = pair.true.cells[0] if pair.is_scalar else pair.true
+        return replace(
+            self, verdict=Verdict.REFUTED, findings=(), role=Role.CLAIM, true=replace(self.printed, value=value, problem=None),
+            printed=self.true, pair=pair, wrong=wrong, defines=(),
+        )  # fmt: skip
+
     @property
     def is_slip(self) -> bool:
         """Whether it is refuted, and a slip away from what is true."""

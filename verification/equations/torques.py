@@ -76,14 +76,15 @@ class Torques:
         letters, state = self._letters(outcome), self.members.names.state
         return len(letters) == 1 and any((*letters, exercise) in state.balanced for exercise in (state.exercise, ""))
 
-    def _written(self, outcome: Outcome) -> Iterator[tuple[Scalar, ...]]:
-        """Yield the torques that J^T F gives where the exercise writes that product and F has a value."""
+    def _written(self, outcome: Outcome) -> tuple[Scalar, ...]:
+        """Return the torques that J^T F gives where the exercise writes that product and F has a value; else none."""
         state = self.members.names.state
         for letter in self._letters(outcome):
             product = state.balanced.get((letter, state.exercise)) or state.balanced.get((letter, ""))
             value = self._product(product) if isinstance(product, n.Product) else None
             if isinstance(value, Matrix) and value.shape == (len(self.members.names.joints), 1):
-                yield tuple(value.cells)
+                return tuple(value.cells)
+        return ()
 
     def _product(self, product: n.Product) -> Value:
         """Return J^T F; a force of two components acts in the plane, where nothing else tells which rows J has."""
@@ -96,17 +97,12 @@ class Torques:
 
     def _refuted(self, outcome: Outcome, pairs: list[Pair]) -> Outcome:
         """Return a claim of torques that are not those of J^T F; they are no more than that."""
-        assert outcome.true is not None and outcome.printed is not None
+        assert outcome.true is not None
         alone = len(pairs) == 1 and not isinstance(outcome.true.value, Matrix)
         pair = Pair(_column(each.true for each in pairs), _column(each.printed for each in pairs), is_scalar=alone)
-        true = replace(outcome.printed, value=pair.true.cells[0] if pair.is_scalar else pair.true, problem=None)
         for name in outcome.defines:
             self.members.names.leave_open(name, say(Kind.NEAR_TORQUE, names=sorted(outcome.defines)))
-        wrong = different_entries(pair, exactly_equal)
-        return replace(
-            outcome, verdict=Verdict.REFUTED, findings=(), role=Role.CLAIM, true=true, printed=outcome.true, pair=pair,
-            wrong=wrong, defines=(),
-        )  # fmt: skip
+        return outcome.as_wrong_claim(pair, different_entries(pair, exactly_equal))
 
     @staticmethod
     def _asked(outcome: Outcome) -> int:
@@ -120,13 +116,13 @@ class Torques:
         if arm is None or true is None or printed is None or not outcome.defines or true.rank > 1:
             return  # τ = J^T F by itself says what τ is
         values = [*as_matrix(true.value).cells] if isinstance(true.value, Matrix | Scalar) else []
-        rows = self._rows_of_force(values) if all(isinstance(each, Scalar) for each in values) else {}
         places = self._joints(printed.node, len(values))
         if len(places) != len(values):
             return
-        for torques in self._written(outcome):
+        if torques := self._written(outcome):
             yield from ((value, torques[place]) for value, place in zip(values, places, strict=True))
             return
+        rows = self._rows_of_force(values) if all(isinstance(each, Scalar) for each in values) else {}
         if not rows:
             return
         jacobian = self.members.exact.quantity(Quantity("jacobian", arm.frames[-1], arm.frames[0]))

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
-from armproof.verification.algebra.matrix import Matrix, is_zero
-from armproof.verification.algebra.protocol import Algebra
+from armproof.verification.algebra.matrix import Matrix, inverse_pose, is_zero
+from armproof.verification.algebra.protocol import Algebra, identity
 from armproof.verification.evaluation.evaluating import Evaluating
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
@@ -50,7 +50,7 @@ class Twist:
         turns = is_zero(square - one)
         if not (turns or is_zero(square)):
             return None
-        unit = Matrix(tuple(tuple(one if r == c else zero for c in range(3)) for r in range(3)))
+        unit = identity(algebra, 3)
         cosine, sine = algebra.cos_sin(amount) if turns else (one, zero)
         skew = Twist(self.omega).matrix(algebra)
         turn = unit + skew.map(lambda cell: cell * sine) + (skew @ skew).map(lambda cell: cell * (one - cosine))
@@ -167,16 +167,9 @@ def _columns(
     """Return the twist of each joint, (∂T/∂θ) T^{-1} in space and T^{-1} ∂T/∂θ in the body."""
     value = evaluator.evaluate(pose)
     rates = [evaluator.evaluate(n.Derivative(pose, amount)) for amount in amounts]
-    back = undone(value)
+    back = inverse_pose(value)
     found = [rate @ back if in_space else back @ rate for rate in rates]
     return [twist_in(each).column(direction_first) for each in found]
-
-
-def undone(pose: Matrix) -> Matrix:
-    """Return the inverse of a motion, without dividing."""
-    turn = pose.block(range(3), range(3)).transpose
-    place = -(turn @ pose.block(range(3), range(3, 4)))
-    return Matrix((*((*row, *at) for row, at in zip(turn.rows, place.rows, strict=True)), pose.rows[3]))
 
 
 def written_out(node: n.Product) -> n.Product:

@@ -134,7 +134,6 @@ _BROKEN_FENCE = re.compile(  # \left( a \right. \\ & \left. b \right): one brack
     r"\\right\s*\.(?:\s|&|\\\\|\\(?:q?quad|nonumber|notag)(?![A-Za-z])|\\[,;:! ])*\\left\s*\."
 )
 _PARENTHESIS = re.compile(r"[\s&]*(?:\\left|\\[bB]igg?l?)?\s*\(")
-_POWER_OF_UNIT = re.compile(r"\s*\^\s*(?:\d|\{\s*-?\d\s*\})")
 _TAN_TWO = re.compile(r"((?:\s|~|\\[,;:! ])*)\\?tan\s*_?\s*\{?\s*2\s*\}?")
 _QUANTITY = re.compile(r"([+-]?)(\d{1,20}(?:[.,]\d{1,20})?|[.,]\d{1,20})(?:[eE]([+-]?\d))?")
 _OUTSIDE = re.compile(

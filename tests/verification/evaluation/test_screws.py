@@ -7,11 +7,11 @@ from fractions import Fraction
 import pytest
 
 from armproof.verification.algebra.calculus import derivative, substitute
-from armproof.verification.algebra.matrix import Matrix, is_zero
+from armproof.verification.algebra.matrix import Matrix, inverse_pose, is_zero
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.check import verify_text
 from armproof.verification.evaluation.exact import ExactAlgebra
-from armproof.verification.evaluation.screws import Twist, twist_in, undone
+from armproof.verification.evaluation.screws import Twist, twist_in
 
 AXES = [((0, 0, 1), (0, 0, 0)), ((0, -1, 0), (0, 0, -2)), ((1, 0, 0), (3, -2, 1)), ((0, 0, 0), (0, 1, 0))]
 UNIT = (Fraction(2, 7), Fraction(3, 7), Fraction(6, 7))
@@ -30,7 +30,9 @@ def test_an_exponential_solves_its_differential_equation(omega, v):
     at_zero = motion.map(lambda cell: substitute(cell, {"theta_1": algebra.rational(Fraction(0))}))
     assert is_zero(rate + -(twist.matrix(algebra) @ motion))
     assert is_zero(at_zero @ motion + -motion)
-    assert twist_in(rate @ undone(motion)) == twist or is_zero(rate @ undone(motion) + -twist.matrix(algebra))
+    assert twist_in(rate @ inverse_pose(motion)) == twist or is_zero(
+        rate @ inverse_pose(motion) + -twist.matrix(algebra)
+    )
 
 
 def test_an_axis_of_another_length_has_no_such_exponential():
@@ -42,7 +44,7 @@ def test_the_inverse_of_a_motion_takes_it_back():
     algebra = ExactAlgebra(Ring(), None)
     motion = twist_of(algebra, UNIT, (1, 2, 3)).motion(algebra, algebra.symbol("theta_1"))
     unit = Matrix(tuple(tuple(algebra.rational(Fraction(int(r == c))) for c in range(4)) for r in range(4)))
-    assert is_zero(undone(motion) @ motion + -unit)
+    assert is_zero(inverse_pose(motion) @ motion + -unit)
 
 
 HEAD = (

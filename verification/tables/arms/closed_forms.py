@@ -20,11 +20,9 @@ from armproof.verification.tables.arms.candidate import Candidate, entry_text, r
 from armproof.verification.tables.arms.jacobians import coordinates_of_jacobian
 from armproof.verification.tables.arms.letters import equations_of, unapplied, value_in_letters
 from armproof.verification.tables.arms.moves import Moves
-from armproof.verification.tables.arms.poses import candidate_of_pose
+from armproof.verification.tables.arms.poses import candidate_of_pose, frame_of_tool
 
-_COORDINATE = re.compile(
-    r"(?P<own>[xyzXYZ])(?:_(?:e|E|ee|EE|tool|n|\d))?|[pP]_(?:e|E|ee|EE|(?P<point>\d))?,?(?P<of>[xyz])"
-)
+_COORDINATE = re.compile(r"([xyzXYZ])(?:_(?:e|E|ee|EE|tool|n|\d))?|[pP]_(?:e|E|ee|EE|(?P<point>\d))?,?([xyz])")
 _OF_WRIST = re.compile(r"[pP]_(?:W|w|WC|wc),?([xyz])|(?:WC|wc)_([xyz])|([xyzXYZ])_(?:WC|wc)")
 _POINTS = ("p", "P", "X", "x")
 _ENDS_OF = {letter: [f"{letter}_{end}" for end in ("e", "E", "ee", "EE", "tool", "n", "tip")] for letter in _POINTS}
@@ -47,7 +45,7 @@ def candidates_of_closed_form(document: Document, names: Names, has_table: bool 
         return found
     algebra = ExactAlgebra(Ring(), None)
     with algebra.budget.of(SECONDS):
-        of_pose = candidate_of_pose(document, names, algebra, _frame_of_tool) if not has_table else None
+        of_pose = candidate_of_pose(document, names, algebra) if not has_table else None
     return [of_pose] if of_pose is not None else _of_point(document, names, _OF_WRIST)
 
 
@@ -247,7 +245,7 @@ def _column(name: n.Node, printed: n.Node, spelt: re.Pattern[str]) -> tuple[n.No
     if spelt is not _COORDINATE:
         return ()
     rows = printed.rows if isinstance(printed, n.Matrix) else ()
-    if [len(row) for row in rows] == [4] * 4 and isinstance(name, n.Name) and _is_pose_of_tool(name):
+    if [len(row) for row in rows] == [4] * 4 and isinstance(name, n.Name) and frame_of_tool(name):
         return tuple(row[3] for row in rows[:3])
     if len(rows) not in (2, 3) or any(len(row) != 1 for row in rows):
         return ()
@@ -257,33 +255,10 @@ def _column(name: n.Node, printed: n.Node, spelt: re.Pattern[str]) -> tuple[n.No
     return tuple(row[0] for row in rows) if is_point or axes == list("xyz")[: len(rows)] else ()
 
 
-def pose_of_tool(document: Document, names: Names) -> tuple[Display, frozenset[str]] | None:
-    """Return the first display that prints the pose of a tool entry by entry, of whatever arm, with its letters; or None."""
-    for display in document.displays:
-        for chain in equations_of(display, names) if "=" in display.latex else ():
-            name, printed = unapplied(chain.members[0]), n.bare(chain.members[-1])
-            rows = printed.rows if isinstance(printed, n.Matrix) else ()
-            if isinstance(name, n.Name) and _is_pose_of_tool(name) and [len(row) for row in rows] == [4] * 4:
-                return display, frozenset(each.key for each in n.walk(printed) if isinstance(each, n.Name))
-    return None
-
-
 def _is_end_or_numbered(name: n.Name) -> bool:
     """Whether a point is the tool, p or p_e, or one of the points of a chain: p_1, p_2, p_3."""
     is_numbered = name.sub.isdigit() and name.sub != "0" and name.key == f"{name.base}_{name.sub}"
     return name.key in (name.base, *_ENDS_OF[name.base]) or is_numbered
-
-
-def _is_pose_of_tool(name: n.Name) -> bool:
-    """Whether a name is that of the pose of a frame beyond the first in the base: T_2^0, {}^0_3T, T_{0E}."""
-    return _frame_of_tool(name) != ""
-
-
-def _frame_of_tool(name: n.Name) -> str:
-    """Return the frame beyond the first whose pose in the base has a name, "" for any other."""
-    scripts = sorted(part for part in (name.pre_sup, name.pre_sub, name.sup, name.sub) if part)
-    pair = tuple(scripts[0]) if len(scripts) == 1 and len(scripts[0]) == 2 else tuple(scripts)
-    return pair[1] if name.base in "THA" and len(pair) == 2 and pair[0] == "0" and pair[1] not in ("0", "1") else ""
 
 
 def _rates(document: Document) -> set[str]:

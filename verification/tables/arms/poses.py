@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial, reduce
 from itertools import product
 
 from armproof.verification.algebra.calculus import angles_in, derivative, substitute, symbols_in
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.matrix import Matrix, inverse_pose
+from armproof.verification.algebra.protocol import elementary
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document import Display, Document
 from armproof.verification.errors import EvaluationError
@@ -32,20 +33,36 @@ Place3 = tuple[Scalar, Scalar, Scalar]
 Turn = tuple[Axis, Axis, Axis]  # the columns of a rotation by right angles
 
 
-def candidate_of_pose(
-    document: Document, names: Names, algebra: ExactAlgebra, frame_of: Callable[[n.Name], str]
-) -> Candidate | None:
-    """Return the arm of the first pose of a tool that a document prints, or None; `frame_of` tells of which frame a name is."""
+def candidate_of_pose(document: Document, names: Names, algebra: ExactAlgebra) -> Candidate | None:
+    """Return the arm of the first pose of a tool that a document prints, or None."""
     for display in document.displays:
         for chain in equations_of(display, names) if "=" in display.latex else ():
             name = unapplied(chain.members[0])
-            frame = frame_of(name) if isinstance(name, n.Name) else ""
+            frame = frame_of_tool(name) if isinstance(name, n.Name) else ""
             if (
                 frame.isdigit()
                 and (found := _of_matrix(chain.members[-1], int(frame), display, names, algebra)) is not None
             ):
                 return found
     return None
+
+
+def pose_of_tool(document: Document, names: Names) -> tuple[Display, frozenset[str]] | None:
+    """Return the first display that prints the pose of a tool entry by entry, of whatever arm, with its letters; or None."""
+    for display in document.displays:
+        for chain in equations_of(display, names) if "=" in display.latex else ():
+            name, printed = unapplied(chain.members[0]), n.bare(chain.members[-1])
+            rows = printed.rows if isinstance(printed, n.Matrix) else ()
+            if isinstance(name, n.Name) and frame_of_tool(name) and [len(row) for row in rows] == [4] * 4:
+                return display, frozenset(each.key for each in n.walk(printed) if isinstance(each, n.Name))
+    return None
+
+
+def frame_of_tool(name: n.Name) -> str:
+    """Return the frame beyond the first whose pose in the base has a name, "" for any other."""
+    scripts = sorted(part for part in (name.pre_sup, name.pre_sub, name.sup, name.sub) if part)
+    pair = tuple(scripts[0]) if len(scripts) == 1 and len(scripts[0]) == 2 else tuple(scripts)
+    return pair[1] if name.base in "THA" and len(pair) == 2 and pair[0] == "0" and pair[1] not in ("0", "1") else ""
 
 
 def _of_matrix(node: n.Node, count: int, display: Display, names: Names, algebra: ExactAlgebra) -> Candidate | None:
@@ -121,7 +138,8 @@ class _Chain:
             factors.append(self._matrix(turned, shift))
             if step.joint:
                 moves.add("d" if step.slides else "theta", symbol_of(step.joint), step.joint)
-                factors.append(self._moved(step))
+                by = self.algebra.ring.symbol(step.joint)
+                factors.append(elementary(self.algebra, "Trans" if step.slides else "Rot", "z", by))
             before = step
         made = reduce(Matrix.__matmul__, factors)
         same = all((a - b).normal().is_zero() for a, b in zip(made.cells, self.pose.cells, strict=True))
@@ -140,7 +158,7 @@ class _Chain:
         for joint in self.joints:
             by_joint = partial(derivative, variable=self.algebra.ring.symbol(joint))
             rate = self.pose.map(by_joint).map(partial(substitute, values=at_zero))
-            before = self._behind(before, joint, (rate @ _inverse(home)).map(Scalar.normal))
+            before = self._behind(before, joint, (rate @ inverse_pose(home)).map(Scalar.normal))
             yield before
         columns = tuple(_unit([home.rows[row][column] for row in range(3)]) for column in range(3))
         yield _Step(columns, tuple(home.rows[row][3] for row in range(3)))  # type: ignore[arg-type]
@@ -168,22 +186,6 @@ class _Chain:
         ring = self.algebra.ring
         rows = [(*(ring.rational(column[row]) for column in turned), shift[row]) for row in range(3)]
         return Matrix((*rows, (ring.zero, ring.zero, ring.zero, ring.one)))
-
-    def _moved(self, step: _Step) -> Matrix:
-        ring = self.algebra.ring
-        zero, one, value = ring.zero, ring.one, ring.symbol(step.joint)
-        if step.slides:
-            return Matrix(
-                ((one, zero, zero, zero), (zero, one, zero, zero), (zero, zero, one, value), (zero, zero, zero, one))
-            )
-        c, s = self.algebra.cos_sin(value)
-        return Matrix(((c, -s, zero, zero), (s, c, zero, zero), (zero, zero, one, zero), (zero, zero, zero, one)))
-
-
-def _inverse(pose: Matrix) -> Matrix:
-    turned = pose.block(range(3), range(3)).transpose
-    back = -(turned @ pose.block(range(3), [3]))
-    return Matrix((*((*row, *cell) for row, cell in zip(turned.rows, back.rows, strict=True)), pose.rows[3]))
 
 
 def _unit(values: Sequence[Scalar]) -> Axis:

@@ -13,12 +13,13 @@ from armproof.verification.latex.nodes import bare_key
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import WITH_ITS_ARM
 from armproof.verification.tables.arms.candidate import Candidate
-from armproof.verification.tables.arms.closed_forms import candidate_of_closed_form, point_given_anew, pose_of_tool
+from armproof.verification.tables.arms.closed_forms import candidate_of_closed_form, point_given_anew
 from armproof.verification.tables.arms.inference import arms_of, dh_tables, joints_used, plain_names
 from armproof.verification.tables.arms.last_turn import with_last_turn
 from armproof.verification.tables.arms.laws import candidate_of_law
 from armproof.verification.tables.arms.letters import equations_of
 from armproof.verification.tables.arms.matrices import candidates_of_matrices, first_links
+from armproof.verification.tables.arms.poses import pose_of_tool
 from armproof.verification.tables.arms.sections import named_sections, without_arms
 
 _FRAMES = re.compile(
