@@ -12,7 +12,7 @@ import sys
 from collections import Counter
 from collections.abc import Sequence
 
-from tests.labelled.cases import DECIDED, FALSE_PASS, FALSE_REFUTATION, FILES, UNDECIDED
+from tests.labelled.cases import DECIDED, FALSE_PASS, FALSE_REFUTATION, FILES, UNDECIDED, load_cases
 from tests.labelled.faults import (
     Fault,
     faults_of_cases,
@@ -23,7 +23,7 @@ from tests.labelled.faults import (
     unexpected,
 )
 from tests.labelled.faults import write_not_yet as rewrite
-from tests.labelled.judging import Judged
+from tests.labelled.judging import Judged, judge_all
 from tests.labelled.pages import STRICT, load_pages
 from tests.labelled.record import differences, pages_that_differ, read_record, write_record, write_record_of_pages
 
@@ -33,7 +33,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m tests.labelled", description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--faults", action="store_true", help="only the verdicts that the labels do not allow")
     parser.add_argument("--totals", action="store_true", help="only the totals")
-    parser.add_argument("--about", default="", help="only groups and pages whose name holds this")
+    parser.add_argument("--about", default="", help="judge only the groups whose name holds this: no pages, no totals")
     parser.add_argument("--page", default="", help="print a page of that name, the attack and its true twin")
     parser.add_argument(
         "--update", action="store_true", help="take out of not_yet.txt what is mended, and write verdicts.txt anew"
@@ -42,13 +42,24 @@ def main() -> int:
     options = parser.parse_args()
     if options.page:
         return print_page(options.page)
-    cases = [judged for judged in judged_cases(options.jobs) if options.about in judged.case.about]
+    if options.about:
+        return print_about(options.about, options.faults, options.jobs)
+    cases = judged_cases(options.jobs)
     faults = (*faults_of_cases(options.jobs), *faults_of_pages())
     if not options.totals:
         print_cases(cases, options.faults)
-        print_pages([fault for fault in faults_of_pages() if options.about in fault.where])
+        print_pages(faults_of_pages())
     print_totals()
     return max(compare(faults, options.update), compare_record(judged_cases(options.jobs), options.update))
+
+
+def print_about(about: str, only_faults: bool, jobs: int) -> int:
+    """Print the displays of the groups of that name; return 1 where one has a fault, or another thing is said than is on record."""
+    cases = judge_all([case for case in load_cases() if about in case.about], jobs)
+    print_cases(cases, only_faults)
+    found = differences(cases, read_record())
+    print("".join(f"\nanother thing is said than is on record: {line}" for line in found), end="\n" * bool(found))
+    return 1 if found or any(judged.fault for judged in cases) else 0
 
 
 def print_cases(cases: Sequence[Judged], only_faults: bool) -> None:
