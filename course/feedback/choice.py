@@ -150,7 +150,7 @@ class Number:
         """Return what becomes of a number or a list of numbers."""
         right = np.atleast_1d(np.array(self.value, dtype=float))
         try:
-            given = numbers_in(answer, self.unit, right.size)
+            given = numbers_in(self._in_order(answer), self.unit, right.size)
         except AnswerError as problem:
             return Feedback(Outcome.WRONG, str(problem))
         except (TypeError, ValueError, ArmproofError):
@@ -182,6 +182,12 @@ class Number:
         if slip and len(told) == 1:
             return Feedback(Outcome.WRONG, written("{said}: {slip}", said=told[0], slip=slip))
         return Feedback(Outcome.WRONG, separator(told).join(told) + (look_up("; ") + slip if slip else ""))
+
+    def _in_order(self, answer: Any) -> Any:
+        """Return the numbers of a mapping, {"x": 0.25, …}, in the order in which they are asked."""
+        named = {str(name).lower(): value for name, value in answer.items()} if isinstance(answer, Mapping) else {}
+        labels = [label.lower() for label in self.labels]
+        return [named[label] for label in labels] if named and {*named} == {*labels} else answer
 
     def shown(self) -> str:
         """Return the right numbers, each with what it is and how it follows from what is given, Markdown."""

@@ -271,9 +271,11 @@ class Formula:
             yield partial(angle_astray, asked, given, at)
             if true[0].size > 1:
                 yield partial(letters_astray_in_each, asked, given, at)
-            yield partial(units_astray, asked, given, at, self._units)
-            yield partial(relation, true[:half], obtained[:half], positive)
             latex = cache(lambda: self._written(answer))
+            units = cache(lambda: units_astray(asked, given, at, self._units))
+            yield lambda: units() and slips_by_value(self.claim, latex(), at, drawn, only=wrong, most=1)
+            yield units
+            yield partial(relation, true[:half], obtained[:half], positive)
             if only is None or len(latex()) <= _LONG:  # of the rest of a long answer no slip is sought as well
                 yield lambda: slips_by_value(self.claim, latex(), at, drawn, only=wrong, with_turns=self._has_angles)
                 yield lambda: terms_astray(self.claim, latex(), at, wrong)

@@ -16,6 +16,7 @@ _LEAST = 3  # guesses that are tried whatever the number: they come first, and a
 _FINEST = -4  # the power of ten beside a number beyond which digits tell no more
 _MOST_DECIMALS = 6
 _SHORTENED = 0.02  # of a number, that is lost with its last digits
+_MOST_CUT = 0.1  # that is lost at most
 _SHORT = 4
 _ROUNDED = 0.01  # by how much a number changes at most when it is rounded
 _SMALL = 1e-9
@@ -94,8 +95,9 @@ def _decimals(number: float) -> int:
 def shortened(given: float, right: float) -> Iterator[Guess]:
     """Yield the right number rounded to the digits that are given, too few of them, and cut off behind them."""
     scale = 10.0 ** _decimals(given)
-    for number, words in ((round(right * scale) / scale, _ROUNDED_OFF), (int(right * scale) / scale, _CUT_OFF)):
-        if abs(number - right) < _SHORTENED * abs(right):
+    rounded, cut = round(right * scale) / scale, int(right * scale) / scale
+    for number, words, most in ((rounded, _ROUNDED_OFF, _SHORTENED), (cut, _CUT_OFF, _MOST_CUT)):
+        if abs(number - right) < most * abs(right):
             yield Guess(number, lambda words=words: look_up(words), is_exact=True)  # type: ignore[misc]
 
 

@@ -69,6 +69,7 @@ class Asked:
         yield from self._another()
         if self.worked is not None:
             yield from self.worked.confusions()
+        yield from self.doubled() if self.others else ()
         yield from self._of_the_others()
         yield from self._of_the_text()
         yield from self._alone(far, given)
@@ -133,11 +134,11 @@ class Asked:
         changes = {name: self._changes(name, value) for name, value in parts.items() if value != self.right}
         for k in range(2):
             for name, of_part in changes.items():
-                words, change = of_part[k]
-                yield Guess(self.right + change, partial(written, words, name=name), is_exact=True)
+                for words, change in of_part[k : k + 1]:
+                    yield Guess(self.right + change, partial(written, words, name=name), is_exact=True)
 
-    def _changes(self, name: str, value: float) -> tuple[tuple[str, float], tuple[str, float]]:
-        """Return by how much the number is off with one part too few, then with one too many, and the words for it."""
+    def _changes(self, name: str, value: float) -> tuple[tuple[str, float], ...]:
+        """Return by how much the number is off with one part too few, then with one too many, and the words for it; nothing of what is no term."""
         if self.worked is None or name not in self.known:
             return (_MISSING, -value), (_TOO_MUCH, value)
         part = self.worked.share_of(name)
@@ -145,7 +146,7 @@ class Asked:
             return (_TOO_MUCH, value), (_TOO_MUCH, -value)
         if abs(abs(part) - abs(value)) < _NOTHING:
             return (_MISSING, -part), (_TWICE, part)
-        return (_MISSING, -value), (_TOO_MUCH, value)
+        return ()
 
     def _of_sums(self, known: Mapping[str, float]) -> Iterator[Guess]:
         """Yield the sums of three and of four given values."""
@@ -162,6 +163,11 @@ class Asked:
         """Yield the other numbers that are asked."""
         for label, value in self.others.items():
             yield Guess(value, partial(instead, label))
+
+    def doubled(self) -> Iterator[Guess]:
+        """Yield the double and the half."""
+        for value in (2 * self.right, self.right / 2):
+            yield Guess(value, partial(written, noted("wrong by a factor of {factor}"), factor=2))
 
     def _of_the_others(self) -> Iterator[Guess]:
         """Yield the squares of the other numbers, and the sums and differences of two."""

@@ -26,6 +26,9 @@ _POWERS_OF_TEN = (100, 1000)
 _LONE_FACTORS = (2, 3, 4, _LARGEST_FACTOR, *_POWERS_OF_TEN)  # of one number: seven comes by chance
 _NEAR = 2e-3  # of numbers that were rounded, where the mistake is sought
 _NEAR_SHORT = 1e-4  # of one that has many digits, where the right one has few
+_USUAL_ANGLE = 15  # degrees: of a direction that is taken for another
+_NEAR_ANGLE = 0.02  # of it
+_ABOUT = 0.04  # of a double or a half that was rounded
 _NOT_ZERO = {
     "m": noted("it is not zero: something reaches that way"),
     "m/s": noted("it is not zero: something moves that way"),
@@ -70,7 +73,7 @@ def number_slip(
         unit: of the numbers; without one, whole numbers are numbers of things, of which none is "not zero".
         ways: how each number follows from what is given, LaTeX; "" of one of which that is not said.
     """
-    if whole := next(_whole(given, right, unit), ""):
+    if whole := next(_whole(given, right, unit), "") or _turned(given, right, labels):
         return whole
     values = dict(zip(labels, right.tolist(), strict=True))
     wrong = np.flatnonzero(wrong_numbers(given, right)).tolist()
@@ -152,11 +155,24 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
         if not near(np.linalg.norm(given), 1):
             yield look_up("a direction has the length 1, yours has not")
         return
-    if unit == "–" and right.min() >= 0 and near(right, np.round(right)) and near(np.abs(given - right)[wrong], 1):
+    is_of_counts = unit == "–" and right.min() >= 0 and near(right, np.round(right))
+    if is_of_counts and np.count_nonzero(wrong) > 1 and near(np.abs(given - right)[wrong], 1):
         if (given < right)[wrong].all():
             yield counted("one too few", "{number} too few", 1)
         if (given > right)[wrong].all():
             yield counted("one too many", "{number} too many", 1)
+
+
+def _turned(given: np.ndarray, right: np.ndarray, labels: Sequence[str]) -> str:
+    """Return by how much coordinates are turned that are as far out as the right ones, where the angle is a usual one."""
+    lengths = np.linalg.norm(given), np.linalg.norm(right)
+    if not {label[-1:] for label in labels} <= {*"xyz"} or right.size < 2 or not near(*lengths) or near(given, right):
+        return ""
+    angle = float(np.degrees(np.arccos(np.clip(given @ right / np.prod(lengths), -1, 1)))) / _USUAL_ANGLE
+    if not round(angle) or abs(angle - round(angle)) > _NEAR_ANGLE:
+        return ""
+    turn = round(angle) * _USUAL_ANGLE
+    return written("the length is right, the direction is not: yours is turned by {angle}°", angle=turn)
 
 
 def _by_factor(given: np.ndarray, right: np.ndarray, is_lone: bool = False) -> Iterator[str]:
@@ -208,7 +224,8 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
     """Return what is behind one wrong number; where nothing is recognised how large it is, and what would have to be given."""
     right, is_count = asked.right, asked.unit == "–"
     if is_count and (float(right).is_integer() or not right) and float(given).is_integer():
-        return _of_a_count(given, asked) or _of_another(given, asked) or _by_size(asked, given, is_only)
+        soon = _of_another(given, asked) if given > _MOST_ASTRAY else ""
+        return soon or _of_a_count(given, asked) or _of_another(given, asked) or _by_size(asked, given, is_only)
     if not given:
         return look_up(_NOT_ZERO.get(asked.unit, _NOT_ZERO["–"]))
     if not right:
@@ -219,6 +236,7 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
         or _carried(asked, given, own)
         or explained(given, right, asked.guesses(given))
         or next(_by_factor(np.array([given]), np.array([right])), "")
+        or explained(given, right, asked.doubled())
         or explained(given, right, asked.identities(), _MOST_TRUE)
         or _of_reach(given, asked)
         or _by_size(asked, given, is_only)
@@ -299,6 +317,8 @@ def _size(ratio: float) -> str:
     if close := next((words for most, words in _CLOSE if abs(ratio - 1) < most), ""):
         size = noted("too large by less than {share}") if ratio > 1 else noted("too small by less than {share}")
         return written(size, share=look_up(close))
+    if max(ratio, 1 / ratio) < 2 * (1 + _ABOUT) and max(ratio, 1 / ratio) > 2 * (1 - _ABOUT):
+        return look_up("about twice what is asked") if ratio > 1 else look_up("about half of what is asked")
     if ratio > 1:
         return look_up("much too large: more than double") if ratio > 2 else look_up("too large, but less than double")
     return look_up("much too small: less than half") if ratio < 1 / 2 else look_up("too small, but more than half")

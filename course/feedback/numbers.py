@@ -37,6 +37,8 @@ _WORDS = {
     for word in words.split()
 }  # fmt: skip
 _FRACTION = re.compile(r"\\[dt]?frac\s*(?:\{([^{}]*)\}|(\d))\s*(?:\{([^{}]*)\}|(\d))")
+_PLAIN = {"pi": "pi", "cdot": "*", "times": "*"}
+_IN_LATEX = re.compile(r"\\(pi|cdot|times)(?![A-Za-z])")
 _RECKONING = re.compile(
     r"pi|sqrt|root|racine|sin|cos|tan|minus|moins|plus|times|fois|not|pas|or|ou|over|sur|frac|dfrac|half|demi|about|environ",
     re.I,
@@ -157,7 +159,7 @@ def _of_bare(text: str, count: int) -> np.ndarray:
         text = re.sub(r"(?<=\d),(?=\d)", ".", text)
     if (number := _WORDS.get(text.strip(" .").lower())) is not None:
         return np.array([float(number)])
-    plain = read_plain(_FRACTION.sub(_divided, text).replace("\\pi", "pi"))
+    plain = read_plain(_IN_LATEX.sub(lambda found: _PLAIN[found[1]], _FRACTION.sub(_divided, text)))
     if plain is None and count > 1 and re.fullmatch(r"[^,]*\d,\d[^,]*(?:\b(?:et|and)\b|;)[^,]*\d,\d[^,]*", text):
         return _of_bare(re.sub(r"\b(?:et|and)\b", ";", re.sub(r"(?<=\d),(?=\d)", ".", text)).replace(";", ","), count)
     if plain is None and (among := _among_words(text)) is not None and len(among) == count:

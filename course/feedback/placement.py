@@ -13,6 +13,7 @@ import numpy as np
 
 from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import is_function, is_missing
+from armproof.course.feedback.misplaced import misplaced
 from armproof.course.feedback.notebook import Portrait, Shown, as_picture
 from armproof.course.feedback.outcome import Feedback, Outcome, nothing, pretty
 from armproof.course.feedback.spelling import as_entry
@@ -58,7 +59,7 @@ class Placement:
         if is_missing(answer):
             return nothing()
         read = self._read(answer)
-        problem = next(self._problems(read), "")
+        problem = next(filter(None, self._problems(read)), "")
         return Feedback(Outcome.WRONG, problem) if problem else Feedback(Outcome.PROVED, "", notes=self._notes(read))
 
     def signature(self, answer: Any) -> np.ndarray:
@@ -75,7 +76,7 @@ class Placement:
         """Return the frames of an answer drawn on the arm, with the table that follows, and beside it the usual choice."""
         read = self._read(answer)
         yours = self._drawing(read)
-        if problem := next(self._problems(read), ""):
+        if problem := next(filter(None, self._problems(read)), ""):
             return Portrait((as_picture(yours, pretty(problem)),))
         usual = {key: self._vectors(key, self.usual[key]) for key in STEPS["table"][:3] if key in read}
         return Portrait((
@@ -148,10 +149,23 @@ class Placement:
         if len(given) != len(rows.rows):
             yield written("a table has one row a joint: {wanted} rows, not {given}", wanted=len(rows.rows), given=len(given))  # fmt: skip
             return
+        names = ORDER["modified"]
+
+        def wrong_in(cells: Sequence[Sequence[LinearForm]]) -> list[tuple[int, int]]:
+            return [
+                (k, j)
+                for k, right in enumerate(rows.rows)
+                for j, name in enumerate(names)
+                if not self._same(cells[k][j], right, name, drawn[right.joint])
+            ]
+
+        cells = [[row[name] for name in names] for row in given]
+        wrong = wrong_in(cells)
+        if len({k for k, _ in wrong}) > 1:
+            yield misplaced(cells, wrong, names, LinearForm(), lambda other: not wrong_in(other))
         for number, (row, right) in enumerate(zip(given, rows.rows, strict=True), 1):
-            wrong = [name for name in ORDER["modified"] if not self._same(row[name], right, name, drawn[right.joint])]
-            if wrong:
-                yield _of_row(number, row, right, wrong, self._slides(number - 1))
+            if astray := [names[j] for k, j in wrong if k == number - 1]:
+                yield _of_row(number, row, right, astray, self._slides(number - 1))
 
     def _same(self, form: LinearForm, right: LinkRow, name: str, drawn: LinearForm) -> bool:
         """Whether an entry is right: a variable is counted from the common direction of both x axes, or from the drawing."""
@@ -308,7 +322,13 @@ def _of_row(number: int, row: Mapping[str, LinearForm], right: LinkRow, wrong: S
     if name == "alpha" and form == LinearForm(pi=-wanted.pi):
         return written("row {row}: alpha has the wrong sign for your axes: turn z_{before} into z_{row} about x_{before}", row=number, before=number - 1)  # fmt: skip
     told = written("row {row}: {name} is wrong for the frames that you placed", row=number, name=name)
-    change = _change(form.without(right.joint), wanted.without(right.joint), is_angle=name in ("alpha", "theta"))
+    if name in ("alpha", "theta") and (
+        length := next((symbol for symbol, _ in form.symbols if not symbol.startswith(("theta", "q"))), "")
+    ):
+        return written("row {row}: {letter} is a length, and stands in the column of {name}", row=number, letter=length, name=name)  # fmt: skip
+    if name == variable and form.coefficient(right.joint) == 1:
+        form, wanted = form.without(right.joint), wanted.without(right.joint)
+    change = _change(form, wanted, is_angle=name in ("alpha", "theta"))
     return f"{told} ({change})" if change else told
 
 

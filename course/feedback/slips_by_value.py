@@ -63,7 +63,12 @@ class _Budget:
 
 
 def slips_by_value(
-    claim: Claim, latex: str, *samples: Letters, only: np.ndarray | None = None, with_turns: bool = False
+    claim: Claim,
+    latex: str,
+    *samples: Letters,
+    only: np.ndarray | None = None,
+    with_turns: bool = False,
+    most: int = 2,
 ) -> str:
     """Return the slip, or the two slips, after whose mend an answer is what is asked; of each wrong entry of a matrix.
 
@@ -71,13 +76,14 @@ def slips_by_value(
         samples: values of the letters, one set after the other: at some an answer may have no value.
         only: the entries to tell of.
         with_turns: whether the entries are angles, of which whole turns too many are no mistake.
+        most: how many slips an entry may have, one or two.
     """
     node, letters, budget = claim.read(latex), _letters(claim), _Budget()
     sets = [(claim.values_over(ASKED, at), claim.values_over(latex, at), claim.evaluated_over(at)) for at in samples]
     sets = (
         sets[:1] if np.isfinite(sets[0][0]).all() else sets
     )  # what is asked has a value everywhere: no others are needed
-    for search in (_one_slip, _two_slips):
+    for search in (_one_slip, _two_slips)[:most]:
         for true, obtained, value in sets:
             if true.shape != obtained.shape:
                 return ""

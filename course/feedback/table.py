@@ -13,6 +13,7 @@ import numpy as np
 
 from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import as_latex, is_function, is_missing
+from armproof.course.feedback.misplaced import misplaced
 from armproof.course.feedback.notebook import Portrait, Shown, as_picture
 from armproof.course.feedback.outcome import Feedback, Outcome, nothing
 from armproof.models.arm import Arm
@@ -20,7 +21,7 @@ from armproof.models.catalogue import load_arm
 from armproof.models.dh.entry import read_entry
 from armproof.models.dh.table import read_table
 from armproof.models.errors import ArmproofError, counted, written
-from armproof.models.language import look_up, noted, spoken
+from armproof.models.language import look_up, spoken
 from armproof.models.loading.dh_plant import build_arm
 from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.check import check_document
@@ -44,8 +45,6 @@ _LETTERS = re.compile(r"(?<![\\A-Za-z_])[A-Za-z](?:_\w+)?(?![A-Za-z])")
 _PLAIN = re.compile(r"\s*[-+]?\d+(?:\.\d+)?\s*")
 _POSES = 6  # at which two arms are compared
 _NEAR = 1e-9
-_EARLY = noted("{names} stands one row too early: every entry of the column belongs in the row below")
-_LATE = noted("{names} stands one row too late: every entry of the column belongs in the row above")
 ORDER = {"classic": ("theta", "d", "a", "alpha"), "modified": ("alpha", "a", "d", "theta")}
 
 
@@ -146,7 +145,7 @@ class Table:
                 if isinstance(value, str) and _PLAIN.fullmatch(value):  # with a degree sign it is what it says
                     value = float(value)
                 if isinstance(value, int | float) and abs(value) > TURN:
-                    return written("row {row}: {name} = {value:g} is in degrees; angles are in radians, -pi/2 or -np.pi/2", row=number + 1, name=name, value=value)  # fmt: skip
+                    return written("row {row}: {name} = {value:g} is in degrees; angles are in radians, such as pi/2 or np.pi/2", row=number + 1, name=name, value=value)  # fmt: skip
         return ""
 
     def _of_other_kind(self, rows: Sequence[Sequence[str]]) -> str:
@@ -187,41 +186,11 @@ class Table:
         return look_up("this is a table of the classic convention, in its order; here the modified one is asked") if other == "classic" else look_up("this is a table of the modified convention, in its order; here the classic one is asked")  # fmt: skip
 
     def _misplaced(self, rows: Sequence[Sequence[str]], record: Record) -> str:
-        """Say that two columns or two rows are exchanged, or that a column stands a row too early or too late."""
-        order = ORDER[self.convention]
-        if swapped := self._rows_swapped(rows, record):
-            return swapped
-        wrong = {order[(entry.column or 0) - 2] for entry in record.entries if entry.row and (entry.column or 0) > 1}
-        for one, other in (("a", "d"), ("alpha", "theta")):
-            if wrong and not wrong <= {one, other}:
-                continue
-            i, j = order.index(one), order.index(other)
-            changed = [[*row] for row in rows]
-            astray = [k for k, row in enumerate(rows) if not _is_zero(row[i]) or not _is_zero(row[j])]
-            for k in astray:
-                changed[k][i], changed[k][j] = rows[k][j], rows[k][i]
-            if len(astray) > 1 and self._record(changed).verdict is Verdict.PROVED:
-                return written("{one} and {other} are exchanged in all rows", one=one, other=other)
-        for names in (("a",), ("alpha",), ("a", "alpha"), ("d",), ("theta",)):
-            if wrong != {*names} or len(record.entries) < 2:
-                continue
-            places = [order.index(name) for name in names]
-            for later, words in ((1, _EARLY), (-1, _LATE)):
-                if self._record(_shifted(rows, places, later)).verdict is Verdict.PROVED:
-                    return written(look_up(words), names=list(names))
-        return ""
-
-    def _rows_swapped(self, rows: Sequence[Sequence[str]], record: Record) -> str:
-        """Say which two rows are exchanged, where those that are wrong are two."""
-        lines = sorted({entry.row for entry in record.entries if entry.row})
-        if len(lines) != 2:
-            return ""
-        one, other = lines
-        exchanged = [*rows]
-        exchanged[one - 1], exchanged[other - 1] = rows[other - 1], rows[one - 1]
-        if self._record(exchanged).verdict is not Verdict.PROVED:
-            return ""
-        return written("rows {one} and {other} are swapped", one=one, other=other)
+        """Say which rows, columns or entries are exchanged, or which column stands a row too early or too late."""
+        wrong = {(entry.row - 1, entry.column - 2) for entry in record.entries if entry.row and entry.column}
+        return misplaced(
+            rows, wrong, ORDER[self.convention], "0", lambda other: self._record(other).verdict is Verdict.PROVED
+        )
 
     def _sentence(self, rows: Sequence[Sequence[str]], record: Record) -> str:
         """Name the rows and the parameter that are wrong, not their values; the same mistake of several rows once."""
@@ -325,19 +294,6 @@ def _too_many(printed: str, correct: str) -> str:
     if not extra:
         return ""
     return counted("{letters} does not belong", "{letters} do not belong", len(extra), letters=", ".join(extra))
-
-
-def _is_zero(cell: str) -> bool:
-    return cell.strip() == "0"
-
-
-def _shifted(rows: Sequence[Sequence[str]], places: Sequence[int], later: int) -> list[list[str]]:
-    """Return rows whose cells in some columns are moved to the next row, or to the one before."""
-    changed = [[*row] for row in rows]
-    for k, row in enumerate(changed):
-        for place in places:
-            row[place] = rows[k - later][place] if 0 <= k - later < len(rows) else "0"
-    return changed
 
 
 def _rows_of(text: str) -> list[list[str]]:

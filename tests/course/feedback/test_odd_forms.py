@@ -136,3 +136,12 @@ def test_three_digits_are_enough_of_a_number_that_has_more_and_two_are_not() -> 
 def test_numbers_that_are_right_to_four_digits_are_right_only_where_they_have_more() -> None:
     assert Number(np.pi / 2, "rad").judge(1.5708).outcome is Outcome.CONFIRMED
     assert Number(0.375, "m/s").judge(0.37503).outcome is Outcome.WRONG
+
+
+def test_numbers_may_have_names_in_any_order_and_stand_in_latex() -> None:
+    place = Number((0.25, 0.3, -0.1), "m", ("x", "y", "z"))
+    assert place.judge({"z": -0.1, "X": 0.25, "y": 0.3}).is_right
+    assert not place.judge({"x": 0.3, "y": 0.25, "z": -0.1}).is_right
+    assert not place.judge({"x": 0.25, "y": 0.3}).is_right
+    assert Number(500, "m").judge(r"5 \cdot 10^2").is_right
+    assert not Number(500, "m").judge(r"5 \times 10^3").is_right

@@ -196,8 +196,11 @@ def test_the_table_is_that_of_ones_own_frames() -> None:
         ((0, 0, 0, "theta_2"), "(it is missing)"),
         (("pi", "l_1", 0, "theta_2"), "(it should vanish)"),
         ((90, "l_1", 0, "theta_2"), "(in degrees? Radians are asked for)"),
+        (("l_1", 0, 0, "theta_2"), "row 2: l_1 is a length, and stands in the column of alpha"),
+        ((0, "theta_2", 0, "theta_2"), "row 2: a is wrong for the frames that you placed (theta_2 for l_1)"),
+        ((0, "l_1", 0, "-theta_2"), "(the sign)"),
         (("theta_2", "l_1", 0, 0), "theta_2 stands in the column of alpha; joint 2 turns, so its variable is theta"),
-        ((0, "l_1", 0, 0), "(the variable)"),
+        ((0, "l_1", 0, 0), "(it is missing)"),
         ((0, "2 l_1", 0, "theta_2"), "row 2: a is wrong for the frames that you placed"),
     ],
 )

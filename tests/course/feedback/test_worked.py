@@ -29,6 +29,9 @@ RATES = Number((0.2, 0.7), "m/s", ("v", "w"), ways=(r"-1 \cdot (-0.4) + 2 \cdot 
 RATE = Number(2.0, "rad/s")
 ROUND = Number(2 * np.pi, "m", ways=(r"2 \pi",))
 HEIGHT = Number(1.946, "m", ("z",))
+TURNED = Number((0.0, 2.0, 0.0), "m", ("x", "y", "z"))
+COUNTS = Number((6, 7, 7, 1), labels=("rows of J", "columns of J", "rows of q̇", "columns of q̇"))
+FRACTION = Number(0.054, "m", known={"a": 1.25, "b": 0.135}, ways=("b/(2 a)",))
 ANGLES = Number((0.64, -1.57, -0.93), "rad", ("θ_1", "θ_2", "θ_4"), ways=("", "", r"\theta_1 + \theta_2"))
 
 
@@ -44,7 +47,7 @@ ANGLES = Number((0.64, -1.57, -0.93), "rad", ("θ_1", "θ_2", "θ_4"), ways=("",
         (ROOT, 0.3175, "this is √(0.48^2 - 0.36^2)"),
         (TURN, 1.788, "an angle in degrees is taken as radians"),
         (PEAK, 1.5, "this is 15/8 · 0.4 · 2"),
-        (PEAK, 0.36, "it would be right with 0.384 in place of 0.4"),
+        (PEAK, 0.36, "a slip in the reckoning"),
         (REACH, [0.05, 0.05], "this is a - b"),
         (REACH, [0.05, 0.5], "far is not 0.5: this is 2 b"),
         (ACROSS, 0.55, "this is a + b"),
@@ -65,6 +68,12 @@ ANGLES = Number((0.64, -1.57, -0.93), "rad", ("θ_1", "θ_2", "θ_4"), ways=("",
         (HEIGHT, 1.46, "one digit is missing"),
         (HEIGHT, 1.9946, "one digit is written twice"),
         (HEIGHT, 1.846, "all digits but one are right"),
+        (Number(1.196, "m"), 1.1, "cut off where it is to be rounded"),
+        (HEIGHT, 0.973, "factor of 2"),
+        (PEAK, 0.19, "about half of what is asked"),
+        (TURNED, [1.414, 1.414, 0], "the direction is not: yours is turned by 45°"),
+        (COUNTS, [6, 7, 6, 1], "rows of q̇ is not 6: this is rows of J"),
+        (COUNTS, [6, 7, 8, 1], "rows of q̇ is not 8: one too many"),
         (ANGLES, [0.5, -1.57, -1.07], "θ_4: this follows from your θ_1: nothing else is wrong with it"),
     ],
 )  # fmt: skip
@@ -74,7 +83,7 @@ def test_a_wrong_number_is_told_what_it_comes_from(asks: Any, answer: Any, words
 
 @pytest.mark.parametrize(
     ("asks", "answer", "words"),
-    [(REACH, [0.05, 0.4], "this is"), (HEIGHT, 1.896, "digit"), (ANGLES, [0.5, -1.57, -1.2], "follows"), (TURN, 1.7, "degrees"), (ROUND, 6.8, "in place of"), (Number(1.5, "m"), 1.50097, "rounded"), (RATES, [1.4, 0.7], "factor"), (STACK, 1.892, "missing"), (TURN, 1.41421, "square")],
+    [(REACH, [0.05, 0.4], "this is"), (HEIGHT, 1.896, "digit"), (ANGLES, [0.5, -1.57, -1.2], "follows"), (TURN, 1.7, "degrees"), (ROUND, 6.8, "in place of"), (Number(1.5, "m"), 1.50097, "rounded"), (RATES, [1.4, 0.7], "factor"), (STACK, 1.892, "missing"), (TURN, 1.41421, "square"), (TURNED, [1.2, 1.6, 0], "turned"), (TURNED, [1.0, 1.0, 0], "turned"), (REACH, [0.05, 0.5437], "in place of"), (HEIGHT, 1.7, "cut off"), (FRACTION, -1.196, "missing")],
 )  # fmt: skip
 def test_of_any_other_number_nothing_of_the_kind_is_said(asks: Any, answer: Any, words: str) -> None:
     assert words not in asks.judge(answer).message
