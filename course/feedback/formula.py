@@ -104,10 +104,14 @@ class Formula:
         known = {joint.symbol for joint in arm.joints} | {*arm.lengths, *arm.angles} if arm is not None else set()
         return {name: FREE for name in self.arguments if name not in known and name not in self.given}
 
-    def judge(self, answer: Any) -> Feedback:
-        """Return what becomes of an answer: a function of the arguments, or a formula."""
+    def judge(self, answer: Any, known: Callable[[], str] = str) -> Feedback:
+        """Return what becomes of an answer: a function of the arguments, or a formula.
+
+        Args:
+            known: what is said of it where it is a known wrong one: then nothing else is sought.
+        """
         if not is_function(answer) and (column := self.claim.upright(row := self._as_latex(answer))) != row:
-            return as_column(self.judge(column))
+            return as_column(self.judge(column, known))
         feedback = (
             self._judge_function(answer)
             if is_function(answer)
@@ -119,9 +123,9 @@ class Formula:
         if feedback.is_general and not is_function(answer) and (unknown := self.claim.unbound(self._as_latex(answer))):
             return replace(feedback, message=unknown, rows=(), findings=())
         if not is_function(answer) and feedback.is_piecemeal and (spread := self.claim.spread(self._as_latex(answer))):
-            in_cells = self.judge(spread)
+            in_cells = self.judge(spread, known)
             return in_cells if in_cells.outcome is Outcome.WRONG else feedback
-        if feedback.outcome is Outcome.WRONG:
+        if feedback.outcome is Outcome.WRONG and not known():
             feedback = self._related(self._readable(answer), feedback)
         if feedback.at and set(self.given) & set(self.arguments):
             return replace(feedback, at=self._at_arguments(feedback.at))

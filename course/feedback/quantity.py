@@ -96,15 +96,21 @@ class Quantity:
         kind = kind_of(asked.quantity)
         return Claim(front, unit=partial(kind.unit, asked.quantity, self.loaded), names=self.names)
 
-    def judge(self, answer: Any) -> Feedback:
-        """Return what becomes of an answer: a function of the joint values, or a formula."""
+    def judge(self, answer: Any, known: Callable[[], str] = str) -> Feedback:
+        """Return what becomes of an answer: a function of the joint values, or a formula.
+
+        Args:
+            known: what is said of it where it is a known wrong one: then nothing else is sought.
+        """
         if not is_function(answer) and (column := self.claim.upright(row := as_latex(answer))) != row:
-            return as_column(self.judge(column))
+            return as_column(self.judge(column, known))
         feedback = self._judge_function(answer) if is_function(answer) else judge_formula(self.claim, answer)
         if feedback.outcome is not Outcome.WRONG:
             return feedback
         if feedback.is_general and not is_function(answer) and (unknown := self.claim.unbound(as_latex(answer))):
             return replace(feedback, message=unknown, rows=(), findings=())
+        if known():
+            return feedback
         answer, was_function = self._readable(answer), is_function(answer)
         if words := (self._rearranged(answer) if feedback.is_piecemeal else "") or self._as_a_whole(answer, feedback):
             return replace(feedback, message=words, findings=())

@@ -49,6 +49,8 @@ def rearranged(
         true, obtained: what is asked and what is given, (samples, rows, columns).
         judge: what becomes of the answer once they are back in place.
     """
+    if _is_unturned(true, obtained):
+        return look_up("the rotation is the identity: the axes of the two frames are not the same")
     found = _best(true, obtained)
     if found is None:
         return ""
@@ -62,6 +64,15 @@ def rearranged(
     if rest.is_right or not rest.message:
         return found.words
     return written("{words}; once that is put right: {rest}", words=found.words, rest=rest.message)
+
+
+def _is_unturned(true: np.ndarray, obtained: np.ndarray) -> bool:
+    """Whether a pose is right but for its rotation, which is the identity."""
+    if true.shape[1:] not in ((3, 3), (4, 4)) or true.shape != obtained.shape:
+        return False
+    wrong = wrong_entries(true, obtained)
+    wrong[:3, :3] &= False
+    return not wrong.any() and same(obtained[:, :3, :3], np.broadcast_to(np.eye(3), obtained[:, :3, :3].shape))
 
 
 def _best(true: np.ndarray, obtained: np.ndarray) -> Rearranged | None:

@@ -29,6 +29,7 @@ _SMALL = 0.1  # rad: below it an angle and its tangent are nearly one
 _LARGEST = 64  # denominator of a number in a product
 _GROWN = 1.5  # by which a letter, or all of one unit, is changed to see what follows it
 _MOST_LETTERS = 8
+_ROUNDED = 0.005  # by which a rounded number makes an answer wrong
 _MOST_OF_THREE = 6  # letters of which three may have changed places
 _MOST_MATRICES = 4
 _DRAWN = 48  # values of each letter
@@ -98,14 +99,13 @@ def _letter_astray(asked: Values, given: Values, at: Letters, wrong: np.ndarray)
     for (one, other), true in zip(pairs, exchanged, strict=True):
         if same(true[:, wrong], obtained[:, wrong]):
             return written("{one} and {other} are exchanged", one=symbol_as_latex(one), other=symbol_as_latex(other))
-    for three in combinations(few, 3) if len(few) <= _MOST_OF_THREE else ():
-        for order in list(permutations(three))[1:]:
-            if same(
-                asked({**at, **{name: at[other] for name, other in zip(three, order, strict=True)}})[:, wrong],
-                obtained[:, wrong],
-            ):
-                letters = separator(three).join(map(symbol_as_latex, three))
-                return written("{letters} stand in each other's places", letters=letters)
+    threes = list(combinations(few, 3)) if len(few) <= _MOST_OF_THREE else []
+    orders = [dict(zip(three, order, strict=True)) for three in threes for order in list(permutations(three))[1:]]
+    moved = at_each(asked, [{**at, **{name: at[other] for name, other in order.items()}} for order in orders])
+    for order, true in zip(orders, moved, strict=True):
+        if same(true[:, wrong], obtained[:, wrong]):
+            letters = separator([*order]).join(map(symbol_as_latex, order))
+            return written("{letters} stand in each other's places", letters=letters)
     angles = [name for name in at if _JOINT_ANGLE.match(name)]
     if len(angles) > 1:
         absolute = {name: at[name] - at[before] for before, name in pairwise(angles)}
@@ -153,8 +153,10 @@ def angle_astray(asked: Values, given: Values, at: Letters) -> str:
     wrong = wrong_entries(asked(at), obtained)
     for name in filter(ANGLE.match, at):
         shown = symbol_as_latex(name)
-        turned = {turn: asked({**at, name: at[name] + turn * np.pi / 2})[:, wrong] for turn in (-1, 1, 2)}
-        if same(asked({**at, name: -at[name]})[:, wrong], obtained[:, wrong]):
+        sets = [-at[name], *(at[name] + turn * np.pi / 2 for turn in (-1, 1, 2))]
+        mirrored, *others = (true[:, wrong] for true in at_each(asked, [{**at, name: values} for values in sets]))
+        turned = dict(zip((-1, 1, 2), others, strict=True))
+        if same(mirrored, obtained[:, wrong]):
             return written("the sign of {name} is wrong: it is taken the other way", name=shown)
         if same(turned[2], obtained[:, wrong]):
             return written("{name} is counted from the opposite direction: half a turn away", name=shown)
@@ -397,7 +399,7 @@ def _multiple(true: np.ndarray, obtained: np.ndarray, factors: Letters) -> str:
         return _by_number(float(ratio[0]), true[good], {name: values[good] for name, values in factors.items()})
     known = {name: values[good] for name, values in factors.items()}
     if times := _product(ratio, known):
-        return written("your answer is {product} times what is asked", product=times)
+        return _by_product(times, _product(1 / ratio, known), ratio, known)
     difference = obtained[good] - true[good]
     if (more := _product(difference, known)).startswith("-"):
         return written("your answer is what is asked minus {product}", product=more[1:])
@@ -406,6 +408,18 @@ def _multiple(true: np.ndarray, obtained: np.ndarray, factors: Letters) -> str:
     if more := _product(obtained[good] ** 2 - true[good] ** 2, known):
         return written("the square of your answer differs from that of what is asked by {product}", product=more)
     return ""
+
+
+def _by_product(times: str, missing: str, ratio: np.ndarray, factors: Letters) -> str:
+    """Say that a product is missing, or by which product an answer is too large; of a square what may be behind it."""
+    if "/" not in missing:
+        return written("a factor {product} is missing", product=missing)
+    words = written("your answer is {product} times what is asked", product=times)
+    powers, number = _powers(ratio, factors) or ({}, 0.0)
+    if abs(number - 1) > _TOLERANCE or any(power % 2 or power < 0 for power in powers.values()):
+        return words
+    root = " ".join(_power(name, power // 2) for name, power in powers.items())
+    return words + look_up("; ") + written("does {product} stand above the line where it belongs below?", product=root)
 
 
 def _product(values: np.ndarray, factors: Letters) -> str:
@@ -468,6 +482,8 @@ def _by_number(factor: float, true: np.ndarray, factors: Letters) -> str:
     number = _number_in(true, factors)
     if number and abs(factor * number**2 - 1) < _TOLERANCE:
         return look_up("the number in front is upside down: its reciprocal belongs there")
+    if size - 1 < _ROUNDED:
+        return look_up("close, but a number in it is rounded: hand over the fraction or the root itself")
     shown = _as_root(size) or number_text(size, ".4g")
     if abs(factor) > 1:
         return written("your answer is {factor} times too large", factor=shown)

@@ -7,7 +7,7 @@ import textwrap
 import time
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Any, Protocol
 
 import numpy as np
@@ -193,12 +193,13 @@ class Task:
             answer = answer.value()
         if is_missing(answer):
             return nothing()
+        asks, own = self._asked(), cache(lambda: self._own_words(answer))
         try:
-            feedback = self._asked().judge(answer)
+            feedback = asks.judge(answer, own) if isinstance(asks, Formula | Quantity) else asks.judge(answer)
         except AnswerError as problem:
             return Feedback(Outcome.ERROR, str(problem))
-        if feedback.outcome in (Outcome.WRONG, Outcome.LETTERS) and (own := self._own_words(answer)):
-            return replace(feedback, message=own)
+        if feedback.outcome in (Outcome.WRONG, Outcome.LETTERS) and own():
+            return replace(feedback, message=own())
         return with_the_rest(feedback)
 
     def _asked(self) -> Question:
