@@ -32,6 +32,7 @@ _ASIDE = (
     "réponse",
     "réponses",
 )  # beside keys
+_MOST_TURNS = 2  # whole ones: beyond them an angle is one of degrees
 _TOLERANCE = 1e-6
 _FOUR_DIGITS = 1e-4
 _THREE_DIGITS = 3
@@ -173,6 +174,8 @@ class Number:
             self.unit in OF_ANGLES and _in_degrees(answer, given, right)
         ):
             return Feedback(Outcome.CONFIRMED, look_up("right, as far as the digits go"))
+        if self.unit == "rad" and (less := _without_turns(given, right)) is not None and self.judge(less).is_right:
+            return Feedback(Outcome.CONFIRMED, look_up("right up to whole turns"))
         told = [
             written("{label} is not {given:g}", label=self._label(k), given=float(given[k]))
             for k in np.flatnonzero(_listed(given, right, wrong)).tolist()
@@ -224,6 +227,12 @@ def _to_its_digits(given: float, right: float) -> bool:
     if three != right and given == three and len(f"{abs(given):g}".replace(".", "").lstrip("0")) >= _THREE_DIGITS:
         return True
     return four != right and (given == four or abs(given - right) <= _FOUR_DIGITS * abs(right))
+
+
+def _without_turns(given: np.ndarray, right: np.ndarray) -> np.ndarray | None:
+    """Return angles without the whole turns that they have too many, one or two; None where they have none, or are in degrees."""
+    turns = np.round((given - right) / (2 * np.pi))
+    return given - 2 * np.pi * turns if turns.any() and np.abs(turns).max() <= _MOST_TURNS else None
 
 
 def _in_degrees(answer: Any, given: np.ndarray, right: np.ndarray) -> bool:

@@ -19,15 +19,23 @@ _COLUMNS = (("a",), ("alpha",), ("a", "alpha"), ("d",), ("theta",))  # that are 
 
 
 def misplaced(
-    rows: Rows[Cell], wrong: Collection[Place], order: Sequence[str], zero: Cell, is_right: Callable[[Rows[Cell]], bool]
+    rows: Rows[Cell],
+    wrong: Collection[Place],
+    order: Sequence[str],
+    zero: Cell,
+    negated: Callable[[Cell], Cell | None],
+    is_right: Callable[[Rows[Cell]], bool],
 ) -> str:
-    """Say what stands in the wrong place; empty where no exchange makes all right.
+    """Say what stands in the wrong place; empty where no exchange makes all right, or other signs do as well.
 
     Args:
         wrong: the entries that are wrong, by row and column from 0.
         order: the names of the columns.
         zero: what stands in an empty place.
     """
+    cells = [rows[k][j] for k, j in wrong]
+    if len(cells) == 2 and negated(cells[0]) == cells[1]:
+        return ""
     given = [[*row] for row in rows]
     tried = (each for each in _exchanges(rows, {*wrong}, order, zero) if each[1] != given)
     return next((words for words, changed in tried if is_right(changed)), "")

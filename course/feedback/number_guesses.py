@@ -16,6 +16,7 @@ from armproof.models.errors import written
 from armproof.models.language import look_up, noted, number_text
 
 OF_ANGLES = ("rad", "rad/s")
+_CIRCULAR = ("sin", "cos")
 _FUNCTIONS = {"sin": noted("sine"), "cos": noted("cosine"), "tan": noted("tangent")}
 _INVERSES: Mapping[str, Callable[[float], float]] = {"sin": np.arcsin, "cos": np.arccos, "tan": np.arctan}
 _SQUARE = noted("this is the square of what is asked")
@@ -25,6 +26,7 @@ _FEW_STATED = 3  # numbers, of which one is soon taken for the answer
 _TWO_LETTERS = 2
 _FEW_LETTERS = 4
 _NOTHING = 1e-9
+_ALONG = 0.01  # the sine of twice an angle that stands along an axis, to two digits
 _MISSING, _TOO_MUCH = noted("{name} is missing"), noted("{name} does not belong in it")
 _TWICE = noted("{name} is counted twice")
 _TWO = {"+": operator.add, "·": operator.mul, "/": operator.truediv, "-": operator.sub}
@@ -67,10 +69,12 @@ class Asked:
             yield from self.worked.slips()
             yield from () if is_soon else self._copied()
         yield from self._another()
+        yield from self._turned() if self.unit == "rad" else ()
         if self.worked is not None:
             yield from self.worked.confusions()
         yield from self.doubled() if self.others else ()
         yield from self._of_the_others()
+        yield from self._mirrored() if self.unit == "rad" else ()
         yield from self._of_the_text()
         yield from self._alone(far, given)
         yield from self._of_parts(far)
@@ -110,6 +114,9 @@ class Asked:
         """Yield the number with the other sign, in degrees, upside down; and the angle whose function it is, or its function."""
         right = self.right
         yield Guess(-right, lambda: look_up("the sign is wrong"))
+        for label, value in self.others.items():
+            if self.label.startswith(_CIRCULAR) and label.startswith(_CIRCULAR):
+                yield Guess(1 - value, partial(instead, f"1 − {label}"))
         if self.unit in OF_ANGLES:
             yield Guess(float(np.degrees(right)), lambda: look_up("in degrees? Radians are asked for"))
         for name, words in _FUNCTIONS.items():
@@ -164,6 +171,29 @@ class Asked:
         for label, value in self.others.items():
             yield Guess(value, partial(instead, label))
 
+    def _turned(self) -> Iterator[Guess]:
+        """Yield an angle whole and half turns away, and in other units."""
+        right = self.right
+        for turn in (2 * np.pi, -2 * np.pi):
+            yield Guess(
+                right + turn, lambda: look_up("this is the angle and a whole turn: give the one between −π and π")
+            )
+        for turn in (np.pi, -np.pi):
+            yield Guess(right + turn, lambda: look_up("half a turn off: the wrong one of two opposite quadrants"))
+        yield Guess(right / np.pi, lambda: look_up("a factor π is missing"))
+        yield Guess(float(np.radians(right)), lambda: look_up("π / 180 is too much: the value itself is in radians"))
+
+    def _mirrored(self) -> Iterator[Guess]:
+        """Yield the supplement and the complement of an angle that stands along no axis."""
+        right = self.right
+        for turn in (1, -1) if abs(np.sin(2 * right)) > _ALONG else ():
+            yield Guess(
+                turn * np.pi - right, lambda: look_up("this is the supplement: the angle on the other side of the line")
+            )
+            yield Guess(
+                turn * np.pi / 2 - right, lambda: look_up("this is the complement: the angle to the other axis")
+            )
+
     def doubled(self) -> Iterator[Guess]:
         """Yield the double and the half."""
         for value in (2 * self.right, self.right / 2):
@@ -174,8 +204,6 @@ class Asked:
         others = {label: value for label, value in self.others.items() if value}
         for label, value in others.items():
             yield Guess(value**2, partial(written, noted("this is the square of {other}"), other=label))
-            if self.label.startswith(tuple(_FUNCTIONS)):
-                yield Guess(1 - value, partial(instead, f"1 − {label}"))
         if len(others) > 1:
             for (one, a), (other, b) in combinations(others.items(), 2):
                 for sign, joint, value in (("", "+", a + b), ("", "−", a - b), ("−", "+", b - a), ("−", "−", -a - b)):

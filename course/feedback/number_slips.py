@@ -23,7 +23,8 @@ _LARGEST_PART = 5  # above and below the line of a share
 _MOST_TRUE = 0.1  # of all numbers, those that are told a sum that they are: true where it is chance, too
 _MOST_ASTRAY = 2  # things too many or too few: a larger number would be the answer itself
 _POWERS_OF_TEN = (100, 1000)
-_LONE_FACTORS = (2, 3, 4, _LARGEST_FACTOR, *_POWERS_OF_TEN)  # of one number: seven comes by chance
+_TENS = (_LARGEST_FACTOR, *_POWERS_OF_TEN)
+_LONE_FACTORS = (2, 3, 4, *_TENS)  # of one number: seven comes by chance
 _NEAR = 2e-3  # of numbers that were rounded, where the mistake is sought
 _NEAR_SHORT = 1e-4  # of one that has many digits, where the right one has few
 _USUAL_ANGLE = 15  # degrees: of a direction that is taken for another
@@ -148,7 +149,7 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
         and not near(right, np.round(right))
     ):
         yield look_up("in degrees, where radians are asked for, and a sign is wrong")
-    yield from _by_factor(given[wrong], right[wrong], np.count_nonzero(wrong) == 1)
+    yield from _by_factor(given[wrong], right[wrong], _TENS if np.count_nonzero(wrong) == 1 else ())
     if right.size == 3 and near(np.linalg.norm(right), 1) and near(right, np.round(right)):
         if near(given @ right, 0) and near(np.linalg.norm(given), 1):
             yield look_up("the length is right, the direction is not: yours is at right angles to it")
@@ -175,12 +176,11 @@ def _turned(given: np.ndarray, right: np.ndarray, labels: Sequence[str]) -> str:
     return written("the length is right, the direction is not: yours is turned by {angle}°", angle=turn)
 
 
-def _by_factor(given: np.ndarray, right: np.ndarray, is_lone: bool = False) -> Iterator[str]:
-    """Yield by which whole factor wrong numbers are too large or too small; of one alone another reason may be behind all but a power of ten."""
+def _by_factor(given: np.ndarray, right: np.ndarray, usual: Sequence[int] = ()) -> Iterator[str]:
+    """Yield by which whole factor wrong numbers are too large or too small, of some that are usual; of one number not by seven, which comes by chance."""
     for sign, words in ((1, noted("wrong by a factor of {factor}")), (-1, noted("wrong by a factor of {factor}, and in sign"))):  # fmt: skip
         factor = _common_factor(sign * given, right)
-        usual = (_LARGEST_FACTOR, *_POWERS_OF_TEN) if is_lone else _LONE_FACTORS if given.size == 1 else (factor,)
-        if factor and factor in usual:
+        if factor and factor in (usual or (_LONE_FACTORS if given.size == 1 else (factor,))):
             yield written(words, factor=factor)
 
 
@@ -235,12 +235,18 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
         _of_a_count(given, asked)
         or _carried(asked, given, own)
         or explained(given, right, asked.guesses(given))
-        or next(_by_factor(np.array([given]), np.array([right])), "")
+        or _factor_of_one(given, asked)
         or explained(given, right, asked.doubled())
         or explained(given, right, asked.identities(), _MOST_TRUE)
         or _of_reach(given, asked)
         or _by_size(asked, given, is_only)
     )
+
+
+def _factor_of_one(given: float, asked: Asked) -> str:
+    """Return by which factor a number is too large or too small, of several only by two and powers of ten."""
+    usual = (2, *_TENS) if asked.others and not (given.is_integer() and asked.right.is_integer()) else _LONE_FACTORS
+    return next(_by_factor(np.array([given]), np.array([asked.right]), usual), "")
 
 
 def _carried(asked: Asked, given: float, own: Mapping[str, float]) -> str:
@@ -301,7 +307,7 @@ def _by_size(asked: Asked, given: float, is_only: bool) -> str:
     right = asked.right
     if not right:
         return look_up("zero belongs there")
-    if given and (factor := next(_by_factor(np.array([given]), np.array([right])), "")):
+    if given and (factor := _factor_of_one(given, asked)):
         return factor
     if given * right < 0:
         size = look_up("the sign and the size are wrong")

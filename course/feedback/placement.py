@@ -162,7 +162,7 @@ class Placement:
         cells = [[row[name] for name in names] for row in given]
         wrong = wrong_in(cells)
         if len({k for k, _ in wrong}) > 1:
-            yield misplaced(cells, wrong, names, LinearForm(), lambda other: not wrong_in(other))
+            yield misplaced(cells, wrong, names, LinearForm(), _negated, lambda other: not wrong_in(other))
         for number, (row, right) in enumerate(zip(given, rows.rows, strict=True), 1):
             if astray := [names[j] for k, j in wrong if k == number - 1]:
                 yield _of_row(number, row, right, astray, self._slides(number - 1))

@@ -188,9 +188,8 @@ class Table:
     def _misplaced(self, rows: Sequence[Sequence[str]], record: Record) -> str:
         """Say which rows, columns or entries are exchanged, or which column stands a row too early or too late."""
         wrong = {(entry.row - 1, entry.column - 2) for entry in record.entries if entry.row and entry.column}
-        return misplaced(
-            rows, wrong, ORDER[self.convention], "0", lambda other: self._record(other).verdict is Verdict.PROVED
-        )
+        order = ORDER[self.convention]
+        return misplaced(rows, wrong, order, "0", _negated, lambda other: self._record(other).verdict is Verdict.PROVED)
 
     def _sentence(self, rows: Sequence[Sequence[str]], record: Record) -> str:
         """Name the rows and the parameter that are wrong, not their values; the same mistake of several rows once."""

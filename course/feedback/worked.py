@@ -164,14 +164,15 @@ class Worked:
             yield from done_otherwise(first)
 
     def instead(self, given: float) -> str:
-        """Return with which value in place of a given one a number would be right, of as few digits: of several the shortest."""
-        found: list[tuple[int, float, float, str]] = []
+        """Return with which value in place of a given one a number would be right, of as few digits: of several one that is given, else the shortest."""
+        found: list[tuple[bool, int, float, float, str]] = []
+        values = {f"{abs(value):.4g}" for value in (*self.known.values(), *self.stated)}
         for leaf in self._given:
             value = self._solved(leaf, given)
             ratio = value / self._value(leaf)
             shown, own = f"{value:.4g}", f"{self._value(leaf):.4g}"
             if 1 / _MOST_APART < ratio < _MOST_APART and shown != own and len(shown) <= len(own):
-                found.append((len(shown), abs(ratio - 1), value, self._shown(leaf)))
+                found.append((shown not in values, len(shown), abs(ratio - 1), value, self._shown(leaf)))
         if not found:
             return ""
         *_, value, name = min(found)

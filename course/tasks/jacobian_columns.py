@@ -307,7 +307,7 @@ LESSON = Lesson(
                 Wrong([-0.8, 1.3, 0], "the sign of the first rate is lost: joint 1 turns backwards", own=True),
                 Wrong([-0.4, 1, 0], "this is the contribution of joint 2 alone", own=True),
                 Wrong([0.4, -0.3, 0], "this is the contribution of joint 1 alone", own=True),
-                Wrong([-0.6, -0.1, 0], "the rates are exchanged", own=True),
+                Wrong([-0.6, 0.1, 0], "the rates are exchanged", own=True),
                 Wrong([0.8, -1.3, 0], "the sign of the second rate is wrong: joint 2 turns forwards", own=True),
             ),
         ),

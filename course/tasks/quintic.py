@@ -485,6 +485,11 @@ LESSON = Lesson(
                     own=True,
                 ),
                 Wrong(r"\frac{6(q_f - q_0) t (t_f - t)}{t_f^3}", "this is the velocity of the cubic", own=True),
+                Wrong(
+                    r"q_0 + (q_f - q_0) \left(\frac{10t^3}{t_f^3} - \frac{15t^4}{t_f^4} + \frac{6t^5}{t_f^5}\right)",
+                    "this is the position: its derivative is asked",
+                    own=True,
+                ),
             ),
         ),
         Task(

@@ -178,7 +178,11 @@ def _predict(a_3=0.45, d_3=0.42):
             (0, 0, a_3 + d_3),
             unit="m",
             labels=("x", "y", "z"),
-            ways=("", "", r"a_3 \sin 90^\circ + d_3 \cos(90^\circ - 90^\circ)"),
+            ways=(
+                r"a_3 \cos 90^\circ - d_3 \sin(90^\circ - 90^\circ)",
+                "",
+                r"a_3 \sin 90^\circ + d_3 \cos(90^\circ - 90^\circ)",
+            ),
         ),
         hints=(
             "Start from the figure and turn the shoulder by 90°: where is the elbow now?",
@@ -275,7 +279,7 @@ LESSON = Lesson(
                     own=True,
                 ),
                 Wrong([ROWS[0], ("-pi/2", 0, 0, "theta_2"), *ROWS[2:]], "row 2: alpha is wrong"),
-                Wrong([*ROWS[:2], (0, 0, "a_3", "theta_3"), *ROWS[3:]], "row 3: a is wrong"),
+                Wrong([*ROWS[:2], (0, 0, "a_3", "theta_3"), *ROWS[3:]], "row 3: a and d are exchanged"),
                 Wrong(ROWS[:5], "6 rows"),
             ),
         ),

@@ -10,7 +10,11 @@ RIGHT = [["0", "0", "h", "1"], ["p", "a", "0", "2"], ["-p", "b", "0", "3"], ["0"
 
 def told(rows: list[list[str]], knows_places: bool = True) -> str:
     wrong = {(k, j) for k, row in enumerate(rows) for j, cell in enumerate(row) if cell != RIGHT[k][j]}
-    return misplaced(rows, wrong if knows_places else (), ORDER, "0", lambda other: other == RIGHT)
+    return misplaced(rows, wrong if knows_places else (), ORDER, "0", negated, lambda other: other == RIGHT)
+
+
+def negated(cell: str) -> str:
+    return cell.removeprefix("-") if cell.startswith("-") else f"-{cell}"
 
 
 @pytest.mark.parametrize(
@@ -39,6 +43,7 @@ def test_columns_are_told_where_no_entry_is() -> None:
     [
         [RIGHT[0], RIGHT[2], ["p", "b", "0", "2"], RIGHT[3]],
         [RIGHT[0], ["-p", "a", "0", "2"], ["p", "a", "0", "3"], RIGHT[3]],
+        [RIGHT[0], ["-p", "a", "0", "2"], ["p", "b", "0", "3"], RIGHT[3]],
         [RIGHT[0], ["p", "c", "0", "2"], *RIGHT[2:]],
     ],
 )

@@ -145,3 +145,12 @@ def test_numbers_may_have_names_in_any_order_and_stand_in_latex() -> None:
     assert not place.judge({"x": 0.25, "y": 0.3}).is_right
     assert Number(500, "m").judge(r"5 \cdot 10^2").is_right
     assert not Number(500, "m").judge(r"5 \times 10^3").is_right
+
+
+def test_of_an_angle_whole_turns_are_no_mistake() -> None:
+    angles = Number((0.6435011087932844, -np.pi / 2), "rad", ("θ_1", "θ_2"))
+    assert angles.judge([0.6435, 4.7124]).is_right
+    assert angles.judge([0.6435, 3 * np.pi / 2]).is_right
+    for wrong in ([0.6435, 4.6124], [0.6435, np.pi / 2], [36.87, -90.5], [0.6435, -90]):
+        assert not angles.judge(wrong).is_right
+    assert not Number(0.5, "rad/s").judge(0.5 + 2 * np.pi).is_right
