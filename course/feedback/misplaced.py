@@ -93,3 +93,12 @@ def _shifted(rows: Rows[Cell], columns: Sequence[int], later: int, zero: Cell) -
         for column in columns:
             row[column] = rows[k - later][column] if 0 <= k - later < len(rows) else zero
     return changed
+
+
+def in_other_rows(given: Sequence[Cell], right: Sequence[Cell], name: str) -> str:
+    """Say that the wrong entries of a column are those that belong in it, in other rows; empty where they are not, or signs explain it."""
+    mine, theirs = ([str(cell) for cell in cells] for cells in (given, right))
+    is_of_signs = [cell.replace("-", "") for cell in mine] == [cell.replace("-", "") for cell in theirs]
+    if len(mine) < 2 or is_of_signs or sorted(mine) != sorted(theirs):
+        return ""
+    return written("the entries of {name} are right, the rows in which they stand are not", name=name)

@@ -13,7 +13,7 @@ import numpy as np
 
 from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import is_function, is_missing
-from armproof.course.feedback.misplaced import misplaced
+from armproof.course.feedback.misplaced import in_other_rows, misplaced
 from armproof.course.feedback.notebook import Portrait, Shown, as_picture
 from armproof.course.feedback.outcome import Feedback, Outcome, nothing, pretty
 from armproof.course.feedback.spelling import as_entry
@@ -163,6 +163,10 @@ class Placement:
         wrong = wrong_in(cells)
         if len({k for k, _ in wrong}) > 1:
             yield misplaced(cells, wrong, names, LinearForm(), _negated, lambda other: not wrong_in(other))
+            if len({j for _, j in wrong}) == 1:
+                name = names[wrong[0][1]]
+                wanted = [getattr(rows.rows[k], name) for k, _ in wrong]
+                yield in_other_rows([cells[k][j] for k, j in wrong], wanted, name)
         for number, (row, right) in enumerate(zip(given, rows.rows, strict=True), 1):
             if astray := [names[j] for k, j in wrong if k == number - 1]:
                 yield _of_row(number, row, right, astray, self._slides(number - 1))

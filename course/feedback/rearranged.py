@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
 
 from armproof.course.feedback.claim import Claim
-from armproof.course.feedback.outcome import Feedback
+from armproof.course.feedback.outcome import ASKED, Feedback
 from armproof.course.feedback.relation import same, wrong_entries
-from armproof.models.errors import written
+from armproof.models.errors import ArmproofError, written
 from armproof.models.language import look_up
 from armproof.verification.findings import Kind, say
 from armproof.verification.findings.finding import Audience, write
 from armproof.verification.latex import nodes as n
 
+_OTHER = {r"\sin": r"\cos", r"\cos": r"\sin", "S": "C", "C": "S", "s": "c", "c": "s"}
+_FUNCTIONS = re.compile(r"\\(?:sin|cos)(?![A-Za-z])|(?<![A-Za-z\\])[SCsc](?=_\{?\d|\\(?:alpha|beta|phi|psi|theta))")
 _MENDED = 3  # entries that an exchange explains at least, where something else is wrong too
 
 
@@ -40,6 +44,15 @@ class Rearranged:
         return np.asarray(turned[..., self.rows, :][..., self.columns])
 
 
+def _functions_exchanged(claim: Claim, latex: str) -> str:
+    """Say that all sines of an answer are cosines and all cosines sines; empty where that is not all."""
+    other = _FUNCTIONS.sub(lambda found: _OTHER[found.group()], latex)
+    with suppress(ArmproofError):
+        if other != latex and same(claim.values(ASKED), claim.values(other)):
+            return write(say(Kind.EXCHANGED_THROUGHOUT), Audience.STUDENT)
+    return ""
+
+
 def rearranged(
     claim: Claim, latex: str, true: np.ndarray, obtained: np.ndarray, judge: Callable[[str], Feedback]
 ) -> str:
@@ -51,6 +64,8 @@ def rearranged(
     """
     if _is_unturned(true, obtained):
         return look_up("the rotation is the identity: the axes of the two frames are not the same")
+    if words := _functions_exchanged(claim, latex):
+        return words
     found = _best(true, obtained)
     if found is None:
         return ""

@@ -13,12 +13,12 @@ import numpy as np
 
 from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import as_latex, is_function, is_missing
-from armproof.course.feedback.misplaced import misplaced
+from armproof.course.feedback.misplaced import in_other_rows, misplaced
 from armproof.course.feedback.notebook import Portrait, Shown, as_picture
 from armproof.course.feedback.outcome import Feedback, Outcome, nothing
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
-from armproof.models.dh.entry import read_entry
+from armproof.models.dh.entry import LinearForm, read_entry
 from armproof.models.dh.table import read_table
 from armproof.models.errors import ArmproofError, counted, written
 from armproof.models.language import look_up, spoken
@@ -189,7 +189,11 @@ class Table:
         """Say which rows, columns or entries are exchanged, or which column stands a row too early or too late."""
         wrong = {(entry.row - 1, entry.column - 2) for entry in record.entries if entry.row and entry.column}
         order = ORDER[self.convention]
-        return misplaced(rows, wrong, order, "0", _negated, lambda other: self._record(other).verdict is Verdict.PROVED)
+        told = misplaced(rows, wrong, order, "0", _negated, lambda other: self._record(other).verdict is Verdict.PROVED)
+        if told or len({column for _, column in wrong}) != 1:
+            return told
+        given, right = ([_form(getattr(entry, side)) for entry in record.entries] for side in ("printed", "correct"))
+        return in_other_rows(given, right, order[min(wrong)[1]])
 
     def _sentence(self, rows: Sequence[Sequence[str]], record: Record) -> str:
         """Name the rows and the parameter that are wrong, not their values; the same mistake of several rows once."""
@@ -326,13 +330,19 @@ def _wants_letter(finding: Finding) -> bool:
     return isinstance(problem, Finding) and problem.kind is Kind.LENGTH_WITHOUT_VALUE
 
 
+def _form(cell: str) -> LinearForm | None:
+    """Return an entry in LaTeX as a sum of letters, of π and of a number; None where it is none."""
+    try:
+        form = read_entry(_FRACTION.sub(r"(\1)/(\2)", cell).replace("\\pi", "pi").replace("\\cdot", "*"))
+    except ArmproofError:
+        return None
+    return replace(form, symbols=tuple(sorted(form.symbols)))
+
+
 def _angle_off(printed: str, correct: str) -> str:
     """Return by how many quarter turns an angle is off; empty of anything else."""
-    try:
-        given, right = (
-            read_entry(_FRACTION.sub(r"(\1)/(\2)", text).replace("\\pi", "pi")) for text in (printed, correct)
-        )
-    except ArmproofError:
+    given, right = _form(printed), _form(correct)
+    if given is None or right is None:
         return ""
     if given.symbols != right.symbols or given.number != right.number:
         return ""

@@ -2,7 +2,7 @@
 
 import pytest
 
-from armproof.course.feedback.misplaced import misplaced
+from armproof.course.feedback.misplaced import in_other_rows, misplaced
 
 ORDER = ("alpha", "a", "d", "theta")
 RIGHT = [["0", "0", "h", "1"], ["p", "a", "0", "2"], ["-p", "b", "0", "3"], ["0", "0", "c", "0"]]
@@ -49,3 +49,9 @@ def test_columns_are_told_where_no_entry_is() -> None:
 )
 def test_of_anything_else_no_exchange_is_told(rows: list[list[str]]) -> None:
     assert told(rows) == ""
+
+
+def test_entries_in_other_rows_are_told_as_right_ones() -> None:
+    assert "the entries of d are right" in in_other_rows(["c", "h", "0"], ["h", "0", "c"], "d")
+    assert in_other_rows(["c", "h", "0"], ["h", "0", "b"], "d") == in_other_rows(["c"], ["c"], "d") == ""
+    assert in_other_rows(["-p", "p"], ["p", "-p"], "alpha") == ""
