@@ -120,8 +120,9 @@ class Formula:
                 judge_formula(self.claim, self._as_latex(answer) if isinstance(answer, str) else answer),
             )
         )
-        if feedback.is_general and not is_function(answer) and (unknown := self.claim.unbound(self._as_latex(answer))):
-            return replace(feedback, message=unknown, rows=(), findings=())
+        is_read = feedback.outcome is Outcome.WRONG and feedback.findings and not is_function(answer)
+        if is_read and (unknown := self.claim.unbound(self._as_latex(answer))):
+            return Feedback(Outcome.ERROR, unknown)
         if not is_function(answer) and feedback.is_piecemeal and (spread := self.claim.spread(self._as_latex(answer))):
             in_cells = self.judge(spread, known)
             return in_cells if in_cells.outcome is Outcome.WRONG else feedback

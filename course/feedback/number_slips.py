@@ -29,6 +29,7 @@ _NEAR = 2e-3  # of numbers that were rounded, where the mistake is sought
 _NEAR_SHORT = 1e-4  # of one that has many digits, where the right one has few
 _USUAL_ANGLE = 15  # degrees: of a direction that is taken for another
 _NEAR_ANGLE = 0.02  # of it
+_NEAR_LENGTH = 0.004  # of coordinates that were rounded to three digits
 _ABOUT = 0.04  # of a double or a half that was rounded
 _NOT_ZERO = {
     "m": noted("it is not zero: something reaches that way"),
@@ -167,7 +168,8 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
 def _turned(given: np.ndarray, right: np.ndarray, labels: Sequence[str]) -> str:
     """Return by how much coordinates are turned that are as far out as the right ones, where the angle is a usual one."""
     lengths = np.linalg.norm(given), np.linalg.norm(right)
-    if not {label[-1:] for label in labels} <= {*"xyz"} or right.size < 2 or not near(*lengths) or near(given, right):
+    is_as_long = np.isclose(*lengths, rtol=_NEAR_LENGTH)
+    if not {label[-1:] for label in labels} <= {*"xyz"} or right.size < 2 or not is_as_long or near(given, right):
         return ""
     angle = float(np.degrees(np.arccos(np.clip(given @ right / np.prod(lengths), -1, 1)))) / _USUAL_ANGLE
     if not round(angle) or abs(angle - round(angle)) > _NEAR_ANGLE:
@@ -237,6 +239,7 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
         or explained(given, right, asked.guesses(given))
         or _factor_of_one(given, asked)
         or explained(given, right, asked.doubled())
+        or _of_another(given, asked)
         or explained(given, right, asked.identities(), _MOST_TRUE)
         or _of_reach(given, asked)
         or _by_size(asked, given, is_only)
@@ -285,9 +288,10 @@ def _of_a_count(given: float, asked: Asked) -> str:
 
 
 def _of_another(given: float, asked: Asked) -> str:
-    """Return which other number that is asked a count is, where it is one of them alone."""
-    labels = [label for label, value in asked.others.items() if value == given]
-    return instead(labels[0]) if len(labels) == 1 and len({*asked.others.values(), asked.right}) > 2 else ""
+    """Return which other numbers that are asked a number is, where they are not nearly all alike."""
+    labels = [label for label, value in asked.others.items() if value == given and value]
+    is_among_others = len({*asked.others.values(), asked.right}) > 2
+    return instead(separator(labels).join(labels)) if labels and is_among_others else ""
 
 
 def _of_reach(given: float, asked: Asked) -> str:

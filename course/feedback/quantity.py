@@ -107,8 +107,8 @@ class Quantity:
         feedback = self._judge_function(answer) if is_function(answer) else judge_formula(self.claim, answer)
         if feedback.outcome is not Outcome.WRONG:
             return feedback
-        if feedback.is_general and not is_function(answer) and (unknown := self.claim.unbound(as_latex(answer))):
-            return replace(feedback, message=unknown, rows=(), findings=())
+        if feedback.findings and not is_function(answer) and (unknown := self.claim.unbound(as_latex(answer))):
+            return Feedback(Outcome.ERROR, unknown)
         if known():
             return feedback
         answer, was_function = self._readable(answer), is_function(answer)

@@ -416,10 +416,20 @@ def _by_product(times: str, missing: str, ratio: np.ndarray, factors: Letters) -
         return written("a factor {product} is missing", product=missing)
     words = written("your answer is {product} times what is asked", product=times)
     powers, number = _powers(ratio, factors) or ({}, 0.0)
+    if exchanged := _exchanged_functions(powers):
+        sign = look_up(", and the sign is wrong") if number < 0 else ""
+        return written("sine and cosine of {angles} are exchanged", angles=separator(exchanged).join(exchanged)) + sign
     if abs(number - 1) > _TOLERANCE or any(power % 2 or power < 0 for power in powers.values()):
         return words
     root = " ".join(_power(name, power // 2) for name, power in powers.items())
     return words + look_up("; ") + written("does {product} stand above the line where it belongs below?", product=root)
+
+
+def _exchanged_functions(powers: Mapping[str, int]) -> list[str]:
+    """Return the angles whose sine stands for the cosine or the other way round, where a ratio is nothing else."""
+    angles = [name.removeprefix("sin ") for name in powers if name.startswith("sin ")]
+    pairs = {f"{function} {angle}": sign * powers[f"sin {angle}"] for angle in angles for function, sign in (("sin", 1), ("cos", -1))}  # fmt: skip
+    return angles if pairs == powers and {*map(abs, pairs.values())} == {1} else []
 
 
 def _product(values: np.ndarray, factors: Letters) -> str:

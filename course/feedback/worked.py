@@ -34,7 +34,8 @@ _SPELLINGS = (
 _PLACES = (2, 1)  # decimals that are left of a number on the way
 _STEPS = 12  # of the secant
 _SMALL = 1e-9
-_MOST_APART = 3  # times, of a given value and of one that is told in its place
+_MOST_APART = 3  # times, of a given value and of another given one that is told in its place
+_MOST_FREE = 2  # of any other
 
 
 @dataclass(frozen=True)
@@ -171,7 +172,8 @@ class Worked:
             value = self._solved(leaf, given)
             ratio = value / self._value(leaf)
             shown, own = f"{value:.4g}", f"{self._value(leaf):.4g}"
-            if 1 / _MOST_APART < ratio < _MOST_APART and shown != own and len(shown) <= len(own):
+            most = _MOST_APART if shown in values else _MOST_FREE
+            if 1 / most < ratio < most and shown != own and len(shown) <= len(own):
                 found.append((shown not in values, len(shown), abs(ratio - 1), value, self._shown(leaf)))
         if not found:
             return ""

@@ -15,6 +15,7 @@ _ANGLES = ("theta_1", "theta_2", "theta_3")
 COSINE = Formula(r"\frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2}", ("x", "y", "l_1", "l_2"))
 SPEED = Formula(r"\frac{30(q_f - q_0) t^2 (t_f - t)^2}{t_f^5}", ("t", "q_0", "q_f", "t_f"))
 SQUARE = Formula(r"l_1^2 + l_2^2 + 2 l_1 l_2 \cos\theta_2", ("theta_2", "l_1", "l_2"))
+SLOPE = Formula(r"\sin\theta \cos\phi", ("theta", "phi"))
 RADIUS = Formula(r"\sqrt{x^2 + y^2}", ("x", "y"))
 VELOCITY = Formula(r"u \cos\theta - r w \sin\theta", ("r", "theta", "u", "w"), arm="polar_rp")
 FACING = Formula(
@@ -76,6 +77,7 @@ def squared(answer: str) -> str:
         (COSINE, r"\frac{x^2 - l_1^2 - l_2^2}{2 l_1 l_2}", "y is missing"),
         (SPEED, r"\frac{30(q_f - q_0) t^2 (t_f - t)}{t_f^5}", "a factor (t_f - t) is missing"),
         (COSINE, r"(x^2 + y^2 - l_1^2 - l_2^2) / 2 \cdot l_1 l_2", "does l_1 l_2 stand above the line where it belongs below?"),
+        (SLOPE, r"-\cos\theta \sin\phi", "are exchanged, and the sign is wrong"),
         (RADIUS, r"1.002 \sqrt{x^2 + y^2}", "close, but a number in it is rounded"),
         (RADIUS, r"1.01 \sqrt{x^2 + y^2}", "1.01 times too large"),
         (SPEED, r"\frac{30 t^2 (t_f - t)^2}{t_f^5}", "q_0, q_f have no effect in your answer"),
@@ -182,6 +184,12 @@ def test_a_wrong_answer_is_told_how_it_relates_to_what_is_asked(asks: Any, answe
     feedback = asks.judge(answer)
     assert feedback.outcome is Outcome.WRONG
     assert words in feedback.message
+
+
+def test_a_letter_that_is_none_is_told_before_what_is_wrong_elsewhere() -> None:
+    answer = r"\begin{bmatrix} l_1 C_1 + l_2 C_2 \\ l_1 S_1 + l_3 S_{12} \end{bmatrix}"
+    assert "l_3 is no letter of this task" in TOOL.judge(answer).message
+    assert "no letter" not in TOOL.judge(answer.replace("l_3", "l_2")).message
 
 
 @pytest.mark.parametrize(

@@ -32,6 +32,7 @@ HEIGHT = Number(1.946, "m", ("z",))
 TURNED = Number((0.0, 2.0, 0.0), "m", ("x", "y", "z"))
 COUNTS = Number((6, 7, 7, 1), labels=("rows of J", "columns of J", "rows of q̇", "columns of q̇"))
 FRACTION = Number(0.054, "m", known={"a": 1.25, "b": 0.135}, ways=("b/(2 a)",))
+TRIPLE = Number((0.8, 0.6, 0.75), labels=("sin θ", "cos θ", "tan φ"), ways=("", "", "0.36/0.48"))
 CIRCLE = Number((0.8, 0.6), labels=("sin θ", "cos θ"))
 PLACE = Number((1.5, 1.196), "m", ("x", "y"), {"a": 0.35, "b": 1.25}, (1.85, 1.946, 0.75), ("1.85 - a", "1.946 - 0.75"))
 ANGLES = Number((0.64, -1.57, -0.93), "rad", ("θ_1", "θ_2", "θ_4"), ways=("", "", r"\theta_1 + \theta_2"))
@@ -75,6 +76,9 @@ ANGLES = Number((0.64, -1.57, -0.93), "rad", ("θ_1", "θ_2", "θ_4"), ways=("",
         (PEAK, 0.19, "about half of what is asked"),
         (TURNED, [1.414, 1.414, 0], "the direction is not: yours is turned by 45°"),
         (COUNTS, [6, 7, 6, 1], "rows of q̇ is not 6: this is rows of J"),
+        (COUNTS, [6, 7, 7, 7], "columns of q̇ is not 7: this is columns of J, rows of q̇"),
+        (TRIPLE, [0.8, 0.6, 0.8], "tan φ is not 0.8: this is sin θ"),
+        (TURNED, [1.41, 1.41, 0], "yours is turned by 45°"),
         (COUNTS, [6, 7, 8, 1], "rows of q̇ is not 8: one too many"),
         (ANGLES, [-2.5016, -1.57, -0.93], "half a turn off"),
         (ANGLES, [0.9308, -1.57, -0.93], "the complement"),
@@ -92,7 +96,7 @@ def test_a_wrong_number_is_told_what_it_comes_from(asks: Any, answer: Any, words
 
 @pytest.mark.parametrize(
     ("asks", "answer", "words"),
-    [(REACH, [0.05, 0.4], "this is"), (HEIGHT, 1.896, "digit"), (ANGLES, [0.5, -1.57, -1.2], "follows"), (TURN, 1.7, "degrees"), (ROUND, 6.8, "in place of"), (Number(1.5, "m"), 1.50097, "rounded"), (RATES, [1.4, 0.7], "factor"), (STACK, 1.892, "missing"), (TURN, 1.41421, "square"), (TURNED, [1.2, 1.6, 0], "turned"), (TURNED, [1.0, 1.0, 0], "turned"), (REACH, [0.05, 0.5437], "in place of"), (HEIGHT, 1.7, "cut off"), (FRACTION, -1.196, "missing"), (CIRCLE, [0.8, 0.3], "1 −"), (ANGLES, [0.64, 3.14, -0.93], "complement"), (CIRCLE, [0.8, 0.2], "factor")],
+    [(REACH, [0.05, 0.4], "this is"), (HEIGHT, 1.896, "digit"), (ANGLES, [0.5, -1.57, -1.2], "follows"), (TURN, 1.7, "degrees"), (ROUND, 6.8, "in place of"), (Number(1.5, "m"), 1.50097, "rounded"), (RATES, [1.4, 0.7], "factor"), (STACK, 1.892, "missing"), (TURN, 1.41421, "square"), (TURNED, [1.2, 1.6, 0], "turned"), (TURNED, [1.0, 1.0, 0], "turned"), (REACH, [0.05, 0.5437], "in place of"), (HEIGHT, 1.7, "cut off"), (FRACTION, -1.196, "missing"), (CIRCLE, [0.8, 0.3], "1 −"), (ANGLES, [0.64, 3.14, -0.93], "complement"), (CIRCLE, [0.8, 0.2], "factor"), (PEAK, 0.15, "in place of")],
 )  # fmt: skip
 def test_of_any_other_number_nothing_of_the_kind_is_said(asks: Any, answer: Any, words: str) -> None:
     assert words not in asks.judge(answer).message
