@@ -80,6 +80,7 @@ class Asked:
         yield from self._of_parts(far)
         yield from digits_astray(given, self.right)
         if self.worked is not None:
+            yield from self._in_degrees() if not self.worked.is_short else ()
             yield from self.worked.misreadings()
         yield from self._of_powers()
         yield from self._of_parts(_pairs(own))
@@ -131,6 +132,7 @@ class Asked:
                 yield Guess(float(getattr(np, name)(right)), told)
         if self.unit == "rad/s":
             yield Guess(right / (2 * np.pi), lambda: look_up("in turns a second? Radians a second are asked for"))
+            yield Guess(right * 2 * np.pi, lambda: look_up("a factor 2π is too much: the rate is in radians already"))
         if right and self.unit not in (*OF_ANGLES, "m") and self.worked is None:  # else its quotient is turned there
             yield Guess(1 / right, lambda: look_up("numerator and denominator are exchanged"))
 
@@ -182,6 +184,11 @@ class Asked:
             yield Guess(right + turn, lambda: look_up("half a turn off: the wrong one of two opposite quadrants"))
         yield Guess(right / np.pi, lambda: look_up("a factor π is missing"))
         yield Guess(float(np.radians(right)), lambda: look_up("π / 180 is too much: the value itself is in radians"))
+
+    def _in_degrees(self) -> Iterator[Guess]:
+        """Yield what an angle among the given values makes of the number, a small one taken in the other unit."""
+        for value in (float(np.radians(self.right)), float(np.degrees(self.right))):
+            yield Guess(value, lambda: look_up("off by a factor π / 180: are degrees taken for radians?"))
 
     def _mirrored(self) -> Iterator[Guess]:
         """Yield the supplement and the complement of an angle that stands along no axis."""

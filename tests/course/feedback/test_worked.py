@@ -67,6 +67,8 @@ ANGLES = Number((0.64, -1.57, -0.93), "rad", ("θ_1", "θ_2", "θ_4"), ways=("",
         (TIPS, [0.3, 0.8], "a and b are exchanged"),
         (RATES, [0.6, 0.7], "v is not 0.6: this is -1 · (-0.4) - 2 · (-0.1)"),
         (RATE, 2 / (2 * np.pi), "in turns a second?"),
+        (RATE, 12.57, "a factor 2π is too much"),
+        (PEAK, 0.006545, "off by a factor π / 180"),
         (HEIGHT, 1.964, "two neighbouring digits are exchanged"),
         (HEIGHT, 1.46, "one digit is missing"),
         (HEIGHT, 1.9946, "one digit is written twice"),
@@ -96,7 +98,7 @@ def test_a_wrong_number_is_told_what_it_comes_from(asks: Any, answer: Any, words
 
 @pytest.mark.parametrize(
     ("asks", "answer", "words"),
-    [(REACH, [0.05, 0.4], "this is"), (HEIGHT, 1.896, "digit"), (ANGLES, [0.5, -1.57, -1.2], "follows"), (TURN, 1.7, "degrees"), (ROUND, 6.8, "in place of"), (Number(1.5, "m"), 1.50097, "rounded"), (RATES, [1.4, 0.7], "factor"), (STACK, 1.892, "missing"), (TURN, 1.41421, "square"), (TURNED, [1.2, 1.6, 0], "turned"), (TURNED, [1.0, 1.0, 0], "turned"), (REACH, [0.05, 0.5437], "in place of"), (HEIGHT, 1.7, "cut off"), (FRACTION, -1.196, "missing"), (CIRCLE, [0.8, 0.3], "1 −"), (ANGLES, [0.64, 3.14, -0.93], "complement"), (CIRCLE, [0.8, 0.2], "factor"), (PEAK, 0.15, "in place of")],
+    [(REACH, [0.05, 0.4], "this is"), (HEIGHT, 1.896, "digit"), (ANGLES, [0.5, -1.57, -1.2], "follows"), (TURN, 1.7, "degrees"), (ROUND, 6.8, "in place of"), (Number(1.5, "m"), 1.50097, "rounded"), (RATES, [1.4, 0.7], "factor"), (STACK, 1.892, "missing"), (TURN, 1.41421, "square"), (TURNED, [1.2, 1.6, 0], "turned"), (TURNED, [1.0, 1.0, 0], "turned"), (REACH, [0.05, 0.5437], "in place of"), (HEIGHT, 1.7, "cut off"), (RATE, 12.0, "2π"), (STACK, 0.03396, "π / 180"), (FRACTION, -1.196, "missing"), (CIRCLE, [0.8, 0.3], "1 −"), (ANGLES, [0.64, 3.14, -0.93], "complement"), (CIRCLE, [0.8, 0.2], "factor"), (PEAK, 0.15, "in place of")],
 )  # fmt: skip
 def test_of_any_other_number_nothing_of_the_kind_is_said(asks: Any, answer: Any, words: str) -> None:
     assert words not in asks.judge(answer).message
