@@ -1,4 +1,4 @@
-"""A plugin of pytest: each labelled display and page as a test of its own, that of it is said what is on record.
+"""A plugin of pytest: each labelled display and page, and each document found by search, as a test of its own, that of it is said what is on record.
 
 `make test` and `make test-rest` judge many of them in one test; a mutant meets one at a time, those that reach it.
 """
@@ -17,6 +17,7 @@ from tests.labelled.judging import judge, said_of_document, verify_text
 from tests.labelled.pages import Page, load_pages
 from tests.labelled.record import differences, is_kept, read_record, read_record_of_pages
 from tests.mutation.source.reach import LABELLED
+from tests.reached import documents
 
 
 class Labelled(pytest.Item):
@@ -36,10 +37,11 @@ def pytest_collection_modifyitems(session: pytest.Session, items: list[pytest.It
 
 
 def labelled() -> Iterator[tuple[str, Callable[[], bool]]]:
-    """Yield each labelled display and page: its name, and whether the same is said of it as ever."""
+    """Yield each labelled display, page and document: its name, and whether the same is said of it as ever."""
     yield from ((case.key, partial(_case, case)) for case in load_cases())
     yield from ((page.title, partial(_page, page)) for page in load_pages())
     yield from ((document.path.name, partial(_bare, document)) for document in bare.load())
+    yield from ((document.name, partial(_reached, document)) for document in documents.load())
 
 
 def _case(case: Case) -> bool:
@@ -55,3 +57,7 @@ def _page(page: Page) -> bool:
 
 def _bare(document: bare.Bare) -> bool:
     return said_of_document(document.verify()) == read_record_of_pages()[document.path.name]
+
+
+def _reached(document: documents.Reached) -> bool:
+    return document.is_said_as_ever

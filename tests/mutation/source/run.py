@@ -7,53 +7,20 @@ tests that are named are left out.
 from __future__ import annotations
 
 import importlib
-import importlib.abc
-import importlib.machinery
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from types import CodeType
 
 import pytest
 
 from tests.mutation.source.copies import tell
 from tests.mutation.source.fates import KILLED, run
+from tests.mutation.source.imports import Finder
 from tests.mutation.source.mutants import Mutant, mutants_of, mutate
 from tests.mutation.source.reach import QUIETLY, TESTS
 from tests.mutation.source.trials import drawn_up
 from tests.mutation.source.trusted import ROOT
-
-
-class Changed(importlib.machinery.SourceFileLoader):
-    """Loads one file as its mutant."""
-
-    code: CodeType
-
-    def get_code(self, fullname: str) -> CodeType:
-        return self.code
-
-
-class Finder(importlib.abc.MetaPathFinder):
-    """Finds one file as its mutant, and leaves all others to the importers behind it."""
-
-    def __init__(self, path: Path, code: CodeType) -> None:
-        self.path, self.code = path.resolve(), code
-        self.asked = False
-
-    def find_spec(self, fullname, path, target=None):
-        if fullname.rpartition(".")[2] not in (self.path.stem, self.path.parent.name) or self.asked:
-            return None
-        self.asked = True
-        try:
-            spec = importlib.util.find_spec(fullname)
-        finally:
-            self.asked = False
-        if spec is None or spec.origin is None or Path(spec.origin).resolve() != self.path:
-            return None
-        spec.loader = loader = Changed(fullname, spec.origin)
-        loader.code = self.code
-        return spec
 
 
 @dataclass
@@ -91,7 +58,7 @@ def main(arguments: Sequence[str]) -> None:
 def put_in_place(file: str, index: int, name: str) -> None:
     """Import the mutant of a file at once: pytest has an importer of its own, before ours."""
     code = compile(mutate((ROOT / file).read_text("utf-8"), index), ROOT / file, "exec")
-    sys.meta_path.insert(0, Finder(ROOT / file, code))
+    sys.meta_path.insert(0, Finder({(ROOT / file).resolve(): code}))
     importlib.import_module(name)
 
 

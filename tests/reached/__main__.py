@@ -1,0 +1,52 @@
+"""Hold the documents against their record, or search for more: `python -m tests.reached [--update] [--minutes N [--seed S]]`."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+
+def main() -> int:
+    """Return 1 if of a document another thing is said than is on record."""
+    parser = argparse.ArgumentParser(prog="python -m tests.reached", description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("--minutes", type=float, default=0, help="search for so long, and put what is found on record")
+    parser.add_argument("--seed", type=int, default=2026)
+    parser.add_argument("--update", action="store_true", help="write the record anew")
+    options = parser.parse_args()
+    return search(options.seed, options.minutes) if options.minutes else compare(options.update)
+
+
+def search(seed: int, minutes: float) -> int:
+    """Search, put what is found on record, and print how many there are and what failed."""
+    from tests.reached import outcomes
+
+    outcomes.note()  # before anything of the trusted base is imported
+    from tests.reached.documents import Reached, load, said_of, write
+    from tests.reached.search import Search, fewest
+
+    begun = Search.begun(seed)
+    known = begun.counts.copy()
+    begun.run(60 * minutes)
+    chosen = fewest(begun.found, known)
+    write([*load(), *(Reached(text, said_of(text)) for text in chosen)])
+    print(f"{len(chosen)} documents more; outcomes: {len(begun.counts)}")
+    for failure, text in begun.failed:
+        print(f"{failure}\n{text}")
+    return 1 if begun.failed else 0
+
+
+def compare(update: bool) -> int:
+    """Print the documents of which another thing is said than is on record; write the record anew if asked."""
+    from tests.reached.documents import Reached, load, said_of, write
+
+    changed = [document for document in load() if not document.is_said_as_ever]
+    for document in changed:
+        print(f"===== {document.name}\n{document.text}said: {said_of(document.text)}on record: {document.said}")
+    print(f"of {len(changed)} of {len(load())} documents another thing is said than is on record")
+    if update:
+        write([Reached(document.text, said_of(document.text)) for document in load()])
+    return 1 if changed and not update else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

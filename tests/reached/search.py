@@ -1,0 +1,174 @@
+"""A search for documents in which a condition of the trusted base comes out as in few others.
+
+Labelled displays, pages and what was found before are changed at random: a slip, a damage, the front matter, a heading or a
+display of another. What brings an outcome that fewer than three documents have is kept. Mutants of the base live where few
+documents go; what is said of these is on record, and a mutant that says another thing is killed by it.
+"""
+
+from __future__ import annotations
+
+import re
+import signal
+import time
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from random import Random
+
+from armproof.verification.check import verify_text
+from tests.labelled import bare
+from tests.labelled.cases import load_cases
+from tests.labelled.pages import load_pages
+from tests.reached import documents
+from tests.reached.outcomes import NOTED, Outcome
+from tests.sweeps.mutants_of_displays import mutate
+
+ENOUGH = 3  # documents that have an outcome
+LONGEST, SECONDS, PATIENCE = 6_000, 0.6, 3.0  # characters of a document, its time, and when it is given up
+DISPLAY = re.compile(r"\$\$(.+?)\$\$", re.DOTALL)
+FRONT = re.compile(r"\A---\n.*?\n---\n", re.DOTALL)
+SLIPS = [
+    ("+", "-"), ("-", "+"), ("c_", "s_"), ("s_", "c_"), (r"\cos", r"\sin"), (r"\sin", r"\cos"), ("1", "2"), ("2", "1"), ("2", "3"),
+    ("3", "2"), ("=", r"\neq"), ("=", r"\approx"), ("=", r"\leq"), ("0", "1"), (r"\theta", "q"), ("l_", "a_"),
+    (r"\Leftrightarrow", r"\Rightarrow"), ("J", "J_v"), ("x", "y"), ("^T", ""), (r"\dot", ""), (r"\pi", r"180^\circ"),
+    (r"\quad", ","), (r"\pm", ""),
+]  # fmt: skip
+
+
+class TooSlowError(BaseException):
+    """A document that takes longer than any on record may."""
+
+
+@dataclass
+class Search:
+    """What is changed, how many documents have each outcome, and what was found."""
+
+    rng: Random
+    sources: Sequence[str]
+    counts: Counter[Outcome] = field(default_factory=Counter)
+    found: list[str] = field(default_factory=list)
+    failed: list[tuple[str, str]] = field(default_factory=list)
+
+    @classmethod
+    def begun(cls, seed: int) -> Search:
+        """Return a search that knows the outcomes of what is labelled and of what was found before."""
+        known = [*labelled(), *(document.text for document in documents.load())]
+        search = cls(Random(seed), known)
+        for text in known:
+            search.counts.update(outcomes_of(text) or ())
+        return search
+
+    def run(self, seconds: float) -> None:
+        """Change documents for so long."""
+        until = time.monotonic() + seconds
+        while time.monotonic() < until:
+            recent = self.found and self.rng.random() < 0.4
+            self.try_text(self.changed(self.rng.choice(self.found if recent else self.sources)))
+
+    def try_text(self, text: str) -> bool:
+        """Keep a document that brings a rare outcome, and return whether it does."""
+        try:
+            noted = outcomes_of(text) if len(text) <= LONGEST else None
+        except Exception as error:
+            self.failed.append((f"{type(error).__name__}: {error}", text))
+            return False
+        if not noted or not any(self.counts[outcome] < ENOUGH for outcome in noted):
+            return False
+        self.counts.update(noted)
+        self.found.append(text)
+        return True
+
+    def changed(self, text: str) -> str:
+        """Return a document with one change, or two."""
+        head = FRONT.match(text)
+        front, body = (head[0], text[head.end() :]) if head else ("", text)
+        draw = self.rng.random()
+        if draw < 0.08:
+            other = FRONT.match(self.rng.choice(self.sources))
+            return (other[0] if other else front) + body
+        if draw < 0.28:
+            return front + self._with_other_parts(body)
+        displays = list(DISPLAY.finditer(body))
+        if not displays:
+            return front + mutate(body, body, self.rng)
+        at = self.rng.choice(displays)
+        return f"{front}{body[: at.start()]}$${self._changed_display(at[1])}$${body[at.end() :]}"
+
+    def _with_other_parts(self, body: str) -> str:
+        """Return a body with a part dropped, moved, or of another document."""
+        parts = body.split("\n\n")
+        at, to = self.rng.randrange(len(parts)), self.rng.randrange(len(parts))
+        match self.rng.randrange(3):
+            case 0:
+                parts.insert(to, parts.pop(at))
+            case 1:
+                parts.pop(at)
+            case _:
+                other = FRONT.sub("", self.rng.choice(self.sources))
+                parts[at:at] = other.split("\n\n")
+        return "\n\n".join(parts).rstrip("\n") + "\n"
+
+    def _changed_display(self, latex: str) -> str:
+        draw = self.rng.random()
+        if draw < 0.45:
+            return slip(latex, self.rng)
+        other = self.rng.choice(DISPLAY.findall(self.rng.choice(self.sources)) or [latex])
+        if draw < 0.75:
+            return mutate(latex, other, self.rng)
+        left, right = latex.partition("=")[0], other.partition("=")[2]
+        between = self.rng.choice([r",\quad ", r" \Rightarrow ", r" \Leftrightarrow ", r" \quad\text{if } ", " = "])
+        return self.rng.choice([f"{left}= {right}", f"{latex}{between}{other}"])
+
+
+def slip(latex: str, rng: Random) -> str:
+    """Return a display with a slip as people make it, where one can be made."""
+    right, wrong = rng.choice(SLIPS)
+    places = [match.start() for match in re.finditer(re.escape(right), latex)]
+    at = rng.choice(places) if places else len(latex)
+    return latex[:at] + wrong * bool(places) + latex[at + len(right) :]
+
+
+def labelled() -> Iterator[str]:
+    """Yield what is labelled: displays with what stands before them, pages, and documents without front matter."""
+    yield from (case.text for case in load_cases())
+    yield from (page.text for page in load_pages())
+    for document in bare.load():
+        yield document.text()
+
+
+def outcomes_of(text: str) -> frozenset[Outcome] | None:
+    """Return what conditions come out as while a document is verified; None where that takes too long to be on record."""
+    NOTED.clear()
+    began = time.process_time()
+    try:
+        with _given_up_after(PATIENCE):
+            verify_text(text)
+    except TooSlowError:
+        return None
+    return frozenset(NOTED) if time.process_time() - began < SECONDS else None
+
+
+def fewest(texts: Iterable[str], counts: Counter[Outcome]) -> list[str]:
+    """Return those of the documents that are needed to have each outcome often enough, given what has it already."""
+    noted = {text: frozenset(o for o in outcomes_of(text) or () if counts[o] < ENOUGH) for text in texts}
+    chosen = []
+    for text in sorted(noted, key=lambda text: -len(noted[text]) / len(text)):
+        if any(counts[outcome] < ENOUGH for outcome in noted[text]):
+            counts.update(noted[text])
+            chosen.append(text)
+    return chosen
+
+
+@contextmanager
+def _given_up_after(seconds: float) -> Iterator[None]:
+    def give_up(*_: object) -> None:
+        raise TooSlowError
+
+    before = signal.signal(signal.SIGALRM, give_up)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)

@@ -1,0 +1,42 @@
+"""What is said of the documents that were found is what is on record."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+from tests.laws import is_in_part
+from tests.mutation.source.trusted import ROOT
+from tests.reached.documents import Reached, load
+
+GROUP = 50
+GROUPS = [load()[at : at + GROUP] for at in range(0, len(load()), GROUP)]
+
+
+@pytest.mark.parametrize(
+    "group", [g for k, g in enumerate(GROUPS) if is_in_part(k, 0)], ids=lambda group: group[0].name
+)
+def test_what_is_said_is_what_is_on_record(group: tuple[Reached, ...]):
+    changed = [document.text for document in group if not document.is_said_as_ever]
+    assert not changed, "\n".join(["look at each, then: python -m tests.reached --update", *changed])
+
+
+def test_another_verdict_is_noticed():
+    first = load()[0]
+    assert (
+        first.is_said_as_ever
+        and not Reached(first.text, first.said.replace("unchecked", "proved") + " ").is_said_as_ever
+    )
+
+
+def test_what_is_not_asked_for_is_noted_too():
+    code = (
+        "from tests.reached import outcomes; outcomes.note()\n"
+        "from armproof.verification.check import verify_text\n"
+        "verify_text('$$ 1 = 1 $$')\n"
+        "noted = outcomes.NOTED; print(any(o[1:] == (False, True) for o in noted), len({o[0] for o in noted}) > 100)"
+    )
+    said = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    assert said == "True True\n"
