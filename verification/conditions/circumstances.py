@@ -78,9 +78,13 @@ class Circumstances:
             try:
                 found = [each for each in self.names.reader.read(latex) if isinstance(each, n.Chain)]
                 chains = [chain for chain in found if not self.given.repeats(chain)]
-                for bound in filter(_is_bound, chains):
+                bounding = [chain for chain in chains if _is_bound(chain)]
+                for bound in bounding:
                     self.names.state.compare(bound, self.given.lengths)
-                bounds += filter(_is_bound, chains) if of_arm else ()
+                bounds += (bound for bound in bounding if of_arm and "≠" not in bound.relations)
+                if any(map(self._moves, bounding)):  # where θ_2 ≠ 0, nothing is said of θ_2 = π any more
+                    names |= {*self.given.joints}
+                    self.names.state.told = replace(self.names.state.told, conditions=(), earlier=())
                 chains = [chain for chain in chains if not _is_bound(chain)]
                 if found and not chains:
                     continue
@@ -224,7 +228,9 @@ class Circumstances:
 
     def _moves(self, bound: n.Chain) -> bool:
         """Whether a bound is one of the configuration, and not of lengths or of other letters alone."""
-        sides = [node for comparison in comparisons_of(bound) for node in (comparison[0], comparison[2])]
+        sides = [
+            node for comparison in comparisons_of(bound) for node in (comparison[0], comparison[2])
+        ] or bound.members
         members = [as_scalar(self.checker.member(node).value) for node in sides]
         return not symbols_in([each for each in members if isinstance(each, Scalar)]).isdisjoint(self.given.joints)
 

@@ -80,12 +80,14 @@ def _exchanged(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
 
 
 def _multiplied(formula: n.Node) -> Iterator[Edit]:
-    """Yield a formula in which a letter that is no factor has a sine or a cosine of the formula before it: it was left out."""
-    pool = [below for below in dict.fromkeys(n.walk(formula)) if is_trigonometric(below)]
+    """Yield a formula in which a letter alone has a sine or a cosine of the formula as a factor, or one of those a letter: it was left out."""
+    pool = [below for below in dict.fromkeys(n.walk(formula)) if _stands_alone(below)]
     cells = formula.cells if isinstance(formula, n.Matrix) else (formula,)
     terms = (term for cell in cells for _, term in (cell.terms if isinstance(cell, n.Sum) else (("+", cell),)))
     for term in terms:
-        for other in pool if isinstance(term, n.Name) else ():
+        for other in pool if _stands_alone(term) else ():
+            if is_trigonometric(term) == is_trigonometric(other):
+                continue
             finding = say(Kind.MISSING_FACTOR, factor=_written(other))
             yield Edit(n.substitute(formula, term, n.Product((term, other), ("",))), "factor", finding)
 
@@ -123,7 +125,9 @@ def _holds_with(
     state = checker.names.state
     state.definitions[key] = replace(definition, evaluate=checker.members.meaning(formula))
     try:
-        if outcome.pair is None or outcome.there or any(map(_has_branches, outcome.nodes)):
+        others = (state.definitions[name].formula for name, _ in outcome.uses if name in state.definitions)
+        nodes = (*outcome.nodes, formula, *filter(None, others))
+        if outcome.pair is None or outcome.there or any(map(_has_branches, nodes)):
             return again()
         one, other = (checker.member(node) for node in outcome.nodes)
         return one.known and other.known and _equal(as_matrix(one.value), as_matrix(other.value))

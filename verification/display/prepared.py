@@ -13,6 +13,7 @@ from armproof.verification.naming.names import Names
 
 WHOLE = ("Z", "N")  # the sets of k in θ = kπ
 DEGREES = frozenset(range(30, 361, 15))  # without a mark
+ARCS = ("acos", "asin", "atan", "atan2")
 FOR_ALL = ("forall", "for all", "for every", "for any", "pour tout", "pour tous")
 
 
@@ -35,6 +36,19 @@ def _with_degrees(statements: list[n.Statement], names: Names) -> list[n.Stateme
                 each = replace(each, members=tuple(map(_marked, each.members)))
         found.append(each)
     return found
+
+
+def beside_arcs(statement: n.Statement) -> n.Statement:
+    """Return a statement with the mark of degrees behind what nobody means in radians: 180 of 180 − arccos(…)."""
+    if not isinstance(statement, n.Chain):
+        return statement
+    return replace(statement, members=tuple(map(_marked_beside_arcs, statement.members)))
+
+
+def _marked_beside_arcs(node: n.Node) -> n.Node:
+    if not isinstance(node, n.Sum) or not any(isinstance(t, n.Call) and t.function in ARCS for _, t in node.terms):
+        return node
+    return replace(node, terms=tuple((sign, _marked(term)) for sign, term in node.terms))
 
 
 def _is_angle(node: n.Node, names: Names) -> bool:

@@ -19,9 +19,10 @@ from armproof.verification.conditions.implication import (
 from armproof.verification.conditions.implications import Implications, Judgement
 from armproof.verification.conditions.wording import is_alternative, is_concluded, tell_words_that_change
 from armproof.verification.display.claims import Claims
-from armproof.verification.display.prepared import asked, of_all_joints, prepared
+from armproof.verification.display.prepared import asked, beside_arcs, of_all_joints, prepared
 from armproof.verification.equations.cells_left_out import with_cells
 from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.named_signs import unless_signs_clash
 from armproof.verification.equations.outcome import Outcome, with_role
 from armproof.verification.equations.series import unless_added, written_out
 from armproof.verification.findings import Kind, say
@@ -98,7 +99,7 @@ class Statements:
         if "dots" in latex:
             statements = [with_cells(statement, self.names) for statement in statements]
         is_of_any = statements != printed  # with cells left out: it may number axes otherwise than this arm
-        statements = [self._with_subject(statement) for statement in statements]
+        statements = [beside_arcs(self._with_subject(statement)) for statement in statements]
         if self.names.arm is None:
             statements = [of_all_joints(statement) for statement in statements]
         if len(statements) > 1 or any(isinstance(each, n.Chain) and len(each.members) > 2 for each in statements):
@@ -112,6 +113,8 @@ class Statements:
             self.ring.budget.check()
             self._take_next(display)
         self._heed_behind(display)
+        if sum(n.has_branches(each) for each in statements) > 1:
+            display.outcomes = unless_signs_clash(display.outcomes, self.checker.route.holds_everywhere)
         if display.is_connected:
             tell_words_that_change(statements, display.outcomes)
         if is_of_any:

@@ -32,7 +32,7 @@ _READERS: dict[str, Callable[[Path, str], Document]] = {
 }
 _MARKS = {".tex": ("$$", "\\[", *(f"\\begin{{{name}" for name in ENVIRONMENTS)), ".rst": (".. math::",)}
 _SAYS = re.compile(
-    r"[=≈<>]|\\(?:approx|simeq|equiv|[lg]eq?)(?![A-Za-z])|(?:∈|\\in(?![A-Za-z]))\s*(?:\\left\s*)?[(\[]|^\\text\{"
+    r"[=≈<>≠]|\\(?:approx|simeq|equiv|[lg]eq?|neq?)(?![A-Za-z])|(?:∈|\\in(?![A-Za-z]))\s*(?:\\left\s*)?[(\[]|^\\text\{"
 )
 _EQUATION = r"[^\])\"'\s]*(?:equation|\beqn?s?[\d_-]|formula|formule|ecuaci|gleichung|latex|codecogs|render/math|matri[xcz])[^\])\"']*"
 _DEFINES = re.compile(r"\\(?:(?:re|provide)?newcommand|def|let|DeclareMathOperator|newenvironment)(?![A-Za-z])")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 
 from armproof.verification.document.tex_macros import Macro, Macros, blank, closing_brace
 
@@ -15,12 +16,17 @@ _COMMAND = re.compile(
     r"|\\let\s*(?P<let>\\[A-Za-z]+)\s*=?\s*(?P<meaning>\\[A-Za-z]+)"
     r"|\\(?:re)?newenvironment\*?\s*\{\s*(?P<environment>\w+\*?)\s*\}\s*(?:\[(?P<size>\d)\]\s*)?(?:\[(?P<first>[^\]]*)\]\s*)?(?=\{)"
 )
+_GROUP = re.compile(
+    r"(?P<opens>\\begin(?:group)?(?![A-Za-z])|\\bgroup(?![A-Za-z])|\{)"
+    r"|(?P<closes>\\end(?:group)?(?![A-Za-z])|\\egroup(?![A-Za-z])|\})|\\.",
+    re.DOTALL,
+)
 _PARAMETERS = re.compile(r"(?:O\{(?P<default>[^{}]*)\})?(?P<plain>[m\s]*)")
 
 
 def find_macros(text: str, packages: str = "") -> tuple[Macros, str]:
     """Return the macros that a text and its packages define, and the text with their definitions blank."""
-    macros: dict[str, Macro] = {}
+    macros: dict[str, list[Macro]] = {}
     for source in (packages, text):
         letters = list(source)
         position = 0
@@ -30,10 +36,24 @@ def find_macros(text: str, packages: str = "") -> tuple[Macros, str]:
                 bodies, position = _groups(source, found.end(), 2)
             if not found["let"] and not bodies:
                 continue
-            macros.update(_macros(found, bodies))
+            begin = position if source is text else -1
+            for name, macro in _macros(found, bodies):
+                if not ((found["kind"] or "").lower().startswith("provide") and name in macros):
+                    macros.setdefault(name, []).append(replace(macro, begin=begin))
             letters[found.start() : position] = blank(source[found.start() : position])
-        text = "".join(letters)
-    return Macros(macros), text
+        blanked = "".join(letters)
+    several = {name: [_in_its_group(each, text) for each in found] for name, found in macros.items() if len(found) > 1}
+    return Macros({**macros, **several}), blanked
+
+
+def _in_its_group(macro: Macro, text: str) -> Macro:
+    """Return a macro with the end of the group in which it is defined."""
+    depth = 0
+    for found in _GROUP.finditer(text, max(macro.begin, 0)) if macro.begin >= 0 else ():
+        depth += 1 if found["opens"] else -1 if found["closes"] else 0
+        if depth < 0:
+            return replace(macro, end=found.start())
+    return macro
 
 
 def _groups(text: str, position: int, count: int) -> tuple[list[str], int]:

@@ -3,7 +3,7 @@ r"""The author's own macros in LaTeX: expanded a bounded number of times."""
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from armproof.verification.document.model import Piece
@@ -19,13 +19,20 @@ Place = Callable[[int], tuple[int, int]]
 class Macro:
     """A macro: how many arguments it takes, the first one's default, and its body with #1, #2, …
 
-    `delimiters` is what stands between the arguments of a macro that is called as \\C(x).
+    `delimiters` is what stands between the arguments of a macro that is called as \\C(x); it holds from offset `begin` to `end`,
+    where its group is closed.
     """
 
     arguments: int
     default: str | None
     body: str
     delimiters: str = ""
+    begin: int = -1
+    end: int | None = None
+
+    def holds_at(self, offset: int) -> bool:
+        """Whether it is defined at a place of the file."""
+        return self.begin <= offset and (self.end is None or offset < self.end)
 
 
 @dataclass(frozen=True)
@@ -38,13 +45,13 @@ class _Character:
 
 
 class Macros:
-    """The macros of a document."""
+    """The macros of a document, each with its definitions in order."""
 
-    def __init__(self, macros: dict[str, Macro]) -> None:
+    def __init__(self, macros: Mapping[str, Sequence[Macro]]) -> None:
         self.macros = macros
         self._boundaries = {
             name: (found.group(1), found.group(2))
-            for name, macro in macros.items()
+            for name, (*_, macro) in macros.items()
             if not macro.arguments and (found := _BOUNDARY.fullmatch(macro.body)) is not None
         }
 
@@ -66,56 +73,62 @@ class Macros:
         """
         used = any(_plain(found) in self.macros for found in _USE.finditer(latex))
         characters = [_Character(c, offset + k, offset + k + 1) for k, c in enumerate(latex)]
-        characters = (self._expand(characters) or characters) if used else characters
+        characters = (_expand(self.at(offset), characters) or characters) if used else characters
         text = "".join(c.text for c in characters)
         return text, _pieces(characters, place)
 
-    def _expand(self, characters: list[_Character]) -> list[_Character] | None:
-        for _ in range(MOST_EXPANSIONS):
-            text = "".join(c.text for c in characters)
-            if len(text) > LONGEST:
-                return None
-            use = next((found for found in _USE.finditer(text) if _plain(found) in self.macros), None)
-            if use is None:
-                return characters
-            replaced = self._replaced(text, characters, use)
-            if replaced is None:
-                return None
-            characters = replaced
-        return None
+    def at(self, offset: int) -> dict[str, Macro]:
+        """Return what each macro is at a place: its last definition before, or the first behind."""
+        holding = {name: [each for each in defined if each.holds_at(offset)] for name, defined in self.macros.items()}
+        return {name: (holding[name] or defined[:1])[-1] for name, defined in self.macros.items()}
 
-    def _replaced(self, text: str, characters: list[_Character], use: re.Match[str]) -> list[_Character] | None:
-        """Return the characters with one use of a macro replaced by its body; None where its arguments are not all there."""
-        macro = self.macros[_plain(use)]
-        end = use.end()
-        arguments: list[list[_Character]] = []
-        if macro.delimiters:
-            literals = map(re.escape, re.split(r"#\d", macro.delimiters))
-            called = re.compile(r"\s*" + r"([^\n]{0,300}?)".join(literals)).match(text, end)
-            if called is None:
-                return None
-            arguments, end = [characters[slice(*called.span(k + 1))] for k in range(macro.arguments)], called.end()
-        if macro.default is not None:
-            optional = re.compile(r"\s*\[([^\]]*)\]").match(text, end)
-            here = characters[use.start()]
-            if optional:
-                arguments.append(characters[slice(*optional.span(1))])
-                end = optional.end()
-            else:
-                arguments.append([_Character(c, here.start, here.end) for c in macro.default])
-        while len(arguments) < macro.arguments:
-            span = _argument(text, end)
-            if span is None:
-                return None
-            arguments.append(characters[slice(*span[:2])])
-            end = span[2]
-        whole = (characters[use.start()].start, characters[end - 1].end)
-        if not macro.arguments and text[end : end + 1] == " ":
-            end += 1  # the blank that ends a command's name
-        body = _filled(macro.body, arguments, whole)
-        if text[end : end + 1].isalpha() and re.search(r"\\[A-Za-z]+$", macro.body):
-            body.append(_Character(" ", *whole))
-        return [*characters[: use.start()], *body, *characters[end:]]
+
+def _expand(macros: Mapping[str, Macro], characters: list[_Character]) -> list[_Character] | None:
+    for _ in range(MOST_EXPANSIONS):
+        text = "".join(c.text for c in characters)
+        if len(text) > LONGEST:
+            return None
+        use = next((found for found in _USE.finditer(text) if _plain(found) in macros), None)
+        if use is None:
+            return characters
+        replaced = _replaced(macros[_plain(use)], text, characters, use)
+        if replaced is None:
+            return None
+        characters = replaced
+    return None
+
+
+def _replaced(macro: Macro, text: str, characters: list[_Character], use: re.Match[str]) -> list[_Character] | None:
+    """Return the characters with one use of a macro replaced by its body; None where its arguments are not all there."""
+    end = use.end()
+    arguments: list[list[_Character]] = []
+    if macro.delimiters:
+        literals = map(re.escape, re.split(r"#\d", macro.delimiters))
+        called = re.compile(r"\s*" + r"([^\n]{0,300}?)".join(literals)).match(text, end)
+        if called is None:
+            return None
+        arguments, end = [characters[slice(*called.span(k + 1))] for k in range(macro.arguments)], called.end()
+    if macro.default is not None:
+        optional = re.compile(r"\s*\[([^\]]*)\]").match(text, end)
+        here = characters[use.start()]
+        if optional:
+            arguments.append(characters[slice(*optional.span(1))])
+            end = optional.end()
+        else:
+            arguments.append([_Character(c, here.start, here.end) for c in macro.default])
+    while len(arguments) < macro.arguments:
+        span = _argument(text, end)
+        if span is None:
+            return None
+        arguments.append(characters[slice(*span[:2])])
+        end = span[2]
+    whole = (characters[use.start()].start, characters[end - 1].end)
+    if not macro.arguments and text[end : end + 1] == " ":
+        end += 1  # the blank that ends a command's name
+    body = _filled(macro.body, arguments, whole)
+    if text[end : end + 1].isalpha() and re.search(r"\\[A-Za-z]+$", macro.body):
+        body.append(_Character(" ", *whole))
+    return [*characters[: use.start()], *body, *characters[end:]]
 
 
 def _plain(use: re.Match[str]) -> str:

@@ -145,8 +145,9 @@ class Definitions:
                 wrong.append((block.row, block.column))
             elif key is None or not isinstance(cell.problem, UnboundName) or self._is_nothing(block, blocks, value):
                 unknown = cell.problem
-            elif key in first:
-                if not self.readings.equality.equals_block(first[key], block.of(value)):
+            elif key in first or _holds(block.of(value), key):  # J = [γ_1 …] once more: it is what it is, and no entry of J
+                itself = first[key] if key in first else self.members.exact.symbol(key)
+                if not self.readings.equality.equals_block(itself, block.of(value)):
                     wrong.append((block.row, block.column))
             else:
                 first[key] = block.of(value)
@@ -285,6 +286,11 @@ def _solved(member: Member, true: n.Node) -> tuple[str, n.Node] | None:
     at_right_angle, at_none = (n.substitute(member.node, cosines[0], n.Number(Fraction(k))) for k in (0, 1))
     above, below = (n.Sum((("+", one), ("-", n.Group(at_right_angle)))) for one in (true, at_none))
     return key, n.placed(n.Call("acos", (n.Quotient(above, below, "frac"),), "arccos"), true.span)
+
+
+def _holds(value: Value, key: str) -> bool:
+    scalar = as_scalar(value)
+    return isinstance(scalar, Scalar) and key in symbols_in([scalar])
 
 
 def _is_angle(name: n.Name) -> bool:

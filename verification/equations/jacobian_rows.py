@@ -55,7 +55,7 @@ class RowsOfJacobians:
         return chain
 
     def kept(self, outcome: Outcome) -> Outcome:
-        """Remember the rows in which J is printed; what prints others than before in its section is left open."""
+        """Remember the rows in which J is printed, not where most of it is wrong; what prints others than before is left open."""
         pair, true, printed = outcome.pair, outcome.true, outcome.printed
         name = self.members.jacobian_name(true.node, True) if true is not None else None
         if outcome.verdict not in DECIDED or pair is None or name is None or printed is None:
@@ -71,6 +71,8 @@ class RowsOfJacobians:
         before = self.names.rows_of(name.key)
         if before not in (None, rows):
             return outcome.left_open(say(Kind.ROWS_TOLD_OTHERWISE, name=name.text, rows=list(before or ())))
+        if len(outcome.wrong) > len(pair.true.cells) / 2:
+            return outcome
         is_matrix = isinstance(bare(printed.node), n.Matrix)
         self.names.state.shown.setdefault(name.key, JacobianRows(rows, self.names.state.section, is_matrix))
         return outcome

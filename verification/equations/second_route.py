@@ -296,6 +296,11 @@ class SecondRoute:
                 if errors is not None:
                     yield errors if unit == 1 else errors.random
 
+    def holds_everywhere(self, outcome: Outcome) -> bool:
+        """Whether samples say that an equation with ± holds, on one choice of its signs at each."""
+        errors = self.sampled_errors(outcome, True)
+        return errors is not None and errors.samples >= FEWEST and errors.largest <= TOLERANCE
+
     def sampled_errors(
         self, outcome: Outcome, branches: bool, sampled: SampledAlgebra | None = None
     ) -> SampledErrors | None:

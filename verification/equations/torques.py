@@ -37,6 +37,8 @@ class Torques:
         if not pairs or len(pairs) != self._asked(outcome):
             return outcome
         if all(map(agree_exactly, pairs)):
+            if lacking := self._lacking(outcome):
+                return outcome.left_open(say(Kind.FORCE_LEFT_OUT, names=lacking))
             self._heed(outcome)
             return replace(outcome, verdict=Verdict.PROVED, findings=(), role=Role.CLAIM)
         turned = [replace(pair, true=pair.true.map(lambda cell: -cell)) for pair in pairs]
@@ -109,6 +111,16 @@ class Torques:
         """Return how many torques an outcome gives a meaning."""
         value = outcome.true.value if outcome.true is not None else None
         return as_matrix(value).shape[0] if isinstance(value, Matrix | Scalar) else 0
+
+    def _lacking(self, outcome: Outcome) -> list[str]:
+        """Return the components of forces that the document writes elsewhere, where with them the torques would be others."""
+        names = self.members.names
+        loads = {key for key in names.reader.spelling.loads if names.is_open(n.Name(key[0], key[-1]))}
+        with names.state.unchanged():
+            names.state.adopted |= loads
+            pairs = [*self._compared(outcome)]
+        is_same = bool(pairs) and all((value - true).is_zero() for value, true in pairs)
+        return [] if is_same else sorted(loads - names.state.adopted)
 
     def _compared(self, outcome: Outcome) -> Iterator[tuple[Scalar, Scalar]]:
         """Yield the value of each torque that an outcome gives a meaning, and what the force in it makes of it."""

@@ -107,6 +107,7 @@ class Kind(MessageKind):
     CASE_OPEN = "case_open", "when the case '{text}' is, is not decided, and the line does not hold everywhere"
     LEFT_OUT = "left_out", "'{text}' stands beside the equation, not in it: what it says is not decided"
     WORDS_CHANGE_IT = "words_change_it", "'{text}' changes what the equation says, and words are not decided"
+    SIGNS_CLASH = "signs_clash", "each holds on one choice of ±, and both on the same one only where ∓ stands for ± in one of them"
     ONE_OF_TWO = "one_of_two", "an equation beside 'or': which of them holds, and when, is not said; write each on its own, or a ±"
     ENTRY_BY_INDEX = "entry_by_index", "it does not hold with `{name}` for the number in its row of the table: say what it is, `{name} = …`"
     OWN_SUM = "own_sum", "the document says itself which angles {digits} adds, with a minus: what is said by it is not decided where it does not hold"

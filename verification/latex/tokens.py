@@ -176,6 +176,7 @@ class Spelling:
     screws: frozenset[str] = frozenset()  # the letters of twists in exponents: S of e^{[S_1]θ_1}, xi where it has a hat
     unit: str = ""  # mm or cm, in which it calculates: behind a number it says no more than m does in metres
     indices: frozenset[str] = frozenset()  # of θ, q, c and s, the first of several
+    loads: frozenset[str] = frozenset()  # the components of forces and moments that it writes anywhere: F_x, M_z
 
     def joint_signs(self, digits: str) -> tuple[int, ...]:
         """Return the signs of the angles that the digits of c_{34} add: as the document says, else all are positive."""

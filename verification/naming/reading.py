@@ -58,6 +58,7 @@ _LENGTH = re.compile(
 )  # p_1 cos θ_1
 
 
+_LOAD = re.compile(r"(?<![A-Za-z\\])([FfM])\s*_\s*\{?\s*([xyz])(?![A-Za-z])")
 _SCREW = re.compile(  # e^{[S_1]θ_1}, exp([B_1]θ_1), e to a ξ_1 with a hat
     r"(?:(?<![A-Za-z\\])e\s*\^\s*\{|\\exp\s*(?:\\left)?\s*[({])\s*-?\s*(?:(?:\\left\s*)?\[|\\(?:wide)?hat\s*\{?)"
     r"\s*(?:\\(?:mathcal|mathbf|boldsymbol|bm)\s*\{?\s*)?\\?([A-Za-z]+)"
@@ -123,6 +124,7 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
     return Spelling(
         words, frozenset(apart), comma, variables, angle, sums, _masses(said), own, _refers_below(text), lengths,
         frozenset(_SCREW.findall(text)), _own_unit(document.displays), frozenset(of_theta | of_q | of_cosine),
+        frozenset(f"{letter}_{axis}" for letter, axis in _LOAD.findall(said)),
     )  # fmt: skip
 
 

@@ -142,7 +142,7 @@ def unsupported(records: Sequence[Record]) -> dict[Key, list[int]]:
 
 def _differs(result: EquationResult) -> bool:
     """Whether the sides of a claim that is left open differ."""
-    differs = any(each.kind is Kind.NO_ARM_TO_COMPARE for each in result.findings)
+    differs = any(each.kind in (Kind.NO_ARM_TO_COMPARE, Kind.OTHER_SCREWS) for each in result.findings)
     return result.role is Role.CLAIM and result.verdict is Verdict.UNCHECKED and differs
 
 

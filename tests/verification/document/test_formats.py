@@ -220,6 +220,12 @@ def test_a_macro_stands_for_its_body() -> None:
     )
 
 
+def test_a_macro_is_what_it_was_defined_to_be_before_and_in_its_group() -> None:
+    text = r"\newcommand{\x}{a}\[ \x = 1 \]\renewcommand{\x}{b}\[ \x = 2 \]{\def\x{c}\[ \x = 3 \]}\providecommand{\x}{d}\[ \x = 4 \]"
+    displays = parse_document(Path("page.tex"), text).displays
+    assert [display.latex.strip() for display in displays] == ["a= 1", "b= 2", "c= 3", "b= 4"]
+
+
 @pytest.mark.parametrize("macros", [r"\newcommand{\x}{\x}", r"\def\x{\y\y}\def\y{\x\x}", r"\newcommand{\x}[2]{#1}"])
 def test_a_macro_without_end_is_left_as_it_stands(macros: str) -> None:
     [display] = parse_document(Path("page.tex"), macros + r"\[ a = \x \]").displays

@@ -89,11 +89,15 @@ def _best(part: Inference, lost: Sequence[Record], letters: Sequence[str]) -> _O
     displays = tuple(each for each in part.document.displays if each.place in places)
     others = {str(other.front["arm"]["rows"]): other for other in _others(part, letters)}
     fronts = [other.front for other in others.values()][:MOST]
+    if "transforms" not in part.document.front:  # what is lost may be what would tell
+        fronts = [{**front, "transforms": which} for front in fronts for which in ("upper", "lower")]
     try:
         readings = weigh(replace(part.document, displays=displays), fronts) if fronts else []
     except ArmproofError:
         return None
-    best = [others[str(each.front["arm"]["rows"])] for each in readings if each.held == readings[0].held >= FEWEST]
+    held = [each for each in readings if each.held == readings[0].held >= FEWEST]
+    ways = {str(each.front["arm"]["rows"]): each.front for each in held}
+    best = [replace(others[rows], front=front) for rows, front in ways.items()]
     numbers = [other for other in best if other.printed.isdigit() and other.printed != "0"]  # of lines in parallel
     return next(iter(numbers if len(best) > 1 else best), None)
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from itertools import permutations, product
 
 from armproof.verification.algebra.calculus import angles_in, derivative, substitute, symbols_in
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.document import Display, Document
+from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
@@ -52,7 +54,9 @@ def candidate_of_law(document: Document, names: Names) -> Candidate | None:
         reader = _Reader(document, names, algebra)
         law = next(reader.laws(), None)
         law = reader.with_hand(law) if law is not None else None
-    return _arm(law) if law is not None else None
+    with suppress(EvaluationError):  # what is no length of a DH table: (z - h²)²
+        return _arm(law) if law is not None else None
+    return None
 
 
 def with_point_of_law(found: Candidate, document: Document, names: Names) -> Candidate:

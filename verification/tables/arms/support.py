@@ -323,9 +323,7 @@ class _Settled:
         if result.verdict in HOLDS and _is_data(self.taken, record, result.links):
             return result if result.links <= self.confirmed else self._data(result.index, result.links)
         links = result.links.union(*(self.named.get(key, ()) for key in result.uses))
-        doubtful = frozenset(
-            link for link in links - self.confirmed if link > AXES or len(self.against.get(link, ())) > 1
-        )
+        doubtful = links - self.confirmed
         is_of_links = len(doubtful) == 1 and min(doubtful) > 0
         if is_of_links and result.explained_by is not None and not doubtful & result.explained_by:
             links, doubtful = self.confirmed & links, frozenset()  # no link in its place makes it right
