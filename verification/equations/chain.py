@@ -247,7 +247,7 @@ class ChainChecker:
 
     def _judged(self, now: _Pass, outcomes: list[Outcome]) -> list[Outcome]:
         """Return the outcomes, left open where the chain may be read otherwise, or a name means something else there."""
-        outcomes = self._read_otherwise(now, outcomes)
+        outcomes = [now.definitions.of_sine(each) for each in self._read_otherwise(now, outcomes)]
         outcomes = self._of_other_matrix(now, outcomes)
         outcomes = [self.readings.other_meaning(outcome, now.line, now.define) for outcome in outcomes]
         if now.placed:
