@@ -251,14 +251,20 @@ class DocumentState:
 
     def enter(self, section: str) -> None:
         """Go on under a heading, in a new exercise where it says so."""
+        begun = self._begun(section)
         if section != self.section:
             self._leave_blocks(section)
             self.section = section
             self.told = self.told if self.told.holds_below and encloses(self.told.section, section) else Told()
-            own = WITH_ITS_ARM.match(section)
+            own = next(filter(None, map(WITH_ITS_ARM.match, begun)), None)
             self.apart += own is not None and own[0] != self.exercise
-        head = EXERCISE.match(section)
+        head = next(filter(None, map(EXERCISE.match, begun)), None)
         self.exercise = head[0] if head is not None else self.exercise
+
+    def _begun(self, section: str) -> tuple[str, ...]:
+        """Return a heading, and those around it that were not around the one before."""
+        before = (self.section, *sections_around(self.section))
+        return (section, *(each for each in sections_around(section) if each not in before))
 
     def _leave_blocks(self, section: str) -> None:
         """Let nothing be decided any more by the blocks of matrices of the section that ends; what is around a section holds in it."""
