@@ -31,7 +31,9 @@ from armproof.verification.equations.letter_matrices import (
     entries_elsewhere,
     forget_letters,
     forget_letters_of,
+    hold_as_defined,
     hold_entries,
+    is_shown_as_defined,
     is_shown_to_be,
     of_defined_rotation,
     stale,
@@ -351,6 +353,7 @@ class ChainChecker:
     def _of_other_matrix(self, now: _Pass, first: list[Outcome]) -> list[Outcome]:
         """Return the outcomes where r_{ij} are of another matrix than the tool's, if all hold; what else is no slip is left open."""
         if self.of_entries or all(outcome.verdict in HOLDS for outcome in first):
+            hold_as_defined(self.names, now.chain, now.line if now.define and not self.of_entries else 0)
             return first
         is_open = all(outcome.verdict is Verdict.UNCHECKED for outcome in first)
         chain = (with_small_letters(now.chain) if is_open else None) or now.chain
@@ -373,6 +376,8 @@ class ChainChecker:
         shown = next((each for each in readings if is_shown_to_be(self.names, each)), None)
         if doubt and shown and (tried := self._of_shown_matrix(now, chain, shown)):
             return [each.unless_slip(doubt) for each in tried]
+        if doubt and is_shown_as_defined(self.names, chain):
+            return [each.unless_slip(doubt) for each in first]
         return [each if doubt is None or _is_slip(each) else each.left_open(doubt) for each in first]
 
     def _of_shown_matrix(self, now: _Pass, chain: n.Chain, entries: Mapping[str, Quantity]) -> list[Outcome]:

@@ -131,13 +131,34 @@ def entries_before(names: Names, readings: Iterable[Iterable[str]]) -> dict[str,
     return {key: min(lines) for entries in readings for key in entries} if lines else {}
 
 
+def hold_as_defined(names: Names, chain: n.Chain, line: int) -> None:
+    """Remember that an equation holds with its r_{ij} as a matrix gave them their meaning."""
+    if line and _lines_of(names, _entries_in(chain)):
+        names.state.entries_held[None] = names.state.entries_held.get(None, frozenset()) | {line}
+
+
 def is_shown_to_be(names: Names, entries: Mapping[str, Quantity]) -> bool:
     """Whether r_{ij} are of the one rotation of which equations behind the matrix that gave them their meaning show them to be."""
-    made, held = names.state.definitions, names.state.entries_held
-    begun = max((made[key].line for key in entries if key in made), default=0)
-    behind = {rotation: sum(line > begun for line in lines) for rotation, lines in held.items()}
-    shown = [rotation for rotation, count in behind.items() if count]
-    return {_whole(each) for each in entries.values()} == {*shown} and behind[shown[0]] >= FEWEST_SHOWN
+    return {_whole(each) for each in entries.values()} == _shown(names, entries)
+
+
+def is_shown_as_defined(names: Names, chain: n.Chain) -> bool:
+    """Whether equations behind the matrix that gave r_{ij} their meaning show that they have it."""
+    return _shown(names, _entries_in(chain)) == {None}
+
+
+def _shown(names: Names, entries: Iterable[str]) -> set[Quantity | None]:
+    """Return the rotations of which equations behind the matrix of r_{ij} show these to be; nothing where too few do."""
+    begun = max(_lines_of(names, entries), default=0)
+    behind = {rotation: sum(line > begun for line in lines) for rotation, lines in names.state.entries_held.items()}
+    shown = {rotation: count for rotation, count in behind.items() if count}
+    return {*shown} if sum(shown.values()) >= FEWEST_SHOWN else set()
+
+
+def _lines_of(names: Names, entries: Iterable[str]) -> list[int]:
+    """Return the lines of the matrices that gave r_{ij} their meaning."""
+    made = names.state.definitions
+    return [made[key].line for key in entries if key in made and made[key].by_place]
 
 
 def _whole(entry: Quantity) -> Quantity:

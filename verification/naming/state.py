@@ -187,7 +187,7 @@ class DocumentState:
         other_sizes: usual names that are printed as a matrix of another size, each with what was said there.
         awaited: a name without a value → the matrix of letters that it is equated to, its entries once it has one, and the line.
         printed: the rotation that a matrix printed last was, or that of the pose: its entries may be the r_ij behind it.
-        entries_held: the rotations of which the r_ij of equations were, where these hold of no other, with the lines of those.
+        entries_held: the rotations of which the r_ij of equations were that hold, None as their matrix says, with the lines of those.
         usual: name and heading under which an equation was exactly what convention says, and what that is.
         used, used_in_general: free letters, of the displays and of the general statements among them.
         adopted: letters that only a frame the document adds brings in: a tool's length.
@@ -222,7 +222,7 @@ class DocumentState:
     other_sizes: dict[str, Finding] = field(default_factory=dict)
     awaited: dict[str, tuple[n.Node, int]] = field(default_factory=dict)
     printed: Quantity | None = None
-    entries_held: dict[Quantity, frozenset[int]] = field(default_factory=dict)
+    entries_held: dict[Quantity | None, frozenset[int]] = field(default_factory=dict)
     usual: dict[tuple[str, str], Quantity] = field(default_factory=dict)
     used: set[str] = field(default_factory=set)
     used_in_general: set[str] = field(default_factory=set)
