@@ -19,6 +19,7 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key, is_number
 from armproof.verification.latex.writer import Notation, Writer
+from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Definition
 from armproof.verification.verdict import SlipBefore
 
@@ -41,7 +42,9 @@ def slip_before(
             continue
         for edit in islice(_edits(formula, outcome.nodes, learnt.letters(formula)), MOST_EDITS):
             checker.exact.budget.check()
-            if not made.keys().isdisjoint(_keys(edit.node) - _keys(formula)):  # it rests on itself, or on another one
+            if not made.keys().isdisjoint(
+                _keys(edit.node, checker.names) - _keys(formula)
+            ):  # it rests on itself, or on another one
                 continue
             if _holds_with(checker, key, definition, edit.node, outcome, again):
                 return SlipBefore(key, line, edit.finding, edit.node)
@@ -99,8 +102,10 @@ def _is_like(node: n.Node, other: n.Node) -> bool:
     return isinstance(node, n.Call) and isinstance(other, n.Call)
 
 
-def _keys(node: n.Node) -> set[str]:
-    return {below.key for below in n.walk(node) if isinstance(below, n.Name)}
+def _keys(node: n.Node, names: Names | None = None) -> set[str]:
+    """Return the names in a formula, each as the T(θ) that names may say T to be."""
+    found = (below for below in n.walk(node) if isinstance(below, n.Name))
+    return {(names.applied_to_joints(below) if names is not None else None) or below.key for below in found}
 
 
 def names_alone(formula: n.Node) -> bool:

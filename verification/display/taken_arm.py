@@ -28,7 +28,9 @@ class OfTakenArm:
             return outcome
         taken, where = self.taken, self._exercise_of_arm()
         links = links_told(self.names.state.section)
-        is_other = links is not None and self.arm is not None and links != len(self.arm.joints)
+        is_other = (
+            links not in (None, self._links_where_shown()) and self.arm is not None and links != len(self.arm.joints)
+        )
         if is_other or where not in (0, self.names.state.apart):
             return outcome.left_open(say(Kind.ARM_OF_OTHER_EXERCISE, line=taken.line))
         if (other := next(filter(self._is_other_variable, names_in(outcome)), None)) is not None:
@@ -41,6 +43,13 @@ class OfTakenArm:
         if taken.several_tools and (untold := next(filter(self._is_of_any_tool, names_in(outcome)), None)) is not None:
             return outcome.left_open(say(Kind.SEVERAL_TOOLS, line=taken.line, name=untold.text))
         return outcome
+
+    def _links_where_shown(self) -> int | None:
+        """Return how many links the heading tells under which the arm was shown: of six joints it may show three."""
+        taken = self.taken
+        both: list[Display | Table] = [*self.document.displays, *self.document.tables]
+        shown = (each for each in both if (each.cell, each.line) == (taken.cell, taken.line))
+        return next((links_told(each.section) for each in shown), None)
 
     def _exercise_of_arm(self) -> int:
         """The exercise with an arm of its own in which the arm was shown, counted from 1; 0 where it holds for all of them."""

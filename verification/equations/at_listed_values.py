@@ -58,7 +58,7 @@ class ListedValues:
                     found = self._compared(pair, numbers, known, listing)
                     if found is not None and not found.wrong:
                         return self._confirmed(outcome, pair, listing, found.largest)
-                    if found is not None and self._is_slip(found, known):
+                    if found is not None and (_breaks_rotation(pair, found) or self._is_slip(found, known)):
                         return self._refuted(outcome, pair, found, known)
                     if nearly is None and listing.line and found is not None and len(found.wrong) == 1:
                         nearly = self._doubted(outcome, pair, found, known, listing)
@@ -190,6 +190,14 @@ class ListedValues:
 def holds_at_listed_values(outcome: Outcome) -> bool:
     """Whether an equation holds as one of numbers at the values of code, at those worked out above, or where no joint is moved."""
     return outcome.verdict is Verdict.CONFIRMED and any(each.kind in _AT_VALUES for each in outcome.findings)
+
+
+def _breaks_rotation(pair: Pair, found: _Compared) -> bool:
+    """Whether one entry alone of a pose's rotation is wrong: the others leave it one value, in whatever configuration."""
+    if pair.true.shape != (4, 4) or len(found.wrong) != 1 or len(found.differences) < len(pair.true.cells) - 4:
+        return False
+    last = [[cell.as_fraction() for cell in side.rows[3]] for side in (pair.true, pair.printed)]
+    return last == [[0, 0, 0, 1]] * 2 and max(found.wrong[0]) < 3
 
 
 def _tells(pair: Pair, place: Place) -> bool:

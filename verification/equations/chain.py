@@ -27,9 +27,14 @@ from armproof.verification.equations.letter_matrices import (
     FEWEST_LETTERS,
     await_value,
     awaited,
+    entries_before,
     entries_elsewhere,
     forget_letters,
     forget_letters_of,
+    hold_as_defined,
+    hold_entries,
+    is_shown_as_defined,
+    is_shown_to_be,
     of_defined_rotation,
     stale,
     take_entries,
@@ -58,7 +63,7 @@ from armproof.verification.latex.nodes import bare_key, has_branches
 from armproof.verification.naming.conventions import ENTRY
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Definition
-from armproof.verification.verdict import HOLDS, Verdict
+from armproof.verification.verdict import DECIDED, HOLDS, Verdict
 
 if TYPE_CHECKING:
     from armproof.verification.evaluation.sampled import SampledAlgebra
@@ -244,7 +249,7 @@ class ChainChecker:
 
     def _judged(self, now: _Pass, outcomes: list[Outcome]) -> list[Outcome]:
         """Return the outcomes, left open where the chain may be read otherwise, or a name means something else there."""
-        outcomes = self._read_otherwise(now, outcomes)
+        outcomes = [now.definitions.of_sine(each) for each in self._read_otherwise(now, outcomes)]
         outcomes = self._of_other_matrix(now, outcomes)
         outcomes = [self.readings.other_meaning(outcome, now.line, now.define) for outcome in outcomes]
         if now.placed:
@@ -348,6 +353,7 @@ class ChainChecker:
     def _of_other_matrix(self, now: _Pass, first: list[Outcome]) -> list[Outcome]:
         """Return the outcomes where r_{ij} are of another matrix than the tool's, if all hold; what else is no slip is left open."""
         if self.of_entries or all(outcome.verdict in HOLDS for outcome in first):
+            hold_as_defined(self.names, now.chain, now.line if now.define and not self.of_entries else 0)
             return first
         is_open = all(outcome.verdict is Verdict.UNCHECKED for outcome in first)
         chain = (with_small_letters(now.chain) if is_open else None) or now.chain
@@ -359,13 +365,31 @@ class ChainChecker:
             tried = self._aside(chain, now.first, now.line, partial(self._take_entries, now, entries))
             self.of_entries = False
             if all(outcome.verdict in HOLDS for outcome in tried):
+                hold_entries(self.names, entries, now.line if now.define else 0)
                 return tried
         if self.names.arm is None:
             return self._of_defined_rotation(now) or first
         made = self.names.state.definitions
         others = [key for entries in readings for key in entries if key in made and made[key].by_place]
-        doubt = say(Kind.SECOND_MEANING, name=others[0], line=made[others[0]].line) if others else None
+        lines = {key: made[key].line for key in others} or entries_before(self.names, readings)
+        doubt = next((say(Kind.SECOND_MEANING, name=key, line=line) for key, line in lines.items()), None)
+        shown = next((each for each in readings if is_shown_to_be(self.names, each)), None)
+        if doubt and shown and (tried := self._of_shown_matrix(now, chain, shown)):
+            return [each.unless_slip(doubt) for each in tried]
+        if doubt and is_shown_as_defined(self.names, chain):
+            return [each.unless_slip(doubt) for each in first]
         return [each if doubt is None or _is_slip(each) else each.left_open(doubt) for each in first]
+
+    def _of_shown_matrix(self, now: _Pass, chain: n.Chain, entries: Mapping[str, Quantity]) -> list[Outcome]:
+        """Return the outcomes where r_{ij} are of the matrix of which they were before; none where that decides nothing."""
+        meant, self.of_entries = self.names.state.copy(), True
+        self._take_entries(now, entries)
+        tried = self.check(chain, now.first, now.line, now.define)
+        self.of_entries = False
+        if all(each.verdict in DECIDED for each in tried):
+            return tried
+        self.names.state.become(meant)
+        return []
 
     def _take_entries(self, now: _Pass, entries: Mapping[str, Quantity]) -> None:
         """Let the r_{ij} be of a matrix; what the first reading of a chain defined by others of them means nothing then."""

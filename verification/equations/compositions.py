@@ -38,6 +38,8 @@ def is_composition(chain: n.Chain, frames: Collection[str]) -> bool:
     if len(chain.members) < 2 or set(chain.relations) != {"="} or _are_frames(chain, frames):
         return False
     for reference in ("upper", "lower"):
+        if not all(arguments_fit(member, reference) for member in chain.members):
+            continue
         ends = [_ends(member, reference) for member in chain.members]
         tells = any(isinstance(bare(m), n.Product | n.Postfix) for m in chain.members)  # {}^B_AR = {}^A_BR^T
         if None not in ends and len(set(ends)) == 1 and tells:
@@ -89,6 +91,23 @@ def _ends(node: n.Node, reference: str) -> tuple[str, str] | None:
         return None  # of a point a rotation alone does not tell where it is seen
     cancels = all(_follows(*pair) if pair[1].open else pair[0].end == pair[1].start for pair in pairwise(found))
     return (found[0].start, found[-1].end) if cancels and not found[0].open else None
+
+
+def arguments_fit(node: n.Node, reference: str) -> bool:
+    """Whether each letter that links are functions of is numbered as they are: not A_1^0(q_1) A_2^1(q_3)."""
+    found = {*_numberings(node, reference)}
+    return len(found) == len({letter for letter, _ in found})
+
+
+def _numberings(node: n.Node, reference: str) -> Iterator[tuple[str, int]]:
+    """Yield the letters that links are functions of, and how far their numbers are from those of the links."""
+    for factor in map(bare, _factors(node)):
+        pair = _pair(factor, reference)
+        if pair is None or not isinstance(factor, n.Call) or _rank(pair[1]) != _rank(pair[0]) + 1:
+            continue
+        for each in factor.arguments[1:]:
+            if isinstance(each, n.Name) and (rank := _rank(each.sub)) < _UNKNOWN:
+                yield each.base, _rank(pair[1]) - rank
 
 
 def _factors(node: n.Node) -> Iterator[n.Node]:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
+from itertools import permutations
 from typing import Any
 
 from armproof.verification.algebra.calculus import symbols_in
@@ -107,6 +108,29 @@ class Definitions:
                 self.names.define(root, self.members.meaning(formula), self.line, root=formula)
             return Outcome(Verdict.DEFINED, (say(Kind.DEFINES, name=root),), equation, true, member, defines=(root,))
         return self.define_entries(true, member, equation, self.defines)
+
+    def of_sine(self, outcome: Outcome) -> Outcome:
+        """sin γ = k_2/r behind cos γ = k_1/r, of which the squares make 1, gives γ the sign that its cosine leaves open."""
+        for side, other in permutations(outcome.sides if outcome.verdict is Verdict.REFUTED else (), 2):
+            sine = bare(side.node)
+            key = bare_key(sine.arguments[0]) if isinstance(sine, n.Call) and sine.function == "sin" else None
+            definition = self.names.state.definitions.get(key or "")
+            angle = definition.formula if definition is not None else None
+            if key is None or definition is None or not (isinstance(angle, n.Call) and angle.function == "acos"):
+                continue
+            values = other.value, self.members.evaluate(angle.arguments[0]).value
+            sine_of, cosine_of = map(as_scalar, values)
+            if not (isinstance(sine_of, Scalar) and isinstance(cosine_of, Scalar)):
+                continue
+            if not (sine_of * sine_of + cosine_of * cosine_of - sine_of.ring.one).is_zero():
+                continue
+            if self.defines:
+                by_both = n.placed(n.Call("atan2", (other.node, *angle.arguments), "atan2"), other.node.span)
+                meaning = partial(_by_both, self.names, (key, self.line), self.members.meaning(by_both))
+                self.names.state.definitions[key] = replace(definition, evaluate=meaning, root=by_both)
+            defines = (say(Kind.DEFINES, name=key),)
+            return Outcome(Verdict.DEFINED, defines, outcome.equation, other, side, defines=(key,))
+        return outcome
 
     def _is_entry_of_its_matrix(self, name: n.Node, value: Value) -> bool:
         """Whether a value is that of row 1 and column 4 of U_2, which has the name U_{214}."""
@@ -269,6 +293,12 @@ class Definitions:
         problem = other or unbound
         findings = (finding_of(problem),) if problem is not None else ()
         return [Outcome(Verdict.UNCHECKED, findings, equation)]
+
+
+def _by_both(names: Names, second: tuple[str, int], meaning: Callable[[Any], Value], algebra: Any) -> Value:
+    """Return the value of an angle by its cosine and its sine, and remember that the second of them was asked for."""
+    names.state.consulted.add(second)
+    return meaning(algebra)
 
 
 def _solved(member: Member, true: n.Node) -> tuple[str, n.Node] | None:

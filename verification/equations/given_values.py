@@ -277,9 +277,10 @@ def new_letters(names: Names, chain: n.Chain) -> frozenset[str]:
 
 
 def adopts_letters(sides: Members, members: list[Member]) -> bool:
-    """The letters of the transform to a frame that the document adds (a tool of length L_3) become free symbols."""
+    """The letters of the transform to a frame that the document adds (a tool of length L_3), and of a point in one of the arm's, become free symbols."""
     names = sides.names
-    if not any(isinstance(m.node, n.Name) and names.adds_frame(m.node) for m in members):
+    alone = [m.node for m in members if isinstance(m.node, n.Name)]
+    if not any(names.adds_frame(each) or _is_point_beyond(each, names) for each in alone):
         return False
     new: set[str] = set()
     for member in members:
@@ -295,6 +296,12 @@ def adopts_letters(sides: Members, members: list[Member]) -> bool:
     new -= names.state.adopted
     names.state.adopted |= new
     return bool(new)
+
+
+def _is_point_beyond(name: n.Name, names: Names) -> bool:
+    """Whether a name is that of a point seen from a frame that moves, and of no frame itself: {}^2P_{tip}."""
+    frames = names.arm.frames if names.arm is not None else ()
+    return name.base in ("P", "p") and name.pre_sup in frames[1:] and bool(name.sub) and name.sub not in frames
 
 
 def names_alone(node: n.Node) -> list[n.Name]:

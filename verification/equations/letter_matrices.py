@@ -27,6 +27,7 @@ from armproof.verification.naming.quantities import numbered_frames
 from armproof.verification.verdict import Verdict
 
 _ROTATION = re.compile(r"(?:\{\}(?:\^\w+)?(?:_\w+)?)?R(?![a-z])")
+FEWEST_SHOWN = 2  # equations that show of which rotation r_{ij} are
 FEWEST_LETTERS = 4  # of a matrix of letters: those of a rotation, and no column of lengths
 
 
@@ -65,8 +66,9 @@ def entries_elsewhere(names: Names, chain: n.Chain) -> Iterator[dict[str, Quanti
     found = _entries_in(chain)
     if names.arm is None or not found:
         return
-    wrist = _of_wrist(names.arm)
-    for rotation in dict.fromkeys((*filter(None, [names.state.printed]), *wrist)):
+    frames, is_taken = names.arm.frames, found.keys() & names.state.inferred.keys()
+    tool = [Quantity("rotation", frames[-1], frames[0])] if is_taken else []  # as before an equation was of another
+    for rotation in dict.fromkeys((*filter(None, [names.state.printed]), *_of_wrist(names.arm), *tool)):
         places = {key: ((int(each.sub[0]),), (int(each.sub[-1]),)) for key, each in found.items()}
         yield {key: replace(rotation, rows=r, columns=c, scalar=True) for key, (r, c) in places.items()}
 
@@ -114,6 +116,53 @@ def _define_entries(names: Names, rotation: str, entries: Iterable[n.Name], angl
 
 def _entry(names: Names, rotation: str, row: int, column: int, algebra: Any) -> Value:
     return names.defined_value(rotation, algebra).rows[row][column]
+
+
+def hold_entries(names: Names, entries: Mapping[str, Quantity], line: int) -> None:
+    """Remember of which rotation the r_{ij} of an equation were that holds."""
+    held = names.state.entries_held
+    for rotation in {_whole(each) for each in entries.values()} if line else ():
+        held[rotation] = held.get(rotation, frozenset()) | {line}
+
+
+def entries_before(names: Names, readings: Iterable[Iterable[str]]) -> dict[str, int]:
+    """Return the r_{ij} of a chain, where an equation before was of such of another rotation, each with the line of the first."""
+    lines = frozenset[int]().union(*names.state.entries_held.values())
+    return {key: min(lines) for entries in readings for key in entries} if lines else {}
+
+
+def hold_as_defined(names: Names, chain: n.Chain, line: int) -> None:
+    """Remember that an equation holds with its r_{ij} as a matrix gave them their meaning."""
+    if line and _lines_of(names, _entries_in(chain)):
+        names.state.entries_held[None] = names.state.entries_held.get(None, frozenset()) | {line}
+
+
+def is_shown_to_be(names: Names, entries: Mapping[str, Quantity]) -> bool:
+    """Whether r_{ij} are of the one rotation of which equations behind the matrix that gave them their meaning show them to be."""
+    return {_whole(each) for each in entries.values()} == _shown(names, entries)
+
+
+def is_shown_as_defined(names: Names, chain: n.Chain) -> bool:
+    """Whether equations behind the matrix that gave r_{ij} their meaning show that they have it."""
+    return _shown(names, _entries_in(chain)) == {None}
+
+
+def _shown(names: Names, entries: Iterable[str]) -> set[Quantity | None]:
+    """Return the rotations of which equations behind the matrix of r_{ij} show these to be; nothing where too few do."""
+    begun = max(_lines_of(names, entries), default=0)
+    behind = {rotation: sum(line > begun for line in lines) for rotation, lines in names.state.entries_held.items()}
+    shown = {rotation: count for rotation, count in behind.items() if count}
+    return {*shown} if sum(shown.values()) >= FEWEST_SHOWN else set()
+
+
+def _lines_of(names: Names, entries: Iterable[str]) -> list[int]:
+    """Return the lines of the matrices that gave r_{ij} their meaning."""
+    made = names.state.definitions
+    return [made[key].line for key in entries if key in made and made[key].by_place]
+
+
+def _whole(entry: Quantity) -> Quantity:
+    return replace(entry, rows=None, columns=None, scalar=False)
 
 
 def take_entries(names: Names, entries: Mapping[str, Quantity]) -> None:

@@ -28,6 +28,7 @@ ENOUGH = 100
 # How far each search goes from the nearest samples: rad and m, and the logarithm of what stretches lengths and slides.
 STEPS = ((0.5, 4.0), (0.5, 0.5), (0.2, 0.2), (0.1, 0.1), (0.05, 0.05), (0.02, 0.02))
 NEAREST = 20
+MAGNITUDES = (-3, 3)  # powers of ten
 CLEARLY = 1e-6
 Sides = tuple[n.Node, n.Node]
 Comparison = tuple[n.Node, str, n.Node]
@@ -44,6 +45,8 @@ def check_inequality(
                 return outcome
             good = HOLDS[relation](a, b)[np.isfinite(a) & np.isfinite(b)]
             if good.size and good.all() and _is_exceeded(checker, sampled, sides, relation, np.abs(a - b)):
+                return outcome
+            if good.size and not good.any() and _is_met(checker, sampled, sides, relation):
                 return outcome
     except (EvaluationError, KeyError):
         return outcome
@@ -170,6 +173,17 @@ def _values(checker: ChainChecker, sampled: SampledAlgebra, sides: Sides) -> lis
 
 def _values_at(checker: ChainChecker, algebra: SampledAlgebra, sides: Sides) -> list[Any]:
     return [as_scalar(Evaluator(checker.names, algebra).evaluate(node)) for node in sides]
+
+
+def _is_met(checker: ChainChecker, sampled: SampledAlgebra, sides: Sides, relation: str) -> bool:
+    """Whether an inequality that fails at all samples holds where letters without a value are much smaller or greater."""
+    given, random = checker.names.state.stated.keys(), np.random.default_rng(sampled.seed)
+    drawn = {name: sampled.free[name] * random.choice((-1, 1), sampled.samples) for name in sorted(sampled.free)}
+    drawn |= _drawn(checker, sampled)
+    for name in sorted(drawn.keys() - given):
+        drawn[name] = drawn[name] * 10 ** random.uniform(*MAGNITUDES, sampled.samples)
+    a, b = _values_at(checker, sampled.at(drawn), sides)
+    return bool(HOLDS[relation](a, b)[np.isfinite(a) & np.isfinite(b)].any())
 
 
 def _is_exceeded(checker: ChainChecker, sampled: SampledAlgebra, sides: Sides, relation: str, gap: Any) -> bool:

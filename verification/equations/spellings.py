@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
+from armproof.verification.equations.compositions import arguments_fit
 from armproof.verification.equations.sides import Members
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
@@ -33,6 +34,8 @@ class Spellings:
         factors = tuple(map(_unapplied, inner.factors)) if isinstance(inner, n.Product) else ()
         at = next((k for k, factor in enumerate(factors) if isinstance(factor, n.Dots)), 0)
         names = [factor for factor in factors if isinstance(factor, n.Name)]
+        if not all(arguments_fit(inner, reference) for reference in ("upper", "lower")):
+            return node  # A_1(q_1) A_2(q_3)
         if not 0 < at == len(factors) - 2 or len(names) != len(factors) - 1 or len({name.base for name in names}) > 1:
             return node
         first, last = map(self._indices, (names[0], names[-1]))

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
+from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Identity, Matrix, column
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value, elementary, identity
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.errors import EvaluationError, ShapeError, UnboundName
 from armproof.verification.evaluation.arithmetic import multiply
 from armproof.verification.evaluation.differentiation import time_derivative
@@ -82,6 +84,8 @@ def name_value(evaluator: Evaluating, node: n.Name) -> Value:
         return joint_angle_sum(evaluator, angles)
     if (added := names.added_frame(node)) is not None:
         return _to_added_frame(evaluator, node, *added)
+    if (applied := names.applied_to_joints(node)) is not None:
+        return names.defined_value(applied, algebra)
     _reject_unknown_frame(evaluator, node)
     if (of_screws := _of_screws(evaluator, node)) is not None:
         return of_screws
@@ -272,8 +276,20 @@ def _applied_name(evaluator: Evaluating, node: n.Call) -> Value:
             return multiply(evaluator.evaluate(name), "", evaluator.evaluate(arguments[0]))
         raise EvaluationError(say(Kind.WRONG_NUMBER_OF_VALUES, name=name.key, given=len(arguments), joints=len(own)))
     if all(is_variable(argument, names) for argument in arguments) and len({*letters}) == len(letters):
-        return evaluator.evaluate(name)
+        return _of_own_arguments(evaluator.evaluate(name), name, dict(zip(given, letters, strict=True)))
     raise UnboundName(key)
+
+
+def _of_own_arguments(value: Value, name: n.Name, given: Mapping[str | None, str]) -> Value:
+    """Return a value that depends on the variables it is given; A_2^1(θ_3), which depends on θ_2 instead, is a slip."""
+    cells = [cell for cell in (value.cells if isinstance(value, Matrix) else (value,)) if isinstance(cell, Scalar)]
+    own = symbols_in(cells)
+    for symbol in filter(None, given.keys() - own):
+        letter = symbol.partition("_")[0]
+        missing = sorted(each for each in own - given.keys() if each.partition("_")[0] == letter)
+        if missing:
+            raise EvaluationError(say(Kind.OTHER_ARGUMENT, name=name.key, own=missing[0], given=given[symbol]))
+    return value
 
 
 def is_variable(node: n.Node, names: Names) -> bool:

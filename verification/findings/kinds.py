@@ -206,6 +206,7 @@ class Kind(MessageKind):
     OPERATOR_ON_SCALAR = "operator_on_scalar", "'{operator}' on a scalar"
     NO_INVERSE_OF_SIZE = "no_inverse_of_size", "a {size} matrix has no inverse"
     SINGULAR = "singular", "the {size} matrix has no inverse: its determinant is 0 for every configuration"
+    OTHER_ARGUMENT = "other_argument", "`{name}` depends on `{own}`, and not on `{given}`"
     NO_SUCH_ANGLE = "no_such_angle", "the arm has no joint angle {index}"
     NO_SUCH_FRAME = "no_such_frame", "no frame '{frame}' on arm '{arm}'; its frames are {frames}"
     DECIMAL_COMMA = "decimal_comma", "one number or two: write a point, or {{,}} for a decimal comma"

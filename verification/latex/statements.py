@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from lark import Token
 
 from armproof.verification.errors import ReadError
@@ -37,7 +39,23 @@ class _Statements:
         else:
             span = (self.members[0].span[0], self.members[-1].span[1])
             self.done.append(n.Chain(tuple(self.members), tuple(self.relations), span=span))
+            self._follow_from_condition()
         self.members, self.relations = [], []
+
+    def _follow_from_condition(self) -> None:
+        """Let each equation in the brace of "if s_5 < 0 { θ_4 = …, θ_6 = …" follow from what stands before the brace."""
+        said, chain = self.done[-2] if len(self.done) > 1 else None, self.done[-1]
+        if not (isinstance(said, n.Connective) and said.kind == "if" and isinstance(chain, n.Chain)):
+            return
+        if not isinstance(last := chain.members[-1], n.Product):
+            return
+        *bound, layout = last.factors
+        if not isinstance(layout, n.Layout) or not all(isinstance(each, n.Chain) for each in layout.statements):
+            return
+        rest = replace(last, factors=tuple(bound), operators=last.operators[:-1]) if len(bound) > 1 else bound[0]
+        condition = replace(chain, members=(*chain.members[:-1], rest))
+        implied = ((condition, n.Connective("⇒", "⇒"), each) for each in layout.statements)
+        self.done[-2:] = [part for each in implied for part in each]
 
     def reopen(self) -> None:
         """Take up the last chain again: a line or a display that begins with a relation continues it."""

@@ -14,6 +14,7 @@ from armproof.models.dh.entry import LinearForm
 from armproof.models.dh.table import DHRow
 from armproof.verification.algebra.protocol import Algebra, Value
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.document.heading import encloses
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import NUMBERS, one_of
@@ -24,6 +25,7 @@ from armproof.verification.naming.state import Definition, DocumentState, undeci
 FREE_IN_GENERAL = re.compile(r"[a-z]|%s" % one_of(NUMBERS))
 OF_SCREWS = re.compile(r"[LHWD](?:_\d)?")  # lengths beside twists, and what are motions, points and twists there
 NO_NUMBERS = frozenset("g p v omega xi".split())
+OF_JOINTS = r"(?:[tT]heta|q|(?:theta|q|d)_\d(?:,(?:theta|q|d)_\d)*)\)"
 COMPONENT = re.compile(r"[xyz]|\w+,[xyz]")
 
 
@@ -254,6 +256,15 @@ class Names:
         if self.reader.spelling.screws and (name.base in NO_NUMBERS or OF_SCREWS.fullmatch(name.key)):
             return name.base not in NO_NUMBERS
         return component or name.key in self.reader.spelling.masses or bool(FREE_IN_GENERAL.fullmatch(name.base))
+
+    def applied_to_joints(self, name: n.Name) -> str | None:
+        """Return the T(θ) that a document without an arm has defined around this place, which T alone then is; or None."""
+        for key, definition in self.state.definitions.items() if self.arm is None and name.base in "TAHM" else ():
+            head, _, variables = key.partition("(")
+            around = encloses(definition.section, self.state.section)
+            if head == name.key and around and re.fullmatch(OF_JOINTS, variables):
+                return key
+        return None
 
     def is_open(self, name: n.Name) -> bool:
         """Whether neither notation nor the document gives a name a meaning."""

@@ -187,6 +187,7 @@ class DocumentState:
         other_sizes: usual names that are printed as a matrix of another size, each with what was said there.
         awaited: a name without a value → the matrix of letters that it is equated to, its entries once it has one, and the line.
         printed: the rotation that a matrix printed last was, or that of the pose: its entries may be the r_ij behind it.
+        entries_held: the rotations of which the r_ij of equations were that hold, None as their matrix says, with the lines of those.
         usual: name and heading under which an equation was exactly what convention says, and what that is.
         used, used_in_general: free letters, of the displays and of the general statements among them.
         adopted: letters that only a frame the document adds brings in: a tool's length.
@@ -221,6 +222,7 @@ class DocumentState:
     other_sizes: dict[str, Finding] = field(default_factory=dict)
     awaited: dict[str, tuple[n.Node, int]] = field(default_factory=dict)
     printed: Quantity | None = None
+    entries_held: dict[Quantity | None, frozenset[int]] = field(default_factory=dict)
     usual: dict[tuple[str, str], Quantity] = field(default_factory=dict)
     used: set[str] = field(default_factory=set)
     used_in_general: set[str] = field(default_factory=set)
@@ -249,14 +251,20 @@ class DocumentState:
 
     def enter(self, section: str) -> None:
         """Go on under a heading, in a new exercise where it says so."""
+        begun = self._begun(section)
         if section != self.section:
             self._leave_blocks(section)
             self.section = section
             self.told = self.told if self.told.holds_below and encloses(self.told.section, section) else Told()
-            own = WITH_ITS_ARM.match(section)
+            own = next(filter(None, map(WITH_ITS_ARM.match, begun)), None)
             self.apart += own is not None and own[0] != self.exercise
-        head = EXERCISE.match(section)
+        head = next(filter(None, map(EXERCISE.match, begun)), None)
         self.exercise = head[0] if head is not None else self.exercise
+
+    def _begun(self, section: str) -> tuple[str, ...]:
+        """Return a heading, and those around it that were not around the one before."""
+        before = (self.section, *sections_around(self.section))
+        return (section, *(each for each in sections_around(section) if each not in before))
 
     def _leave_blocks(self, section: str) -> None:
         """Let nothing be decided any more by the blocks of matrices of the section that ends; what is around a section holds in it."""

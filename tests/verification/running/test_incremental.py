@@ -49,6 +49,7 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "placed": lambda state: state.placed.update(R=(1, "")),
     "awaited": lambda state: state.awaited.update({"R_t": (Name("r", "11"), 3)}),
     "printed": lambda state: setattr(state, "printed", Quantity("rotation", "2")),
+    "entries_held": lambda state: state.entries_held.update({Quantity("rotation", "2"): frozenset({1})}),
     "usual": lambda state: state.usual.update({("p_x", "A title"): Quantity("origin", "2")}),
     "used": lambda state: state.used.add("a"),
     "used_in_general": lambda state: state.used_in_general.add("a"),
@@ -157,7 +158,7 @@ OF_TABLE = "$$ {}^0T_1 = \\begin{bmatrix} c_1 & -s_1 & 0 & l_1 c_1 \\\\ s_1 & c_
 
 
 def test_another_table_gives_another_arm(checker: IncrementalChecker) -> None:
-    texts = [TABLE, TABLE, "A line more.\n\n" + TABLE, TABLE.replace("| 0 | 0 |", "| 0 | d_1 |"), "No table.\n"]
+    texts = [TABLE, TABLE, "A line more.\n\n" + TABLE, TABLE.replace("| 0 | 0 |", "| pi/2 | d_1 |"), "No table.\n"]
     arms = []
     for text in texts:
         assert_as_from_scratch(checker, parse_document(Path("page.md"), f"{text}\n{OF_TABLE}\n"))

@@ -131,6 +131,9 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     if is_shown:  # by the link matrix that it prints for any link, else by the headers of its table
         best, *others = [each for each in (best, *others) if each.convention == shown]
         rivals = _rivals(best, others)
+    if rivals and not best.held and not shown and (near := [one for one in (best, *rivals) if one.near > 0]):
+        best, *others = near  # a pose that one slip alone parts from it
+        rivals, is_shown = _rivals(best, others), True
     alike = any(one.counts == best.counts and one.front["arm"] == best.front["arm"] for one in others)
     if alike and "transforms" not in document.front:  # nothing tells which index is the reference
         best = replace(best, front={key: value for key, value in best.front.items() if key != "transforms"})
@@ -143,7 +146,7 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     unfit = _taken(document, found, best, bool(more)) if is_plain else None
     if rivals or not (best.held or is_shown):
         return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line, unfit=unfit)
-    if best.failed > best.held:
+    if best.failed - best.near > best.held:
         problem = say(Kind.ARM_DOES_NOT_FIT, held=best.held, failed=best.failed)
         return Inference(document, problem=problem, line=line, unfit=unfit)
     return _taken(document, found, best, bool(more))

@@ -120,7 +120,10 @@ def _angle_rows(outcome: Outcome, members: Members) -> frozenset[int]:
 
 
 def links_that_explain(outcome: Outcome, members: Members) -> frozenset[int]:
-    """Return the links of which another than the arm's would make a printed pose right: it depends on their joint alone."""
+    """Return the links of which another than the arm's would make a printed pose right: it depends on their joint alone.
+
+    Of what is no pose only that no one link's angle does, 0.
+    """
     if rows := _angle_rows(outcome, members):
         return rows
     arm, value = members.names.arm, outcome.printed.value if outcome.printed is not None else None
@@ -132,7 +135,7 @@ def links_that_explain(outcome: Outcome, members: Members) -> frozenset[int]:
         or not isinstance(value, Matrix)
         or value.shape != (4, 4)
     ):
-        return frozenset()
+        return frozenset({0})
     if not is_rigid(value):
         return frozenset()
     frames, pose, depth = arm.frames, members.exact.pose, trace_of(arm).depth
@@ -324,7 +327,7 @@ class _Settled:
             return result if result.links <= self.confirmed else self._data(result.index, result.links)
         links = result.links.union(*(self.named.get(key, ()) for key in result.uses))
         doubtful = links - self.confirmed
-        is_of_links = len(doubtful) == 1 and min(doubtful) > 0
+        is_of_links = bool(doubtful) and min(doubtful) > 0 and (len(doubtful) == 1 or self._is_alone(result, record))
         if is_of_links and result.explained_by is not None and not doubtful & result.explained_by:
             links, doubtful = self.confirmed & links, frozenset()  # no link in its place makes it right
         has_entry = any(entry.equation == result.index for entry in record.entries)
@@ -343,6 +346,12 @@ class _Settled:
             return result
         doubt = say(Kind.OTHER_THAN_SOURCE, source=self.taken.source, line=self.taken.line)
         return replace(result, verdict=Verdict.UNCHECKED, findings=(doubt.at(result.index), *result.findings))
+
+    @staticmethod
+    def _is_alone(result: EquationResult, record: Record) -> bool:
+        """Whether one entry alone of a pose is wrong: other links would be seen in more."""
+        wrong = [entry for entry in record.entries if entry.equation == result.index]
+        return [bool(each.row) for each in wrong] == [True] and 0 not in (result.explained_by or ())
 
     def _is_slip(self, links: frozenset[int], result: EquationResult, record: Record) -> bool:
         """Whether one entry alone is other than coordinates say that fit together: x = ∂y/∂θ_1, which one slip in them would break."""

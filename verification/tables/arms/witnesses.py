@@ -13,7 +13,7 @@ from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.matrix import as_matrix
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.document import Display, Document
-from armproof.verification.equations.alignment import is_constant
+from armproof.verification.equations.alignment import is_constant, is_near
 from armproof.verification.equations.at_listed_values import holds_at_listed_values
 from armproof.verification.equations.chain import ChainChecker, no_samples
 from armproof.verification.equations.outcome import Outcome
@@ -37,6 +37,7 @@ class Reading:
     """A way to read a document: the front matter that it amounts to, and how many of its equations then hold or fail.
 
     `entries` counts those of the equations that hold: where as many hold in two ways, a pose tells more than a height.
+    `near` counts those that would hold if one of their entries were another.
     `joints` are the names alone, as in θ_1 = …, of which an equation may hold.
     """
 
@@ -46,6 +47,7 @@ class Reading:
     failed: int = 0
     entries: int = 0
     joints: frozenset[str] = frozenset()
+    near: int = 0
 
     @property
     def counts(self) -> tuple[int, int, int]:
@@ -72,7 +74,7 @@ class _Trial:
         names.reader.spelling = spelling_of(document, names.reader.words)
         self.checker = ChainChecker(names, ExactAlgebra(Ring(), arm), no_samples)
         self.checker.confirm, self.checker.route.weighs = False, True
-        self.held = self.failed = self.entries = 0
+        self.held = self.failed = self.entries = self.near = 0
         self.joints: set[str] = set()
 
     def take(self, display: Display, counts: bool = True) -> None:
@@ -103,12 +105,13 @@ class _Trial:
             tells = bool(links_of(outcome, self.checker.members))
             self.held += tells and (outcome.verdict is Verdict.PROVED or holds_at_listed_values(outcome))
             self.failed += tells and outcome.verdict is Verdict.REFUTED
+            self.near += tells and outcome.verdict is Verdict.REFUTED and _has_one_slip(outcome)
             if tells and outcome.verdict is Verdict.PROVED and outcome.pair is not None:
                 self.entries += sum(not is_constant(as_matrix(cell)) for cell in outcome.pair.true.cells)
 
     @property
     def reading(self) -> Reading:
-        return Reading(self.front, self.name, self.held, self.failed, self.entries, frozenset(self.joints))
+        return Reading(self.front, self.name, self.held, self.failed, self.entries, frozenset(self.joints), self.near)
 
 
 def weigh(
@@ -144,6 +147,11 @@ def _trials(document: Document, fronts: Sequence[Mapping[str, Any]]) -> Iterator
         yield trial
     if not found and problem is not None:
         raise problem
+
+
+def _has_one_slip(outcome: Outcome) -> bool:
+    """Whether one entry alone of a matrix is wrong, and half of those that move are right."""
+    return len(outcome.wrong) == 1 and outcome.pair is not None and not outcome.pair.is_scalar and is_near(outcome.pair)
 
 
 def _may_hold(outcome: Outcome) -> bool:
