@@ -187,15 +187,20 @@ def _is_other(arm: Candidate, before: Candidate) -> bool:
 
 
 def _is_of_other_joints(document: Document, link: _Source, source: _Source) -> bool:
-    """Whether the closed form of an exercise has other joints than the link matrices of one before it: q_1, q_2 behind θ_1, d_2, d_3."""
-    if source.arm is None or source.arm.source != "closed form":
+    """Whether an arm is none of the link matrices before it: a closed form with other joints, q_1, q_2 behind θ_1, d_2, d_3, a table with other lengths."""
+    if source.arm is None:
         return False
     part = _between(document, link.place, source.place)
     try:
         before = next(iter(candidates_of_matrices(part, plain_names(document))), None)
     except EvaluationError:
         return False
-    return before is not None and before.kinds != source.arm.kinds and not set(source.arm.joints) <= set(before.joints)
+    if before is None or source.arm.source == "table":
+        lengths = [_letters(each) - {*each.joints} for each in (before, source.arm) if each is not None]
+        return (
+            all(lengths) and len(lengths) == 2 and lengths[0].isdisjoint(lengths[1]) and source.section != link.section
+        )
+    return before.kinds != source.arm.kinds and not set(source.arm.joints) <= set(before.joints)
 
 
 def _sources(document: Document) -> Iterator[_Source]:

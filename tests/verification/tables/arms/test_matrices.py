@@ -417,7 +417,9 @@ def test_two_columns_or_rows_that_are_exchanged_in_a_link_matrix_hide_no_arm(lin
 def test_a_display_with_a_length_that_the_arm_lacks_speaks_against_a_link_matrix() -> None:
     """Either may be wrong: T_1^2 with l_1 for l_2, or what has l_2 below it."""
     assert verdicts(verify_text(LINKS))[:3] == ["proved", "proved", "proved"]
-    first, second, whole_pose, *_ = verify_text(LINKS.replace("l_2 c_2", "l_1 c_2").replace("l_2 s_2", "l_1 s_2", 1)).equations
+    first, second, whole_pose, *_ = verify_text(
+        LINKS.replace("l_2 c_2", "l_1 c_2").replace("l_2 s_2", "l_1 s_2", 1)
+    ).equations
     assert [each.verdict.value for each in (first, second, whole_pose)] == ["defined", "unchecked", "unchecked"]
     assert "one of the two is wrong" in second.message and "one of the two is wrong" in whole_pose.message
 
