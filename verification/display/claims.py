@@ -29,6 +29,7 @@ from armproof.verification.equations.inequalities import check_relation, is_numb
 from armproof.verification.equations.misreadings import without_misreading
 from armproof.verification.equations.named_signs import unless_of_a_sign
 from armproof.verification.equations.outcome import Outcome, hold
+from armproof.verification.equations.printed_factors import factors_otherwise
 from armproof.verification.equations.readings import counted, side_by_side, without_count
 from armproof.verification.equations.under_rates import JACOBIAN, UnderRates
 from armproof.verification.equations.vectors import crossed_letters, of_vectors
@@ -396,6 +397,8 @@ class Claims:
         outcomes = [self._understood(o, chain, define) if o.verdict is Verdict.REFUTED else o for o in outcomes]
         if self.names.state.told.bounds:
             outcomes = [self.circumstances.within_bounds(outcome) for outcome in outcomes]
+        if len(chain.members) > 2 and any(outcome.verdict is Verdict.PROVED for outcome in outcomes):
+            outcomes = self._with_factors(chain, outcomes, equation)
         if any(outcome.tells(Kind.NOT_AS_USUAL_BOUND) for outcome in outcomes):
             outcomes = self._with_sign_of_vectors(chain, outcomes, line)
         is_open = bool(outcomes) and all(o.verdict in (Verdict.UNCHECKED, Verdict.DEFINED) for o in outcomes)
@@ -413,6 +416,16 @@ class Claims:
         holds = partial(holds_of_any_jacobian, names=self.names)
         slip = slip_of_law(chain, holds, turns=True) if not holds(with_inverses(chain)) else None
         return outcomes if slip is None else self._slip(Kind.SLIP_OF_ANY_JACOBIAN, slip, chain, outcomes, define)
+
+    def _with_factors(self, chain: n.Chain, outcomes: list[Outcome], equation: int) -> list[Outcome]:
+        """Leave open a product that holds, and prints another matrix than the factor that it stands for."""
+        others = {equation + place - 1: found for place, found in factors_otherwise(chain, self.checker.members)}
+        return [
+            each.left_open(others[each.equation])
+            if each.equation in others and each.verdict is Verdict.PROVED
+            else each
+            for each in outcomes
+        ]
 
     def _with_sign_of_vectors(self, chain: n.Chain, outcomes: list[Outcome], line: int) -> list[Outcome]:
         """Refute z_1 × (p_2 + p_1), which with one sign turned is what usual names say: vectors alone tell of no other arm."""

@@ -77,6 +77,7 @@ class Kind(MessageKind):
     OF_ANY_JACOBIAN = "of_any_jacobian", "of any Jacobian"
     SLIP_OF_ANY_JACOBIAN = "slip_of_any_jacobian", "it is not so of Jacobians, and it is with another sign or power: {change}"
     SLIP_FOR_EACH_JOINT = "slip_for_each_joint", "it does not hold for each joint of this arm, and it does with another sign: {change}"
+    FACTOR_OTHERWISE = "factor_otherwise", "the product holds, and entry ({row}, {column}) of the matrix in it is not that of `{name}`"
     SLIP_AS_VECTORS = "slip_as_vectors", "it is not so of these vectors, and it is with another sign: {change}"
     INSTEAD_OF = "instead_of", "`{correct}` instead of `{printed}`"
     OF_ANY_FRAMES = "of_any_frames", "of any frames"
