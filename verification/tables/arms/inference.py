@@ -153,9 +153,10 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
         return _taken(document, found, best, bool(more))
     is_plain = found[0].source in ("table", "matrices") and len(found) == 1 and not rivals
     unfit = _taken(document, found, best, bool(more)) if is_plain else None
-    if rivals or not (best.held or is_shown):
+    is_pinned = found[0].source == "closed form" and not found[0].is_alone  # then one line alone may be what is wrong
+    if rivals or not (best.held or is_shown or (is_pinned and best.failed == 1)):
         return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line, unfit=unfit)
-    if best.failed > best.held:
+    if best.failed > max(best.held, int(is_pinned)):
         problem = say(Kind.ARM_DOES_NOT_FIT, held=best.held, failed=best.failed)
         return Inference(document, problem=problem, line=line, unfit=unfit)
     return _taken(document, found, best, bool(more))
