@@ -8,18 +8,19 @@ from functools import cached_property, partial
 from itertools import pairwise, takewhile
 from math import remainder, tau
 
+from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.display.taken_arm import names_in
 from armproof.verification.equations.any_frames import direction_of_any_frames
-from armproof.verification.equations.any_jacobian import holds_of_any_jacobian
+from armproof.verification.equations.any_jacobian import holds_of_any_jacobian, is_step_along_gradient, tells_jacobian
 from armproof.verification.equations.at_stated_values import is_mostly_right
 from armproof.verification.equations.case_conditions import check_cases
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.compositions import is_composition
 from armproof.verification.equations.differentials import is_of_rates, with_rates
 from armproof.verification.equations.doubts import is_of_arm
-from armproof.verification.equations.each_joint import holds_for_each_joint
+from armproof.verification.equations.each_joint import holds_for_each_joint, index_of, slip_of_law, with_inverses
 from armproof.verification.equations.elementary import axis_of_another_frame, is_elementary_rotation
 from armproof.verification.equations.general_links import GeneralStatements, is_sum_of_indices
 from armproof.verification.equations.given_targets import asked_of_the_tool
@@ -28,11 +29,13 @@ from armproof.verification.equations.inequalities import check_relation, is_numb
 from armproof.verification.equations.misreadings import without_misreading
 from armproof.verification.equations.named_signs import unless_of_a_sign
 from armproof.verification.equations.outcome import Outcome, hold
+from armproof.verification.equations.printed_factors import factors_otherwise
 from armproof.verification.equations.readings import counted, side_by_side, without_count
 from armproof.verification.equations.under_rates import JACOBIAN, UnderRates
 from armproof.verification.equations.vectors import crossed_letters, of_vectors
 from armproof.verification.equations.worked_numbers import tells_values, unitless
-from armproof.verification.findings import Kind, say
+from armproof.verification.errors import EvaluationError
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key, is_number
 from armproof.verification.naming.conventions import AXES
@@ -394,11 +397,71 @@ class Claims:
         outcomes = [self._understood(o, chain, define) if o.verdict is Verdict.REFUTED else o for o in outcomes]
         if self.names.state.told.bounds:
             outcomes = [self.circumstances.within_bounds(outcome) for outcome in outcomes]
+        if len(chain.members) > 2 and any(outcome.verdict is Verdict.PROVED for outcome in outcomes):
+            outcomes = self._with_factors(chain, outcomes, equation)
+        if any(outcome.tells(Kind.NOT_AS_USUAL_BOUND) for outcome in outcomes):
+            outcomes = self._with_sign_of_vectors(chain, outcomes, line)
         is_open = bool(outcomes) and all(o.verdict in (Verdict.UNCHECKED, Verdict.DEFINED) for o in outcomes)
-        if is_open and holds_of_any_jacobian(chain, self.names):
+        return self._of_any_jacobian(chain, outcomes, define) if is_open else outcomes
+
+    def _of_any_jacobian(self, chain: n.Chain, outcomes: list[Outcome], define: bool) -> list[Outcome]:
+        """Prove a law of any Jacobian; refute what is a slip away from one where the document has shown which matrix J is."""
+        if holds_of_any_jacobian(chain, self.names):
+            self.names.state.tells_jacobian |= define and tells_jacobian(chain)
             known = (say(Kind.OF_ANY_JACOBIAN),)
             return [replace(each, verdict=Verdict.PROVED, findings=known, role=Role.LAW) for each in outcomes]
-        return outcomes
+        is_known = self.names.state.tells_jacobian or "J" in self.names.state.shown
+        if not is_known or len(outcomes) > 1 or is_step_along_gradient(chain):
+            return outcomes
+        holds = partial(holds_of_any_jacobian, names=self.names)
+        slip = slip_of_law(chain, holds, turns=True) if not holds(with_inverses(chain)) else None
+        return outcomes if slip is None else self._slip(Kind.SLIP_OF_ANY_JACOBIAN, slip, chain, outcomes, define)
+
+    def _with_factors(self, chain: n.Chain, outcomes: list[Outcome], equation: int) -> list[Outcome]:
+        """Leave open a product that holds, and prints another matrix than the factor that it stands for."""
+        others = {equation + place - 1: found for place, found in factors_otherwise(chain, self.checker.members)}
+        return [
+            each.left_open(others[each.equation])
+            if each.equation in others and each.verdict is Verdict.PROVED
+            else each
+            for each in outcomes
+        ]
+
+    def _with_sign_of_vectors(self, chain: n.Chain, outcomes: list[Outcome], line: int) -> list[Outcome]:
+        """Refute z_1 × (p_2 + p_1), which with one sign turned is what usual names say: vectors alone tell of no other arm."""
+
+        def holds(other: n.Chain) -> bool:
+            try:
+                with self.names.state.unchanged():
+                    self.names.forget(key for each in outcomes for key in each.defines)
+                    found = self.checker.check(other, 1, line, define=False)
+            except (EvaluationError, RecursionError):
+                return False
+            return bool(found) and all(each.verdict is Verdict.PROVED for each in found)
+
+        slip = slip_of_law(chain, holds, is_meant=self._is_of_vectors)
+        wrong = slip and say(Kind.SLIP_AS_VECTORS, change=slip)
+        return [
+            Outcome(Verdict.REFUTED, (wrong,), each.equation) if wrong and each.tells(Kind.NOT_AS_USUAL_BOUND) else each
+            for each in outcomes
+        ]
+
+    def _is_of_vectors(self, node: n.Sum) -> bool:
+        """Whether names alone stand in a sum, more than one and each of a vector."""
+        below = [*n.walk(node)]
+        names = [each for each in below if isinstance(each, n.Name)]
+        is_plain = len(names) > 1 and not any(isinstance(each, n.JointAngles | n.Call) for each in below)
+        return is_plain and all(isinstance(self.checker.member(each).value, Matrix) for each in names)
+
+    def _slip(
+        self, kind: Kind, change: Finding, chain: n.Chain, outcomes: list[Outcome], define: bool
+    ) -> list[Outcome]:
+        """Refute a chain that is a change away from a law: it gives no name its meaning."""
+        self.names.forget(key for each in outcomes for key in each.defines if define)
+        wrong = (
+            Outcome(Verdict.REFUTED, (say(kind, change=change),), each.equation, role=Role.LAW) for each in outcomes
+        )
+        return [self._understood(each, chain, define) for each in wrong]
 
     def _understood(self, outcome: Outcome, chain: n.Chain, define: bool) -> Outcome:
         """Return a refuted outcome, left open where the chain or what the text says may be meant otherwise."""
@@ -432,11 +495,17 @@ class Claims:
             ):
                 return tried
         kinds = ("", kind) if (kind := self.names.state.told.kind) else ("",)
-        if any(holds_for_each_joint(self.checker, chain, equation, line, kind) for kind in kinds):
-            by_joint = (say(Kind.EACH_JOINT),)
+
+        def by_joint(other: n.Chain) -> bool:
+            return any(holds_for_each_joint(self.checker, other, equation, line, kind) for kind in kinds)
+
+        if by_joint(chain):
+            held = (say(Kind.EACH_JOINT),)
             return [
-                replace(each, verdict=Verdict.PROVED, findings=by_joint, role=Role.LAW, defines=()) for each in outcomes
+                replace(each, verdict=Verdict.PROVED, findings=held, role=Role.LAW, defines=()) for each in outcomes
             ]
+        if len(outcomes) == 1 and index_of(chain) and (slip := slip_of_law(chain, by_joint)) is not None:
+            return self._slip(Kind.SLIP_FOR_EACH_JOINT, slip, chain, outcomes, define)
         if self.names.arm is not None and (found := self.general.product(chain, equation, line)):
             return found
         if self.names.arm is not None and (found := self._behind_name(chain, equation, line)):

@@ -10,6 +10,7 @@ from pathlib import Path
 from armproof.models.catalogue import arm_names
 from armproof.verification.document.accepts import MARK, with_accepts
 from armproof.verification.document.cells import percent_cells
+from armproof.verification.document.code_tables import code_tables
 from armproof.verification.document.formula_links import shows_its_latex
 from armproof.verification.document.front_matter import read_any_text, suffix_of
 from armproof.verification.document.heading import encloses
@@ -107,7 +108,9 @@ def _with_what_is_said(document: Document) -> Document:
     told = tuple(_with_what_is_behind(displays, between[1:]))
     listings = [*_listings(document)]
     works_out = any(display.latex.count("=") > 1 for display in told)
-    return replace(document, displays=tuple(with_listings(told, listings)) if listings or works_out else told)
+    told = tuple(with_listings(told, listings)) if listings or works_out else told
+    code = [each for each in document.displays if each.opening == CODE]
+    return replace(document, displays=told, in_code=tuple(code_tables(code)) if code else ())
 
 
 def _listings(document: Document) -> Iterator[Listing]:

@@ -221,7 +221,7 @@ def _read_blocks(
                 displays += more
                 tables += more_tables
             else:
-                displays.append(Display(line, content, cell=cell, section=section, opening=CODE))
+                displays.append(Display(line + 1, content, cell=cell, section=section, opening=CODE))
     return displays, tables
 
 

@@ -20,7 +20,7 @@ from typing import Any
 
 from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, FrontMatter, split_front_matter
 from armproof.verification.document.heading import begin_section
-from armproof.verification.document.model import INLINE, Display, Document, Table, Words
+from armproof.verification.document.model import CODE, INLINE, Display, Document, Table, Words
 from armproof.verification.document.postures import postures
 from armproof.verification.document.tex_definitions import find_macros
 from armproof.verification.document.tex_macros import blank, closing_brace
@@ -59,7 +59,7 @@ def read_tex(path: Path, text: str) -> Document:
     front = _front_matter(path, text)
     project = _project(path, text)
     scanner = _Scanner(project)
-    displays = tuple(scanner.displays())
+    displays = (*scanner.displays(), *scanner.code())
     remarks = (*front.remarks, *project.left_out.values())
     return Document(path, front.values, displays, tuple(scanner.tables), front.lines, remarks=remarks)
 
@@ -218,6 +218,13 @@ class _Scanner:
                 yield display or self._words(begin, end)
             cursor = end
         yield self._words(cursor, self.stop)
+
+    def code(self) -> Iterator[Display]:
+        """Yield the listings, each from the line on which it begins."""
+        for found in _LISTING.finditer(_uncommented(self.text)):
+            head = self.text.find("\n", found.start())
+            content = self.text[head : self.text.rfind("\\end", found.start(), found.end())] if head >= 0 else ""
+            yield Display(self.line(found.start()), content, opening=CODE)
 
     def _words(self, begin: int, end: int) -> Words:
         """Return a stretch of text, its macros expanded; code within words, which is no mathematics, is seen again."""

@@ -118,6 +118,8 @@ def _reshaped(true: Matrix, printed: Matrix) -> Iterator[Pair]:
         yield Pair(true.block([0, 1], [0]), printed if c == 1 else printed.transpose, say(Kind.PLANAR_VECTOR))
     if m == 3 and r == 2 and k == c and k > 1 and all(is_zero(cell) for cell in true.rows[2]):
         yield Pair(true.block([0, 1], range(k)), printed, say(Kind.PLANAR_ROWS))
+    if m == 2 and r == 3 and k == c and k > 1 and all(is_zero(cell) for cell in printed.rows[2]):  # J = ∂p/∂q = […]
+        yield Pair(true, printed.block([0, 1], range(k)), say(Kind.PLANAR_ROWS))
 
 
 def _jacobian_rows(true: Matrix, count: int) -> Iterator[tuple[int, ...]]:

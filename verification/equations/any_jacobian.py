@@ -28,6 +28,9 @@ SIZES = ((2, 2), (2, 3), (3, 2))  # rows and columns of J
 JACOBIAN, RATES, OTHER_RATES, VELOCITY, FORCE, TORQUE = KINDS = (
     "jacobian", "rates", "otherrates", "velocity", "force", "torque",
 )  # fmt: skip
+OF_JACOBIAN, OF_RATES, OF_VELOCITY = "jacobianrate", "accelerations", "acceleration"  # their derivatives in time
+_IN_TIME = {JACOBIAN: OF_JACOBIAN, RATES: OF_RATES, VELOCITY: OF_VELOCITY}
+_TERMS = ((JACOBIAN, OF_RATES), (OF_JACOBIAN, RATES))  # of \\ddot x
 _JOINTS, _TASK = ("q", "theta", "Theta"), ("x", "X", "p", "P", "r")
 _OF_TOOL = ("", "e", "E", "ee", "EE", "end", "tip", "t", "d", "des", "n", "c")
 _SEEN = (
@@ -46,6 +49,24 @@ _SIGNS = ("d", "delta")  # of what is small; Δq = J^+ e is one step, and Δx = 
 _DAMPING = ("lambda", "mu", "rho", "k", "alpha", "epsilon", "sigma")
 
 
+def tells_jacobian(chain: n.Chain) -> bool:
+    r"""Whether a law that holds tells which matrix J is, and not its transpose: \dot x = J \dot q, τ = J^T F."""
+    spoken: set[tuple[str, str]] = set()
+    for member in _of_one_frame(chain).members:
+        _usual(member, spoken)
+    kinds = {kind for kind, _ in spoken}
+    return JACOBIAN in kinds and ({RATES, VELOCITY} <= kinds or {FORCE, TORQUE} <= kinds)
+
+
+def is_step_along_gradient(chain: n.Chain) -> bool:
+    r"""Whether a chain may choose rates along a gradient, \dot q = J^T \dot x, and claim nothing."""
+    spoken: set[tuple[str, str]] = set()
+    first, *others = (_usual(member, spoken) for member in chain.members)
+    kinds = {kind for kind, _ in spoken}
+    turned = {each.operator for other in others for each in n.walk(other) if isinstance(each, n.Postfix)}
+    return first == n.Name(RATES) and kinds == {RATES, JACOBIAN, VELOCITY} and turned == {"T"}
+
+
 def holds_of_any_jacobian(chain: n.Chain, names: Names) -> bool:
     """Whether a chain of = about a Jacobian, joint rates, velocities, forces and torques holds whatever these are."""
     if len(chain.members) < 2 or set(chain.relations) != {"="} or not _may_be_of_jacobian(chain):
@@ -60,7 +81,7 @@ def holds_of_any_jacobian(chain: n.Chain, names: Names) -> bool:
     ):
         return False  # v = J \dot q says what v is
     others = {each.key for member in members for each in n.walk(member) if isinstance(each, n.Name)} - set(kinds)
-    is_about = JACOBIAN in kinds or {RATES, VELOCITY, FORCE, TORQUE} <= set(kinds)
+    is_about = not {JACOBIAN, OF_JACOBIAN}.isdisjoint(kinds) or {RATES, VELOCITY, FORCE, TORQUE} <= set(kinds)
     damping = others - {"I"}
     if not is_about or len(set(kinds)) < len(kinds) or any(key.partition("_")[0] not in _DAMPING for key in damping):
         return False  # what is said of two velocities holds of them alone
@@ -122,8 +143,10 @@ def _with_displacements(node: n.Product) -> n.Node:
 
 def _kind_of(name: n.Name) -> str:
     """Return of which kind a name is by convention, or an empty text."""
-    if name.primes or name.sup or name.pre_sub or name.pre_sup or name.dots > 1:
+    if name.primes or name.sup or name.pre_sub or name.pre_sup or name.dots > 2:
         return ""
+    if name.dots == 2 or (name.dots and name.base in ("J", "v", "V", "nu", "xi")):
+        return _IN_TIME.get(_kind_of(replace(name, dots=name.dots - 1)), "")
     if name.dots:
         if name.base in _JOINTS:
             return RATES if name.sub in ("", "d") else OTHER_RATES if name.sub in ("0", "N", "null") else ""
@@ -186,11 +209,20 @@ class _Size:
 
     def _meanings(self, free_velocity: bool) -> dict[str, partial[Matrix]]:
         m, k = self.rows, self.columns
-        letters = {JACOBIAN: (m, k), RATES: (k, 1), OTHER_RATES: (k, 1), FORCE: (m, 1)}
+        letters = {
+            JACOBIAN: (m, k),
+            RATES: (k, 1),
+            OTHER_RATES: (k, 1),
+            FORCE: (m, 1),
+            OF_JACOBIAN: (m, k),
+            OF_RATES: (k, 1),
+        }
         found = {kind: partial(_letters, kind, *size) for kind, size in letters.items()}
+        one, other = (partial(_product, found[left], found[right], False) for left, right in _TERMS)
         of_letters = partial(_letters, VELOCITY, m, 1)
         velocity = of_letters if free_velocity else partial(_product, found[JACOBIAN], found[RATES], False)
-        return {**found, VELOCITY: velocity, TORQUE: partial(_product, found[JACOBIAN], found[FORCE], True)}
+        torque = partial(_product, found[JACOBIAN], found[FORCE], True)
+        return {**found, VELOCITY: velocity, TORQUE: torque, OF_VELOCITY: partial(_sum, one, other)}
 
 
 def _letters(kind: str, rows: int, columns: int, algebra: Algebra) -> Matrix:
@@ -201,6 +233,10 @@ def _letters(kind: str, rows: int, columns: int, algebra: Algebra) -> Matrix:
 def _product(jacobian: partial[Matrix], other: partial[Matrix], is_transposed: bool, algebra: Algebra) -> Matrix:
     matrix = jacobian(algebra)
     return (matrix.transpose if is_transposed else matrix) @ other(algebra)
+
+
+def _sum(one: partial[Matrix], other: partial[Matrix], algebra: Algebra) -> Matrix:
+    return one(algebra) + other(algebra)
 
 
 def _damping(node: n.Node) -> n.Node | None:

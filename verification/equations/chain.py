@@ -295,7 +295,7 @@ class ChainChecker:
             self._give_letters(now.chain, now.definitions)
         if now.define and all(outcome.verdict in HOLDS for outcome in outcomes):
             self.names.state.printed = self.readings.printed_rotation(now.chain) or self.names.state.printed
-        return [*outcomes, *_labels(now.chain, now.first, now.definitions)]
+        return [*outcomes, *_labels(now)]
 
     def _defined(self, outcome: Outcome) -> Outcome:
         """Return a definition, left open where it is a slip away from a skew matrix, or tells other torques than J^T F."""
@@ -456,9 +456,10 @@ def _all_proved(outcomes: Iterable[Outcome]) -> bool:
     return all(outcome.verdict is Verdict.PROVED for outcome in outcomes)
 
 
-def _labels(chain: n.Chain, first_equation: int, definitions: Definitions) -> Iterator[Outcome]:
+def _labels(now: _Pass) -> Iterator[Outcome]:
     """Yield what the braces of a chain say of what stands in them."""
-    for index, node in enumerate(chain.members):
+    for index, node in enumerate(now.chain.members):
         for brace in n.walk(node):
             if isinstance(brace, n.Labelled):
-                yield from definitions.label(brace, first_equation + max(0, index - 1))
+                equation = now.first + max(0, index - 1)
+                yield from now.definitions.label(brace, equation, partial(now.check, first_equation=equation))

@@ -242,8 +242,8 @@ class Definitions:
             return None
         return say(Kind.ROWS_BY_COMPONENTS, name=jacobian.text, count=len(blocks))
 
-    def label(self, brace: n.Labelled, equation: int) -> Iterator[Outcome]:
-        """A brace's label that is an unbound name gets the braced expression as its meaning; a bound one is a claim."""
+    def label(self, brace: n.Labelled, equation: int, check: Callable[[n.Chain], list[Outcome]]) -> Iterator[Outcome]:
+        """A brace's label that is an unbound name gets the braced expression as its meaning; a bound one is a claim, and so is a usual one."""
         if brace.unread:
             yield Outcome(Verdict.UNCHECKED, (say(Kind.LEFT_OUT, text=brace.unread),), equation)
         if brace.label is None:
@@ -253,7 +253,11 @@ class Definitions:
         if label.known and inner.known:
             yield self.readings.equality.compare(label, inner, equation, False)
         elif key is not None and isinstance(label.problem, UnboundName) and inner.known and self.defines:
-            self.names.define(key, self.members.meaning(brace.inner), self.line)
+            found = check(n.Chain((brace.label, brace.inner), ("=",), span=brace.span))
+            if all(each.verdict in HOLDS or each.is_slip for each in found):
+                yield from found
+            else:
+                self.names.define(key, self.members.meaning(brace.inner), self.line)
         elif key is None and label.problem is not None:
             yield Outcome(Verdict.UNCHECKED, (finding_of(label.problem),), equation)
 

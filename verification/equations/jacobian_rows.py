@@ -45,12 +45,13 @@ class RowsOfJacobians:
                 continue
             inner = below.base if isinstance(below, n.Postfix) else below.arguments[0]  # type: ignore[attr-defined]
             name = self.members.jacobian_name(inner, True)
-            rows = self._square(name) if name is not None and name.key not in shown else None
+            is_open = name is not None and name.key not in shown
+            rows = self._square(name) if name is not None and (is_open or shown[name.key].rows == WHOLE) else None
             if name is None or rows is None:
                 continue
-            if self.members.jacobian_name(name) is not None:
+            if is_open and self.members.jacobian_name(name) is not None:
                 shown[name.key] = JacobianRows(rows, self.names.state.section, printed=False)
-            else:  # J_v has three rows elsewhere
+            else:  # J_v has three rows elsewhere, and J six
                 chain = n.substitute(chain, below, n.substitute(below, inner, self._part(name, rows)))  # type: ignore[assignment]
         return chain
 

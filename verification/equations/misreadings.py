@@ -93,12 +93,17 @@ def _differ_by_quarter_turns(true: Matrix, printed: Matrix) -> bool:
 
 
 def _gives_rates(outcome: Outcome) -> Finding | None:
-    """q̇ = J^{-1} (0.1, 0.2)^T says how fast the joints are to move: rates alone on one side, on the other numbers or angles and no rate."""
+    """q̇ = J^{-1} (0.1, 0.2)^T says how fast the joints are to move: rates alone on one side, on the other numbers or angles and no rate.
+
+    So does ‖q̇‖ = 1, which is said of all rates together.
+    """
     if outcome.pair is None:
         return None
     numbers = any(isinstance(b, n.Number) and b.value for node in outcome.nodes for b in n.walk(node))
     sides = [outcome.pair.true.cells, outcome.pair.printed.cells]
     for rates, others in (sides, sides[::-1]):
+        if symbols_in(rates) and all(map(is_rate, symbols_in(rates))) and not symbols_in(others) and len(rates) == 1:
+            return say(Kind.GIVES_RATES)
         if not are_rates(rates) or any(map(is_rate, symbols_in(others))):
             continue
         if numbers or any(map(angles_in, others)):

@@ -47,6 +47,9 @@ _LOST_BREAK = re.compile(
 )  # \ for \\
 _OF_PANDOC = re.compile(r"(?<=[A-Za-z}])~(?P<below>\d{1,3}|[ijkn])~(?:\^(?P<above>[\dijkn])\^)?")  # H~0~^4^
 _NUMBERED = re.compile(r"\A\s*\d{1,2}\.\s+(?=[\\A-Za-z])")  # 1. θ_1 = 0: an item of a list, and no factor
+_DELIMITED = re.compile(
+    r"\A(\s*)\\(?:\[(?=.*\\\]\s*\Z)|\((?=.*\\\)\s*\Z))(.*)\\[\])](\s*)\Z", re.DOTALL
+)  # $\[ x = 1 \]$
 _BARS = re.compile(r"\\(?:abs|(?P<norm>norm))\*?\s*(?P<brace>\{)")
 
 
@@ -56,6 +59,7 @@ def prepared(text: str) -> str:
         "\\begin" in text and re.search(r"(?<!\\)\\begin", text) is None
     ):  # \\begin{matrix} a \\\\ b, from a string of Python
         text = _DOUBLED.sub(lambda found: found.group()[: len(found.group()) // 2].rjust(len(found.group())), text)
+    text = _DELIMITED.sub(lambda found: f"{found[1]}  {found[2]}  {found[3]}", text)
     text = _NUMBERED.sub(lambda found: _blank(found.group()), text)
     if "&" in text:
         text = _LOST_BREAK.sub(lambda found: found["line"] + "\\\\" + found["end"][1:], text)

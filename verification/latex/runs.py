@@ -16,6 +16,7 @@ from armproof.verification.latex.items import OPERATORS, DerivativeOperator, Dif
 from armproof.verification.latex.tokens import canonical_script
 
 _WHOLE = ("q", "theta", "Theta")  # all joint variables at once
+_SIZE_BEHIND = re.compile(r"(?:\\[,;:! ]|\\q?quad|[,~\s])*(?:(?<=[,;])|\()\s*(\d)\s*\\times\s*(\d)\s*\)?\s*$")
 _WORDS = re.compile(r"\s*\\(?:text[a-z]*|mbox|hbox|mathrm|mathit)\s*\{[^{}=\\$]*\}\s*")
 
 
@@ -77,7 +78,11 @@ class RunReader(CallReader):
         for kind, text, span in item.scripts:
             if found := re.fullmatch(r"\(?(\d+)x(\d+)\)?", canonical_script(text)):
                 size = (int(found.group(1)), int(found.group(2)))
-            elif kind in ("SUB", "SUP"):
+                continue
+            if found := _SIZE_BEHIND.search(text):  # {J \; (2 \times 3)}: a product of numbers stands behind no name
+                size = (int(found.group(1)), int(found.group(2)))
+                text = text[: found.start()]
+            if kind in ("SUB", "SUP"):
                 label, unread = self._label(text, span)
         assert item.node is not None
         return n.Labelled(item.node, label, size, unread, span=(item.start, item.end))

@@ -203,6 +203,7 @@ class DocumentState:
         comparisons: what displays, and the text between them, say so.
         rounded: names made of rounded numbers → to how many decimals.
         shown: the rows in which a Jacobian is read that only convention binds.
+        tells_jacobian: whether a law that holds told that J is no transpose.
         signs: the named signs.
         errors: the refuted equations.
         consulted: the definitions that evaluation has met since this was emptied, each with the line of its display.
@@ -239,6 +240,7 @@ class DocumentState:
     comparisons: list[n.Chain] = field(default_factory=list)
     rounded: dict[str, int] = field(default_factory=dict)
     shown: dict[str, JacobianRows] = field(default_factory=dict)
+    tells_jacobian: bool = False
     signs: NamedSigns = field(default_factory=NamedSigns)
     consulted: set[tuple[str, int]] = field(default_factory=set)
     errors: list[PrintedError] = field(default_factory=list)

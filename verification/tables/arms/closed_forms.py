@@ -63,10 +63,13 @@ def _of_point(document: Document, names: Names, spelt: re.Pattern[str]) -> list[
                 for axis, key, value in _coordinates(display, names, algebra, letters, spelt)
                 if "=" in display.latex
             ]
-            for axis, key, value in () if _are_of_another_point(given, found, points) else given:
-                number = int(key[2:]) if key[2:].isdigit() else 0
+            given = [] if _are_of_another_point(given, found, points) else given
+            for axis, key, value in given:
+                number = _number(key)
                 before = found[axis][0] if axis in found and points[axis] else None
-                is_next = before is not None and number > points[axis] and _goes_on_from(value, before)
+                beside = [(each, other) for each, own, other in given if _number(own) == number and points.get(each)]
+                goes_on = any(points[each] == number or _goes_on_from(other, found[each][0]) for each, other in beside)
+                is_next = before is not None and number > points[axis] and goes_on  # a slip is in one of two
                 if axis not in found or is_next or (before is not None and not number):
                     found[axis], points[axis] = (value, display), number
                 meant = {**meant, key: value} if number else meant
@@ -182,8 +185,15 @@ def _sums_of_angles(value: Scalar, names: Names, algebra: ExactAlgebra) -> dict[
     }
 
 
+def _number(key: str) -> int:
+    """Return the number of the point of which a name is a coordinate, 0 for the tool."""
+    return int(key[2:]) if key[2:].isdigit() else 0
+
+
 def _goes_on_from(value: Scalar, before: Scalar) -> bool:
     """Whether a coordinate is one before it and more: that of the next point of a chain, and not of the middle of a link."""
+    if _equal(value, before):
+        return False
     counts = [len(tuple(each.ring.terms(each.normal().numerator))) for each in (value, before, value - before)]
     return counts[2] == counts[0] - counts[1]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -13,7 +13,7 @@ from armproof.verification.tables.arms.support import Inference
 from armproof.verification.tables.arms.witnesses import weigh
 from armproof.verification.verdict import HOLDS, DocumentResult, Record, Verdict
 
-FEWEST = 2  # displays that hold with another length, where one alone may hold the slip itself
+FEWEST = 2  # displays that hold with another length, where one alone may hold the slip itself, unless the arm lacks that length
 MOST = 100  # other arms that are weighed
 _NAME = re.compile(r"[A-Za-z]\w*")
 
@@ -44,7 +44,8 @@ def unless_disputed(part: Inference, result: DocumentResult, check: Check) -> Do
         return result
     lost = [each for each in result.equations if _is_lost(each, part)]
     own, letters = _own_letters(part), _letters(part, lost)
-    if len(lost) < FEWEST or (letters == own and all(each.verdict is not Verdict.REFUTED for each in lost)):
+    is_foreign = letters != own
+    if len(lost) < FEWEST - is_foreign or not (is_foreign or any(each.verdict is Verdict.REFUTED for each in lost)):
         return result
     if (other := _best(part, lost, sorted(letters))) is None:
         return result
@@ -56,7 +57,7 @@ def unless_disputed(part: Inference, result: DocumentResult, check: Check) -> Do
         for each in result.equations
         if each.verdict in HOLDS and not _is_data(each, part) and verdicts[each.place] is Verdict.REFUTED
     ]
-    if len(gained) < FEWEST or against:
+    if len(gained) < _fewest(other, own) or against:
         return result
     return replace(
         result,
@@ -95,11 +96,17 @@ def _best(part: Inference, lost: Sequence[Record], letters: Sequence[str]) -> _O
         readings = weigh(replace(part.document, displays=displays), fronts) if fronts else []
     except ArmproofError:
         return None
-    held = [each for each in readings if each.held == readings[0].held >= FEWEST]
+    held = [each for each in readings if each.held == readings[0].held]
     ways = {str(each.front["arm"]["rows"]): each.front for each in held}
     best = [replace(others[rows], front=front) for rows, front in ways.items()]
+    best = [other for other in best if readings[0].held >= _fewest(other, _own_letters(part))]
     numbers = [other for other in best if other.printed.isdigit() and other.printed != "0"]  # of lines in parallel
     return next(iter(numbers if len(best) > 1 else best), None)
+
+
+def _fewest(other: _Other, own: Collection[str]) -> int:
+    letters = _NAME.findall(other.correct)
+    return FEWEST if set(letters) <= {*own, "pi"} else 1
 
 
 def _others(part: Inference, letters: Sequence[str]) -> Iterator[_Other]:

@@ -17,6 +17,7 @@ from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.tables.arms.beyond import with_point_beyond
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.closed_forms import candidates_of_closed_form
+from armproof.verification.tables.arms.code_letters import in_letters_of
 from armproof.verification.tables.arms.general_link import shown_convention
 from armproof.verification.tables.arms.last_turn import with_last_turn
 from armproof.verification.tables.arms.laws import candidate_of_law, with_point_of_law
@@ -30,7 +31,7 @@ from armproof.verification.tables.columns import CONVENTIONS, read_columns
 from armproof.verification.verdict import TakenArm
 
 _NUMBER = re.compile(r"(?<![\d._{])[1-9]\d*(?:\.\d+)?(?![\d.])")
-_INDEXED = re.compile(r"(?:theta|(?<![A-Za-z])[qcsCS])\s*_\s*\{?\s*(\d+)(?!\d)")
+_INDEXED = re.compile(r"(?:theta|(?<![A-Za-z])[qcsCS])\s*_\s*\{?\s*(\d+)(?!\d|\s*\\times)")
 
 
 def infer_arm(document: Document) -> Inference:
@@ -52,7 +53,18 @@ def infer_arm(document: Document) -> Inference:
         )
     found = found or _of_formulas(document, plain_names(document))
     settled = _settle(document, found) if found else of_table
+    if settled.arm is None and not found and of_table.problem is None:
+        settled = _of_code(document)
     return settled if settled.arm is not None else of_table
+
+
+def _of_code(document: Document) -> Inference:
+    """Return the document with the arm of the tables in its code that another display shows to be meant, where they are of one arm."""
+    made = [arms_of(document, in_letters_of(document, table)) for table in document.in_code]
+    found = [each for each in made if not isinstance(each, Finding)]
+    if not found or any(each[0].is_other_than(found[0][0]) for each in found):
+        return Inference(document)
+    return _settle(document, [replace(each, is_alone=True) for each in found[0]])
 
 
 def _of_formulas(document: Document, names: Names) -> list[Candidate]:
@@ -144,9 +156,10 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
         return _taken(document, found, best, bool(more))
     is_plain = found[0].source in ("table", "matrices") and len(found) == 1 and not rivals
     unfit = _taken(document, found, best, bool(more)) if is_plain else None
-    if rivals or not (best.held or is_shown):
+    is_pinned = found[0].source == "closed form" and not found[0].is_alone  # then one line alone may be what is wrong
+    if rivals or not (best.held or is_shown or (is_pinned and best.failed == 1)):
         return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line, unfit=unfit)
-    if best.failed - best.near > best.held:
+    if best.failed - best.near > max(best.held, int(is_pinned)):
         problem = say(Kind.ARM_DOES_NOT_FIT, held=best.held, failed=best.failed)
         return Inference(document, problem=problem, line=line, unfit=unfit)
     return _taken(document, found, best, bool(more))

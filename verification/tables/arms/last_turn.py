@@ -19,15 +19,17 @@ from armproof.verification.tables.arms.letters import equations_of, value_in_let
 _JOINT = re.compile(r"(theta|q)_(\d+)")
 _DIRECTION = re.compile(r"(?:phi|varphi|psi|alpha|beta|gamma|theta)(?:_[A-Za-z]\w*)?")
 _HAND = {"a": "0", "alpha": "0", "d": "0"}
+_ALONG = ("0", "pi")  # a slide downwards lies between two half turns
 SECONDS = 0.3
 
 
 def with_last_turn(found: Candidate, document: Document, names: Names) -> Candidate:
     """Return an arm with the joint behind its last one, where an equation says the direction of the hand that it turns."""
-    match = _JOINT.fullmatch(found.joints[-1])
+    turning = [joint for row, joint in zip(found.rows, found.joints, strict=True) if joint and joint in row["theta"]]
+    match = _JOINT.fullmatch(turning[-1]) if turning else None
     if any("origin" in meant for meant in found.quantities.values()):  # x_w: the tool is another point
         return found
-    if match is None or "" in found.joints or found.frames or found.last != int(match[2]):
+    if match is None or "" in found.joints or found.frames or found.last != found.indices[-1]:
         return found
     last = f"{match[1]}_{found.last + 1}"
     algebra = ExactAlgebra(Ring(), None)
@@ -57,8 +59,9 @@ def _differences(document: Document, names: Names, algebra: ExactAlgebra) -> Ite
 
 def _directions(difference: Scalar, found: Candidate, last: str) -> Iterator[str]:
     """Yield the letter that an equation says to be the sum of the joints in the plane of the last one, or to have its cosine."""
-    turned = max((k for k, row in enumerate(found.rows, 1) if row["alpha"] != "0"), default=0)
-    joints = [*found.joints[turned:], last]
+    turned = max((k for k, row in enumerate(found.rows, 1) if row["alpha"] not in _ALONG), default=0)
+    behind = zip(found.rows[turned:], found.joints[turned:], strict=True)
+    joints = [*(joint for row, joint in behind if joint in row["theta"]), last]
     others = symbols_in([difference]) - set(joints)
     if len(others) != 1 or not _DIRECTION.fullmatch(min(others)):
         return

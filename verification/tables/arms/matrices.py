@@ -37,6 +37,9 @@ Place = tuple[int | None, int]
 _Row = tuple[dict[str, Scalar], str]  # a, alpha, d, theta, and the joint variable among them
 
 
+Links = dict[int, Matrix]
+
+
 @dataclass(frozen=True)
 class _Link:
     """The printed matrix of a link, counted from 1, its name and letters, its display, and whether a product shows it.
@@ -68,12 +71,22 @@ class _Link:
         return self.name.base == "T" and not (self.name.pre_sup or self.name.pre_sub or self.name.sup)
 
 
-def first_links(document: Document, names: Names) -> list[tuple[Display, str]]:
-    """Return the displays of first link matrices, each with its entries as text; where there are several arms, several."""
+def first_links(document: Document, names: Names) -> list[tuple[Display, Links]]:
+    """Return the displays of first link matrices, each with the links from there to the next one; where there are several arms, several."""
     algebra = ExactAlgebra(Ring(), None)
+    found: list[tuple[Display, Links]] = []
     with algebra.budget.of(SECONDS):
-        links = [link for link in _links(document, names, algebra) if link.index == 1 and not link.is_constant]
-        return [(link.display, str(link.value.map(Scalar.normal).rows)) for link in links]
+        for link in _links(document, names, algebra):
+            if link.index == 1 and not link.is_constant:
+                found.append((link.display, {}))
+            if found and link.index and not link.is_constant:
+                found[-1][1].setdefault(link.index, link.value)
+    return found
+
+
+def are_among(links: Links, others: Links) -> bool:
+    """Whether all of some links are among others: a section that prints them again is about the same arm."""
+    return all(index in others and equal(others[index], link) for index, link in links.items())
 
 
 def candidates_of_matrices(document: Document, names: Names) -> list[Candidate]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import groupby, pairwise
 
 from armproof.verification.document import Display, Document, Table
@@ -18,7 +18,7 @@ from armproof.verification.tables.arms.inference import arms_of, dh_tables, join
 from armproof.verification.tables.arms.last_turn import with_last_turn
 from armproof.verification.tables.arms.laws import candidate_of_law
 from armproof.verification.tables.arms.letters import equations_of
-from armproof.verification.tables.arms.matrices import candidates_of_matrices, first_links
+from armproof.verification.tables.arms.matrices import Links, are_among, candidates_of_matrices, first_links
 from armproof.verification.tables.arms.poses import pose_of_tool
 from armproof.verification.tables.arms.sections import named_sections, without_arms
 
@@ -32,12 +32,12 @@ Place = tuple[int, int]  # cell (0 where there is none) and line
 
 @dataclass(frozen=True)
 class _Source:
-    """What shows an arm: a table with that arm, or a first link matrix with its entries as text."""
+    """What shows an arm: a table with that arm, or a first link matrix and those behind it."""
 
     place: Place
     section: str
     arm: Candidate | None = None
-    entries: str = ""
+    links: Links = field(default_factory=dict)
 
 
 def scopes(document: Document) -> tuple[Document, ...]:
@@ -170,8 +170,8 @@ def _starts(document: Document) -> Iterator[Place]:
             is_new = is_new or (link is not None and table is None and _is_of_other_joints(document, link, source))
             table, link = source, None if is_new else link
         else:
-            is_new = link is not None and (source.entries != link.entries and source.section != link.section)
-            table, link = None if is_new else table, source
+            is_new = link is not None and source.section != link.section and not are_among(source.links, link.links)
+            table, link = None if is_new else table, source if is_new or link is None else link
         if is_new and before is not None:
             yield _start(document, before, source)
         before = source
@@ -187,15 +187,20 @@ def _is_other(arm: Candidate, before: Candidate) -> bool:
 
 
 def _is_of_other_joints(document: Document, link: _Source, source: _Source) -> bool:
-    """Whether the closed form of an exercise has other joints than the link matrices of one before it: q_1, q_2 behind θ_1, d_2, d_3."""
-    if source.arm is None or source.arm.source != "closed form":
+    """Whether an arm is none of the link matrices before it: a closed form with other joints, q_1, q_2 behind θ_1, d_2, d_3, a table with other lengths."""
+    if source.arm is None:
         return False
     part = _between(document, link.place, source.place)
     try:
         before = next(iter(candidates_of_matrices(part, plain_names(document))), None)
     except EvaluationError:
         return False
-    return before is not None and before.kinds != source.arm.kinds and not set(source.arm.joints) <= set(before.joints)
+    if before is None or source.arm.source == "table":
+        lengths = [_letters(each) - {*each.joints} for each in (before, source.arm) if each is not None]
+        return (
+            all(lengths) and len(lengths) == 2 and lengths[0].isdisjoint(lengths[1]) and source.section != link.section
+        )
+    return before.kinds != source.arm.kinds and not set(source.arm.joints) <= set(before.joints)
 
 
 def _sources(document: Document) -> Iterator[_Source]:
@@ -211,8 +216,8 @@ def _sources(document: Document) -> Iterator[_Source]:
     for table in dh_tables(document):
         if isinstance(found := arms_of(document, table), list):
             yield _Source(_place(table), table.section, found[0])
-    for display, entries in links:
-        yield _Source(_place(display), display.section, entries=entries)
+    for display, found_links in links:
+        yield _Source(_place(display), display.section, links=found_links)
 
 
 def _of_exercises(document: Document) -> Iterator[_Source]:
@@ -287,4 +292,5 @@ def _place(part: Display | Table) -> Place:
 def _between(document: Document, begin: Place, end: Place) -> Document:
     displays = tuple(display for display in document.displays if begin <= _place(display) < end)
     tables = tuple(table for table in document.tables if begin <= _place(table) < end)
-    return replace(document, displays=displays, tables=tables)
+    in_code = tuple(table for table in document.in_code if begin <= _place(table) < end)
+    return replace(document, displays=displays, tables=tables, in_code=in_code)

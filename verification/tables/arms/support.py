@@ -275,6 +275,11 @@ def _is_data(taken: TakenArm, record: Record, links: frozenset[int] = frozenset(
     return place in taken.lines and is_source
 
 
+def _is_of_any_arm(result: EquationResult) -> bool:
+    slips = (Kind.SLIP_OF_ANY_JACOBIAN, Kind.SLIP_FOR_EACH_JOINT, Kind.SLIP_AS_VECTORS)
+    return any(each.kind in slips for each in result.findings)
+
+
 @dataclass(frozen=True)
 class _Settled:
     """The records of a document whose arm was taken from a part of it.
@@ -337,7 +342,7 @@ class _Settled:
         is_own = self.taken.source == "matrices" and not (links - self.confirmed) & self.taken.mended
         is_sure = has_sides and (is_own or not doubtful or self._is_slip(links, result, record))
         is_sure = is_sure and (not self.taken.told_by or TOLD in self.confirmed)
-        if result.verdict is not Verdict.REFUTED or record.erratum:
+        if result.verdict is not Verdict.REFUTED or record.erratum or _is_of_any_arm(result):
             return result
         if others := result.usual.keys() & self.never_as_usual:
             doubt = say(Kind.NEVER_AS_USUAL, name=min(others))
@@ -358,12 +363,8 @@ class _Settled:
         wrong = [entry for entry in record.entries if entry.equation == result.index]
         is_pinned = self.taken.source == "closed form" and not (self.taken.mended or self.taken.told_by)
         alone = all(len(self.against.get(link, ())) < 2 for link in links)
-        return (
-            is_pinned
-            and alone
-            and FRAMES not in links - self.confirmed
-            and [bool(each.row) for each in wrong] == [True]
-        )
+        is_numbered = FRAMES not in links - self.confirmed or all(each.finding is not None for each in wrong)
+        return is_pinned and alone and is_numbered and [bool(each.row) for each in wrong] == [True]
 
     def _data(self, index: int, links: frozenset[int] = frozenset()) -> EquationResult:
         lines = sorted(frozenset[int]().union(*(self.against.get(link, ()) for link in links - self.confirmed)))

@@ -412,3 +412,20 @@ def test_two_columns_or_rows_that_are_exchanged_in_a_link_matrix_hide_no_arm(lin
     right = r"c_2 & -s_2 & 0 & l_2 c_2 \\ s_2 & c_2 & 0 & l_2 s_2 \\ 0 & 0 & 1 & 0"
     assert verdicts(verify_text(LINKS)) == ["proved"] * 3
     assert verdicts(verify_text(LINKS.replace(right, link))) == ["proved", "refuted", "proved"]
+
+
+def test_a_display_with_a_length_that_the_arm_lacks_speaks_against_a_link_matrix() -> None:
+    """Either may be wrong: T_1^2 with l_1 for l_2, or what has l_2 below it."""
+    assert verdicts(verify_text(LINKS))[:3] == ["proved", "proved", "proved"]
+    first, second, whole_pose, *_ = verify_text(
+        LINKS.replace("l_2 c_2", "l_1 c_2").replace("l_2 s_2", "l_1 s_2", 1)
+    ).equations
+    assert [each.verdict.value for each in (first, second, whole_pose)] == ["defined", "unchecked", "unchecked"]
+    assert "one of the two is wrong" in second.message and "one of the two is wrong" in whole_pose.message
+
+
+def test_a_section_that_prints_the_first_link_again_is_about_the_same_arm() -> None:
+    first = LINKS[: LINKS.index("$$ T_1^2")]
+    speed = "$$ \\dot q = J^{-1} \\dot p_2 $$\n"
+    assert len(verify_text("# One\n" + LINKS + "# Two\n" + first + speed).arms) == 1
+    assert len(verify_text("# One\n" + LINKS + "# Two\n" + LINKS.replace("l_1", "h") + speed).arms) == 2

@@ -1,0 +1,67 @@
+"""DH tables that stand in code: read as data, whatever the code, and never run."""
+
+import pytest
+
+from armproof.verification.document import Display
+from armproof.verification.document.code_tables import code_tables
+
+TURN = r"\frac{\pi}{2}"
+ELBOW = [("R", TURN, "0", "l_{1}", r"\theta_{1}"), ("R", "0", "l_{2}", "0", r"\theta_{2}")]
+
+
+def rows(code: str) -> list[list[tuple[str, ...]]]:
+    return [list(table.rows) for table in code_tables([Display(1, code, opening="```")])]
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "r = DHRobot([RevoluteDH(d=l1, alpha=pi/2), RevoluteDH(a=l2)])",
+        "A = rtb.DHLink(d=l1, alpha=np.pi/2)\nB = rtb.DHLink(a=l2)\nr = rtb.DHRobot([A, B])",
+        "%matplotlib inline\nlinks = [\n  RevoluteMDH(d=self.l1, alpha=np.deg2rad(90)),\n  RevoluteMDH(a=self.l2, qlim=[0, 1])]",
+        "L(1) = Link([0 l1 0 pi/2]); % first\nL(2) = Link([0 0 l2 0]);\nr = SerialLink(L);",
+        "L1 = Revolute('d', l1, 'a', 0, 'alpha', pi/2);\nL2 = Revolute('d', 0, 'a', l2, 'alpha', 0);",
+    ],
+    ids=["call", "names", "attributes", "matlab", "words"],
+)
+def test_links_are_the_rows_of_a_table(code: str) -> None:
+    (found,) = rows(code)
+    assert found == ELBOW or found[0][1] == r"90 \cdot \frac{\pi}{180}"
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "# a, alpha, d, theta\ndh = [[0, pi/2, l1, q1], [l2, 0, 0, q2]]",
+        "dh = [{'a': 0, 'alpha': pi/2, 'd': l1, 'theta': q1}, {'a': l2, 'alpha': 0, 'd': 0, 'theta': q2}]",
+        "% theta d a alpha\nDH = [q1 l1 0 pi/2; q2 0 l2 0];",
+        "s = {alpha0: pi/2, a0: 0, d1: l1, q1: q1, alpha1: 0, a1: l2, d2: 0, q2: q2}",
+    ],
+    ids=["comment", "words", "matlab", "dictionary"],
+)
+def test_rows_are_those_of_named_columns(code: str) -> None:
+    (found,) = rows(code)
+    assert [row[1:] for row in found] == [(TURN, "0", "l_{1}", "q_{1}"), ("0", "l_{2}", "0", "q_{2}")]
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "dh = [[0, pi/2, l1, q1], [l2, 0, 0, q2]]",
+        "# x, y, z, w\ndh = [[0, pi/2, l1, q1], [l2, 0, 0, q2]]",
+        "r = DHRobot([RevoluteDH(d=f(l1)), RevoluteDH(a=l2)])",
+        "r = DHRobot([RevoluteDH(a=l2)])",
+        "links = [RevoluteDH(0, l1), RevoluteDH(a=l2)]",
+        "(" * 5000,
+        "x = [" + "[0, 0, 0, 0]," * 9000 + "]",
+    ],
+    ids=["unnamed", "other names", "a call", "one link", "places", "deep", "long"],
+)
+def test_nothing_else_is_a_table(code: str) -> None:
+    assert rows(code) == []
+
+
+def test_the_line_is_that_of_the_first_link() -> None:
+    code = "import x\n\nr = DHRobot([\n  RevoluteDH(a=l1),\n  RevoluteDH(a=l2)])"
+    (table,) = code_tables([Display(11, code, opening="```")])
+    assert table.line == 14

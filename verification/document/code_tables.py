@@ -1,0 +1,221 @@
+"""DH tables that stand in code alone: lists of links, dictionaries of parameters, rows under a comment that names the columns."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from textwrap import dedent
+
+from armproof.verification.document.code_values import NoEntry, Values, entry, parsed
+from armproof.verification.document.model import Display, Table
+
+HEADER = ("sigma", "alpha", "a", "d", "theta")
+LONGEST = 40_000  # characters of a piece of code
+_LINKS = re.compile(r"(?:(?:DH)?Link|(Revolute|Prismatic)(?:M?DH)?)")
+_PARAMETER = re.compile(r"'?(alpha|a|d|q|theta)_?(\d)'?")
+_NAMES = {
+    "alpha": "alpha",
+    "twist": "alpha",
+    "a": "a",
+    "r": "a",
+    "d": "d",
+    "theta": "theta",
+    "q": "theta",
+    "th": "theta",
+}
+_OF_MATLAB = re.compile(r"(?<!\w)(?:Revolute|Prismatic|Link)(?:M?DH)?\s*\(([^()]*(?:\([^()]*\)[^()]*)*)\)")
+_ROWS = re.compile(r"=\s*\[([^\[\]]*)\]", re.DOTALL)
+_GREEK = str.maketrans({"α": "alpha", "θ": "theta"})
+
+Row = Mapping[str, ast.expr]
+
+
+@dataclass(frozen=True)
+class _Found:
+    """Rows of parameters in code, each with the kind of its joint where that is told, and the line on which they begin."""
+
+    rows: tuple[tuple[str, Row], ...]
+    line: int
+
+
+def code_tables(displays: Iterable[Display]) -> Iterator[Table]:
+    """Yield the DH tables in pieces of code, with the letters and numbers that these give."""
+    for display in displays:
+        code = dedent(display.latex)
+        for found in [*_of_python(code)] or _of_matlab(code) if len(code) <= LONGEST else ():
+            try:
+                rows = tuple(
+                    _cells(kind, row, number, _assigned(code)) for number, (kind, row) in enumerate(found.rows, 1)
+                )
+            except NoEntry:
+                continue
+            if len(rows) > 1:
+                line = display.line + found.line
+                yield Table(line, HEADER, rows, cell=display.cell, section=display.section, file=display.file)
+
+
+def _cells(kind: str, row: Row, number: int, values: Values) -> tuple[str, ...]:
+    """Return the cells of a row; what moves a joint of a known kind is named by its number, and what stands there is added."""
+    cells = {key: entry(node, values) for key, node in row.items()}
+    place = {"R": "theta", "P": "d"}.get(kind, "")
+    if place and not re.search(r"[A-Za-z](?<!pi)_", cells.get(place, "")):
+        moved = rf"\theta_{{{number}}}" if kind == "R" else f"d_{{{number}}}"
+        added = [text for text in (cells.get(place, ""), cells.get("offset", "")) if text not in ("", "0")]
+        cells[place] = " + ".join([moved, *added])
+    return (kind, *(cells.get(key, "0") for key in HEADER[1:]))
+
+
+def _of_python(code: str) -> Iterator[_Found]:
+    """Yield the rows in Python, a notebook's commands left out; none of what cannot be parsed."""
+    plain = "\n".join("" if line.lstrip().startswith(("%", "!")) else line for line in code.split("\n"))
+    try:
+        tree = ast.parse(plain)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return
+    named = _links_by_name(tree)
+    for node in ast.walk(tree):
+        match node:
+            case ast.List(elements) | ast.Tuple(elements) if len(elements) > 1:
+                yield from _of_list(node, elements, named, code)
+            case ast.Dict(keys, values):
+                yield from _of_dictionary(node, keys, values)
+
+
+def _assigned(code: str) -> Values:
+    found = re.findall(r"^[ \t]*(?:self\.)?([A-Za-z]\w*)[ \t]*=[ \t]*([-\d.][^=;#%\n]*)", code, re.MULTILINE)
+    values: dict[str, ast.expr] = {}
+    for key, text in found:
+        try:
+            values[key] = parsed(text)
+        except NoEntry:
+            continue
+    return values
+
+
+def _links_by_name(tree: ast.AST) -> dict[str, tuple[str, Row]]:
+    """Return the links that are given a name: L1 = RevoluteDH(a=1)."""
+    found = {}
+    for node in ast.walk(tree):
+        match node:
+            case ast.Assign([ast.Name(name)], ast.Call() as call) if (link := _link(call)) is not None:
+                found[name] = link
+    return found
+
+
+def _link(node: ast.expr) -> tuple[str, Row] | None:
+    """Return the kind and the parameters of a call such as RevoluteDH(d=0.3, alpha=pi/2)."""
+    if not isinstance(node, ast.Call):
+        return None
+    function = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+    match = _LINKS.fullmatch(function)
+    if match is None or node.args:
+        return None
+    row = {word.arg: word.value for word in node.keywords if word.arg in ("a", "alpha", "d", "theta", "offset")}
+    sigma = next((word.value for word in node.keywords if word.arg in ("sigma", "jointtype")), None)
+    is_sliding = isinstance(sigma, ast.Constant) and sigma.value in (1, "P")
+    return (match[1] or ("P" if is_sliding else "R"))[0], {str(key): value for key, value in row.items()}
+
+
+def _of_list(
+    node: ast.expr, elements: Sequence[ast.expr], named: Mapping[str, tuple[str, Row]], code: str
+) -> Iterator[_Found]:
+    links = [named.get(each.id) if isinstance(each, ast.Name) else _link(each) for each in elements]
+    if all(links):
+        yield _Found(tuple(filter(None, links)), _line(elements[0], node))
+    elif all(isinstance(each, ast.List | ast.Tuple) and len(each.elts) == 4 for each in elements):
+        if columns := _columns(code.split("\n"), node.lineno - 1, node.end_lineno or node.lineno):
+            rows = [dict(zip(columns, each.elts, strict=True)) for each in elements]  # type: ignore[attr-defined]
+            yield _Found(tuple(_of_moving(rows)), node.lineno - 1)
+    elif all(isinstance(each, ast.Dict) for each in elements):
+        told = [_by_word(each) for each in elements]  # type: ignore[arg-type]
+        if all(len(row) == 4 for row in told):
+            yield _Found(tuple(_of_moving(told)), node.lineno - 1)
+
+
+def _line(first: ast.expr, node: ast.expr) -> int:
+    return (node if isinstance(first, ast.Name) else first).lineno - 1
+
+
+def _by_word(node: ast.Dict) -> Row:
+    pairs = ((getattr(key, "value", ""), value) for key, value in zip(node.keys, node.values, strict=True))
+    return {_NAMES[key.lower()]: value for key, value in pairs if isinstance(key, str) and key.lower() in _NAMES}
+
+
+def _of_dictionary(node: ast.Dict, keys: Sequence[ast.expr | None], values: Sequence[ast.expr]) -> Iterator[_Found]:
+    """Yield the rows of {alpha0: 0, a0: 0, d1: 0.75, q1: q1, …}: where they begin with 0, those of link i have i-1."""
+    told: dict[tuple[str, int], ast.expr] = {}
+    for key, value in zip(keys, values, strict=True):
+        text = key.id if isinstance(key, ast.Name) else key.value if isinstance(key, ast.Constant) else ""
+        if match := _PARAMETER.fullmatch(str(text)):
+            told[_NAMES[match[1]], int(match[2])] = value
+    before = int(("alpha", 0) in told)
+    rows = [
+        {"theta": ast.Name(f"q{number}")}
+        | {key: told[at] for key in HEADER[1:] if (at := (key, number - before * (key in ("alpha", "a")))) in told}
+        for number in sorted(number for name, number in told if name == "d")
+    ]
+    if len(rows) > 1 and all(len(row) == 4 for row in rows):
+        yield _Found(tuple(_of_moving(rows)), node.lineno - 1)
+
+
+def _of_moving(rows: Sequence[Row]) -> Iterator[tuple[str, Row]]:
+    """Yield rows with the kind of each joint: where all angles are numbers each joint turns, from there on."""
+    letters = (each for row in rows for each in ast.walk(row["theta"]) if isinstance(each, ast.Name | ast.Attribute))
+    has_variable = any(
+        getattr(each, "attr", getattr(each, "id", "pi")) not in ("pi", "np", "math", "sp") for each in letters
+    )
+    yield from (("" if has_variable else "R", row) for row in rows)
+
+
+def _columns(lines: Sequence[str], begin: int, end: int) -> tuple[str, ...]:
+    """Return the columns that a comment names above rows, or between them."""
+    for line in (*lines[begin : min(begin + 3, end)], *reversed(lines[max(0, begin - 3) : begin])):
+        comment = re.search(r"[#%].*", line.lower().translate(_GREEK))
+        words = re.findall(r"[a-z]+", re.sub("_?i(?:-1)?(?![a-z])", " ", comment[0])) if comment else []
+        found = tuple(_NAMES[word] for word in words if word in _NAMES)
+        if sorted(found) == ["a", "alpha", "d", "theta"]:
+            return found
+    return ()
+
+
+def _of_matlab(code: str) -> Iterator[_Found]:
+    """Yield the rows of Link([theta d a alpha]), of Revolute('d', 1, 'a', 2), and of a matrix under a comment that names its columns."""
+    plain = re.sub(r"%.*", "", code)
+    calls = [*_OF_MATLAB.finditer(plain)]
+    try:
+        links = [_link_of_matlab(call[0], call[1]) for call in calls]
+        if len(links) > 1:
+            yield _Found(tuple(links), plain[: calls[0].start()].count("\n"))
+            return
+        lines = code.split("\n")
+        for found in _ROWS.finditer(code):
+            at = code[: found.start()].count("\n")
+            rows = [row for line in re.split(r"[;\n]", re.sub(r"%.*|\.\.\.", "", found[1])) if (row := _numbers(line))]
+            columns = _columns(lines, at, at + 3)
+            if columns and len(rows) > 1 and all(len(row) == 4 for row in rows):
+                told = [dict(zip(columns, map(parsed, row), strict=True)) for row in rows]
+                yield _Found(tuple(_of_moving(told)), at)
+    except NoEntry:
+        return
+
+
+def _link_of_matlab(call: str, arguments: str) -> tuple[str, Row]:
+    if listed := re.match(r"\s*\[([^\]]*)\]", arguments):
+        theta, d, a, alpha, *more = _numbers(listed[1])
+        kind = "P" if more[:1] == ["1"] else "R"
+        words = {"theta": theta, "d": d, "a": a, "alpha": alpha} | ({"offset": more[1]} if len(more) > 1 else {})
+    else:
+        pairs = re.findall(r"'(alpha|a|d|theta|offset)'\s*,\s*([^,]+)", arguments)
+        if not pairs:
+            raise NoEntry
+        words, kind = dict(pairs), "P" if re.search("prismatic|'sigma'\\s*,\\s*1", call, re.IGNORECASE) else "R"
+    return kind, {key: parsed(text) for key, text in words.items()}
+
+
+def _numbers(text: str) -> list[str]:
+    """Return the entries of a row of Matlab, parted by commas or blanks."""
+    closed = re.sub(r"\s*([*/^])\s*", r"\1", text.strip())
+    closed = re.sub(r"\s+([-+])\s+", r"\1", closed)
+    return [part for part in re.split(r"[,\s]+", closed) if part]
