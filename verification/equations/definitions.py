@@ -169,7 +169,9 @@ class Definitions:
                 wrong.append((block.row, block.column))
             elif key is None or not isinstance(cell.problem, UnboundName) or self._is_nothing(block, blocks, value):
                 unknown = cell.problem
-            elif key in first or _holds(block.of(value), key):  # J = [γ_1 …] once more: it is what it is, and no entry of J
+            elif key in first or _holds(
+                block.of(value), key
+            ):  # J = [γ_1 …] once more: it is what it is, and no entry of J
                 itself = first[key] if key in first else self.members.exact.symbol(key)
                 if not self.readings.equality.equals_block(itself, block.of(value)):
                     wrong.append((block.row, block.column))
