@@ -249,7 +249,9 @@ class ChainChecker:
 
     def _judged(self, now: _Pass, outcomes: list[Outcome]) -> list[Outcome]:
         """Return the outcomes, left open where the chain may be read otherwise, or a name means something else there."""
-        outcomes = [now.definitions.of_sine(each) for each in self._read_otherwise(now, outcomes)]
+        outcomes = self._read_otherwise(now, outcomes)
+        if self.names.state.definitions:
+            outcomes = [now.definitions.of_sine(each) for each in outcomes]
         outcomes = self._of_other_matrix(now, outcomes)
         outcomes = [self.readings.other_meaning(outcome, now.line, now.define) for outcome in outcomes]
         if now.placed:
@@ -353,7 +355,8 @@ class ChainChecker:
     def _of_other_matrix(self, now: _Pass, first: list[Outcome]) -> list[Outcome]:
         """Return the outcomes where r_{ij} are of another matrix than the tool's, if all hold; what else is no slip is left open."""
         if self.of_entries or all(outcome.verdict in HOLDS for outcome in first):
-            hold_as_defined(self.names, now.chain, now.line if now.define and not self.of_entries else 0)
+            if now.define and not self.of_entries and ENTRY in n.letters(now.chain):
+                hold_as_defined(self.names, now.chain, now.line)
             return first
         is_open = all(outcome.verdict is Verdict.UNCHECKED for outcome in first)
         chain = (with_small_letters(now.chain) if is_open else None) or now.chain

@@ -133,7 +133,7 @@ def entries_before(names: Names, readings: Iterable[Iterable[str]]) -> dict[str,
 
 def hold_as_defined(names: Names, chain: n.Chain, line: int) -> None:
     """Remember that an equation holds with its r_{ij} as a matrix gave them their meaning."""
-    if line and _lines_of(names, _entries_in(chain)):
+    if _lines_of(names, _entries_in(chain)):
         names.state.entries_held[None] = names.state.entries_held.get(None, frozenset()) | {line}
 
 

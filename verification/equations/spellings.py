@@ -34,8 +34,6 @@ class Spellings:
         factors = tuple(map(_unapplied, inner.factors)) if isinstance(inner, n.Product) else ()
         at = next((k for k, factor in enumerate(factors) if isinstance(factor, n.Dots)), 0)
         names = [factor for factor in factors if isinstance(factor, n.Name)]
-        if not all(arguments_fit(inner, reference) for reference in ("upper", "lower")):
-            return node  # A_1(q_1) A_2(q_3)
         if not 0 < at == len(factors) - 2 or len(names) != len(factors) - 1 or len({name.base for name in names}) > 1:
             return node
         first, last = map(self._indices, (names[0], names[-1]))
@@ -48,6 +46,8 @@ class Spellings:
         shown = [self._indices(name) for name in names[:-1]]
         if shown != [self._indices(link) for link in links[: len(shown)]]:
             return node
+        if not all(arguments_fit(inner, reference) for reference in ("upper", "lower")):
+            return node  # A_1(q_1) A_2(q_3)
         return n.Product(tuple(links), ("",) * max(steps), span=node.span)
 
     def _indices(self, name: n.Name) -> dict[str, int]:

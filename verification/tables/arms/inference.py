@@ -143,7 +143,7 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     if is_shown:  # by the link matrix that it prints for any link, else by the headers of its table
         best, *others = [each for each in (best, *others) if each.convention == shown]
         rivals = _rivals(best, others)
-    if rivals and not best.held and not shown and (near := [one for one in (best, *rivals) if one.near > 0]):
+    if rivals and not best.held and not shown and (near := [one for one in (best, *rivals) if one.is_near]):
         best, *others = near  # a pose that one slip alone parts from it
         rivals, is_shown = _rivals(best, others), True
     alike = any(one.counts == best.counts and one.front["arm"] == best.front["arm"] for one in others)
@@ -159,7 +159,7 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     is_pinned = found[0].source == "closed form" and not found[0].is_alone  # then one line alone may be what is wrong
     if rivals or not (best.held or is_shown or (is_pinned and best.failed == 1)):
         return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line, unfit=unfit)
-    if best.failed - best.near > max(best.held, int(is_pinned)):
+    if best.failed > max(best.held, int(is_pinned)) and not best.is_near:
         problem = say(Kind.ARM_DOES_NOT_FIT, held=best.held, failed=best.failed)
         return Inference(document, problem=problem, line=line, unfit=unfit)
     return _taken(document, found, best, bool(more))

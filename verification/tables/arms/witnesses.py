@@ -55,6 +55,11 @@ class Reading:
         return -self.held, self.failed, -self.entries
 
     @property
+    def is_near(self) -> bool:
+        """Whether all that fails is one equation, by one entry."""
+        return self.failed == self.near == 1
+
+    @property
     def convention(self) -> str:
         """The convention of its DH table."""
         return str(self.front["arm"]["dh"])
