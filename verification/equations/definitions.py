@@ -255,8 +255,9 @@ class Definitions:
         if label.known and inner.known:
             yield self.readings.equality.compare(label, inner, equation, False)
         elif key is not None and isinstance(label.problem, UnboundName) and inner.known and self.defines:
-            found = check(n.Chain((brace.label, brace.inner), ("=",), span=brace.span))
-            if all(each.verdict in HOLDS or each.is_slip for each in found):
+            is_jacobian = any(isinstance(each, n.Name) and each.base == "J" for each in n.walk(brace.label))
+            found = check(n.Chain((brace.label, brace.inner), ("=",), span=brace.span)) if is_jacobian else []
+            if found and all(each.verdict in HOLDS or each.is_slip for each in found):
                 yield from found
             else:
                 self.names.define(key, self.members.meaning(brace.inner), self.line)

@@ -67,6 +67,7 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "signs": lambda state: state.signs.values.update(sigma=1),
     "errors": lambda state: state.errors.append(PrintedError(1, "a", Name("a"), {(1, 1): "b"})),
     "compares_lengths": lambda state: setattr(state, "compares_lengths", True),
+    "tells_jacobian": lambda state: setattr(state, "tells_jacobian", True),
     "comparisons": lambda state: state.comparisons.append(Chain((Name("l"), Name("a")), (">",))),
     "consulted": lambda state: state.consulted.add(("x", 1)),
     "notation": lambda state: setattr(state, "notation", Notation(cosine="C")),
