@@ -160,6 +160,7 @@ class ChainChecker:
             return anew
         if now.defined is not None:
             outcomes = self.redefinitions.judge(now.chain, outcomes, now.defined, now.check)
+        outcomes = [self.redefinitions.unless_repeated(outcome, line) for outcome in outcomes]
         for outcome in outcomes:
             outcome.read_as = outcome.read_as or (self.members.read_as(outcome.true.node) if outcome.true else "")
         if (doubt := self._other_direction(now, outcomes)) is not None:

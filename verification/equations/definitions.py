@@ -23,7 +23,7 @@ from armproof.verification.equations.readings import Readings
 from armproof.verification.equations.rigid import misses_group
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError, NoValue, UnboundName
-from armproof.verification.evaluation.blocks import Block, partition, written_rows
+from armproof.verification.evaluation.blocks import Block, cells_of, partition, written_rows
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import greek
 from armproof.verification.latex import nodes as n
@@ -180,7 +180,7 @@ class Definitions:
                 if defines:
                     meaning = self.members.meaning(true.node, block)
                     of_section = block.is_larger and not self.members.is_of_tool(true.node)
-                    self.names.define(key, meaning, self.line, by_place=True, of_section=of_section)
+                    self.names.define(key, meaning, self.line, by_place=True, of_section=of_section, whole=true.node)
                     self._define_components(block)
         if (other := self._of_series(blocks, wrong, first)) is not None:
             self.names.forget(first if defines else ())
@@ -389,6 +389,25 @@ class Redefinitions:
                 outcome.verdict, outcome.findings = Verdict.DEFINED, (say(Kind.DEFINES, name=key),)
                 outcome.repeats = (key, definition.line)
         return outcomes
+
+    def unless_repeated(self, outcome: Outcome, line: int) -> Outcome:
+        """Return an equation of a column of letters that says what a line before says that they are: it decides nothing."""
+        if outcome.verdict is not Verdict.PROVED or len(outcome.nodes) != 2:
+            return outcome
+        definitions = self.names.state.definitions
+        for letters, other in (outcome.nodes, outcome.nodes[::-1]):
+            keys = [str(bare_key(cell)) for cell in cells_of(letters)]
+            before = map(definitions.get, keys)
+            wholes = [each.whole if each is not None and each.line != line else None for each in before]
+            if (
+                keys
+                and bare_key(other) is None
+                and all(each is not None and bare(each) == bare(other) for each in wholes)
+            ):
+                said = say(Kind.DEFINES_ENTRIES, names=keys)
+                repeated = (keys[0], definitions[keys[0]].line)
+                return replace(outcome, verdict=Verdict.DEFINED, findings=(said,), repeats=repeated)
+        return outcome
 
     def _with_another_meaning(
         self, chain: n.Chain, key: str, definition: Definition, first: Outcome, check: Check

@@ -331,6 +331,7 @@ class Names:
         by_table: bool = False,
         of_section: bool = False,
         root: n.Node | None = None,
+        whole: n.Node | None = None,
     ) -> None:
         """Give a name its meaning, unless it has one."""
         definition = Definition(
@@ -344,5 +345,6 @@ class Names:
             by_table=by_table,
             of_section=of_section,
             root=root,
+            whole=whole,
         )
         self.state.definitions.setdefault(key, definition)

@@ -71,21 +71,24 @@ def contradicted(
     for key, slip in {(slip.name, slip.line): slip for slip in slips}.items():
         agreeing = (each for each in records if any(o.verdict in HOLDS and key in o.uses for o in each.outcomes))
         right[key] = sum(tells(each, mends.get(key, slip)) for each in agreeing)
-    right.update(key for r in records for o in r.outcomes for key in o.defines if key[1] != r.line)  # it is said again
+    again = {key for r in records for o in r.outcomes for key in o.defines if key[1] != r.line}  # it is said again
     least = {key: 1 if key in mends else SEVERAL for key in wrong}
     doubted = {key: lines for key, lines in wrong.items() if len(lines) >= max(least[key], right[key] + 1)}
     open_ = {key for key in defined if not right[key] and may_slip(key)}
-    return {**_said_anew(records, defined, right), **_unexplained(records, open_), **doubted}
+    return {**_said_anew(records, defined - again, right), **_unexplained(records, open_, again), **doubted}
 
 
-def _unexplained(records: Sequence[Record], open_: Set[Key]) -> dict[Key, list[int]]:
-    """Return the definitions that nothing clears, of those with which a line does not hold that no slip of its own alone explains."""
+def _unexplained(records: Sequence[Record], open_: Set[Key], again: Set[Key]) -> dict[Key, list[int]]:
+    """Return the definitions that nothing clears, of those with which a line does not hold that no slip of its own alone explains.
+
+    What is said `again` goes before what one line alone says the name to be, and clears nothing else: a slip is copied, too.
+    """
     found: dict[Key, list[int]] = {}
     for record in records:
         own = frozenset[Key]().union(*(each.defines for each in record.outcomes))  # k = a = b is wrong whatever k is
         for each in (outcome for outcome in record.outcomes if outcome.verdict is Verdict.REFUTED):
             if each.slip_before is not None or not _has_own_slip(record, each):
-                for key in (each.uses & open_) - own:
+                for key in (each.uses & open_) - own - {key for key in again if key[0] in each.alone}:
                     found.setdefault(key, []).append(record.line)
     return found
 

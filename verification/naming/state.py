@@ -68,6 +68,7 @@ class Definition:
     )
     has_ended: bool = False  # with its section
     root: n.Node | None = None  # what a name is whose square an equation gives
+    whole: n.Node | None = None  # what has it as an entry, by its place
 
     @property
     def formula(self) -> n.Node | None:

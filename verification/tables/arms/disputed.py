@@ -90,7 +90,7 @@ def _best(part: Inference, lost: Sequence[Record], letters: Sequence[str]) -> _O
     displays = tuple(each for each in part.document.displays if each.place in places)
     others = {str(other.front["arm"]["rows"]): other for other in _others(part, letters)}
     fronts = [other.front for other in others.values()][:MOST]
-    if "transforms" not in part.document.front:  # what is lost may be what would tell
+    if any(each.says(Kind.WHICH_INDEX) for each in lost):  # what is lost may be what would tell
         fronts = [{**front, "transforms": which} for front in fronts for which in ("upper", "lower")]
     try:
         readings = weigh(replace(part.document, displays=displays), fronts) if fronts else []
