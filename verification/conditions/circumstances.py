@@ -49,10 +49,9 @@ class Circumstances:
         it stands `outside`, in a section that is not around that of the display.
         """
         state = self.names.state
-        around = sections_around(state.section)
         for is_outside, texts in ((True, said[:outside]), (False, said[outside:above])):
             if texts:
-                before = state.told
+                before, around = state.told, sections_around(state.section)
                 self._heed(texts, line)
                 told = before if is_outside else replace(state.told, section=around[0] if around else "")
                 state.told = told if told.holds_below else Told()

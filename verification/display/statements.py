@@ -99,7 +99,9 @@ class Statements:
         if "dots" in latex:
             statements = [with_cells(statement, self.names) for statement in statements]
         is_of_any = statements != printed  # with cells left out: it may number axes otherwise than this arm
-        statements = [beside_arcs(self._with_subject(statement)) for statement in statements]
+        statements = [self._with_subject(statement) for statement in statements]
+        if "arc" in latex or "tan" in latex or "^{-1}" in latex:
+            statements = [beside_arcs(statement) for statement in statements]
         if self.names.arm is None:
             statements = [of_all_joints(statement) for statement in statements]
         if len(statements) > 1 or any(isinstance(each, n.Chain) and len(each.members) > 2 for each in statements):

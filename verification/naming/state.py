@@ -254,13 +254,14 @@ class DocumentState:
 
     def enter(self, section: str) -> None:
         """Go on under a heading, in a new exercise where it says so."""
+        if section == self.section:
+            return
         begun = self._begun(section)
-        if section != self.section:
-            self._leave_blocks(section)
-            self.section = section
-            self.told = self.told if self.told.holds_below and encloses(self.told.section, section) else Told()
-            own = next(filter(None, map(WITH_ITS_ARM.match, begun)), None)
-            self.apart += own is not None and own[0] != self.exercise
+        self._leave_blocks(section)
+        self.section = section
+        self.told = self.told if self.told.holds_below and encloses(self.told.section, section) else Told()
+        own = next(filter(None, map(WITH_ITS_ARM.match, begun)), None)
+        self.apart += own is not None and own[0] != self.exercise
         head = next(filter(None, map(EXERCISE.match, begun)), None)
         self.exercise = head[0] if head is not None else self.exercise
 

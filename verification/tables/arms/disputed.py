@@ -52,12 +52,9 @@ def unless_disputed(part: Inference, result: DocumentResult, check: Check) -> Do
     there = check(replace(part, document=replace(part.document, front=dict(other.front), tables=())))
     verdicts = {each.place: each.verdict for each in there.equations}
     gained = [each for each in lost if verdicts[each.place] in HOLDS]
-    against = [
-        each
-        for each in result.equations
-        if each.verdict in HOLDS and not _is_data(each, part) and verdicts[each.place] is Verdict.REFUTED
-    ]
-    if len(gained) < _fewest(other, own) or against:
+    held = [verdicts[each.place] for each in result.equations if each.verdict in HOLDS and not _is_data(each, part)]
+    is_against = Verdict.REFUTED in held or (len(gained) < FEWEST and not set(held) <= {*HOLDS})
+    if len(gained) < _fewest(other, own) or is_against:
         return result
     return replace(
         result,
