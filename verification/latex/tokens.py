@@ -81,6 +81,7 @@ _BRACED_SCRIPTS = re.compile(r"\{\s*(?:\{\s*\}\s*)?(?:[_^]\s*(?:\{[^{}]*\}|\\[A-
 _BRACED_OPERATOR = re.compile(r"\{\s*(?:[-+=]|\\(?:cdot|times|wedge|pm|mp)(?![A-Za-z]))\s*\}")  # θ_1{+}θ_2, set closely
 _SCRIPT_BEFORE = re.compile(r"(?:^|[=&\s}])\^\s*(?:\{\s*\w\s*\}|\w)\s*\Z")  # ^{0}\text{WC}
 _MARKED_RELATION = re.compile(r"\s*\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}\s*\{\s*(?:=|\\equiv|:=)\s*\}")  # \overset{!}{=}
+_NO_CLAIM = re.compile(r"[!?]|\\(?:not|times|lnot)\b|\\\w+\s*\{\s*(?:no[nt]?|pas|faux|false|wrong|never|jamais)\b", re.IGNORECASE)
 _DOTS_ABOVE = re.compile(r"\s*\{\s*((?:(?:\.|\\cdot)\s*){1,3})\}")  # \overset{\cdot}{\theta}
 _DOTS_BEFORE = re.compile(r"\\[cl]?dots(?:\\[,;:! ]|\s)*\Z")
 _WIDE_SPACE = re.compile(
@@ -400,8 +401,8 @@ class _Scanner:
         if name in ("left", "right"):
             raise ReadError(say(Kind.NO_DELIMITER, name=name), start)
         if name in ("overset", "stackrel", "underset") and (marked := _MARKED_RELATION.match(self.text, end)):
-            asked = marked.group(1).strip() in ("!", "?")
-            return [self.token("REL", ASKED if asked else "=", start, marked.end())], marked.end()
+            is_claim = _NO_CLAIM.match(marked[1].strip()) is None
+            return [self.token("REL", "=" if is_claim else ASKED, start, marked.end())], marked.end()
         if name in ("overset", "stackrel") and (dots := _DOTS_ABOVE.match(self.text, end)):
             count = len(re.findall(r"\.|cdot", dots[1]))
             return [self.token("ACCENT", "d" * count + "ot", start, dots.end())], dots.end()

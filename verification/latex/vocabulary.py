@@ -53,7 +53,7 @@ BARE_WORDS = sorted(
 )
 
 UNWRITTEN = "?"  # the letter of an entry that is not written: ? or * alone in a cell of a matrix
-ASKED = "≟"  # \\overset{!}{=}, \\overset{?}{=}: what is asked for and not claimed
+ASKED = "≟"  # \\overset{!}{=}, \\overset{?}{=}, \\overset{\\text{no}}{=}: what is asked for, or denied, and not claimed
 RELATIONS = {
     "=": "=", "equiv": "=", "triangleq": "=", "coloneqq": "=", ":=": "=", "approx": "≈", "simeq": "≈",
     "leq": "≤", "le": "≤", "leqslant": "≤", "geq": "≥", "ge": "≥", "geqslant": "≥", "<": "<", ">": ">",
