@@ -81,7 +81,9 @@ _BRACED_SCRIPTS = re.compile(r"\{\s*(?:\{\s*\}\s*)?(?:[_^]\s*(?:\{[^{}]*\}|\\[A-
 _BRACED_OPERATOR = re.compile(r"\{\s*(?:[-+=]|\\(?:cdot|times|wedge|pm|mp)(?![A-Za-z]))\s*\}")  # θ_1{+}θ_2, set closely
 _SCRIPT_BEFORE = re.compile(r"(?:^|[=&\s}])\^\s*(?:\{\s*\w\s*\}|\w)\s*\Z")  # ^{0}\text{WC}
 _MARKED_RELATION = re.compile(r"\s*\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}\s*\{\s*(?:=|\\equiv|:=)\s*\}")  # \overset{!}{=}
-_NO_CLAIM = re.compile(r"[!?]|\\(?:not|times|lnot)\b|\\\w+\s*\{\s*(?:no[nt]?|pas|faux|false|wrong|never|jamais)\b", re.IGNORECASE)
+_NO_CLAIM = re.compile(
+    r"[!?]|\\(?:not|times|lnot)\b|\\\w+\s*\{\s*(?:no[nt]?|pas|faux|false|wrong|never|jamais)\b", re.IGNORECASE
+)
 _DOTS_ABOVE = re.compile(r"\s*\{\s*((?:(?:\.|\\cdot)\s*){1,3})\}")  # \overset{\cdot}{\theta}
 _DOTS_BEFORE = re.compile(r"\\[cl]?dots(?:\\[,;:! ]|\s)*\Z")
 _WIDE_SPACE = re.compile(
