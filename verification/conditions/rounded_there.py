@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from math import remainder, tau
 
 import numpy as np
 
@@ -16,19 +17,42 @@ from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.sampled import SampledAlgebra
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import has_branches
+from armproof.verification.latex.nodes import bare_key, has_branches
 
 DRAWN = 1e-6  # a configuration is found by iteration
+NEAR = 0.1  # from a configuration at which a rounded number holds to the one that is meant: s_2 = 0.87 and 60°
 
 
 def nearly_holds(checker: ChainChecker, implication: Implication, point: Mapping[str, float]) -> bool:
-    """Whether an alternative of either side holds there, each printed decimal being half a unit off: det J = 0.433 at 60°."""
-    sampled = checker.sampled()
-    there = sampled.at({name: np.full(sampled.samples, value) for name, value in point.items()})
+    """Whether an alternative of either side holds there, each printed decimal being half a unit off: det J = 0.433 at 60°.
+
+    Or at a configuration beside it that a side states.
+    """
+    sides, sampled = (implication.before, implication.behind), checker.sampled()
     try:
-        return all(_holds(checker, side, there) for side in (implication.before, implication.behind))
+        stated = [near for side in sides for near in _beside(checker, side, _at(sampled, point), point)]
+        return any(all(_holds(checker, side, _at(sampled, each)) for side in sides) for each in (point, *stated))
     except EvaluationError:
         return False
+
+
+def _at(sampled: SampledAlgebra, point: Mapping[str, float]) -> SampledAlgebra:
+    return sampled.at({name: np.full(sampled.samples, value) for name, value in point.items()})
+
+
+def _beside(
+    checker: ChainChecker, side: Alternatives, there: SampledAlgebra, point: Mapping[str, float]
+) -> Iterator[dict[str, float]]:
+    """Yield the configurations beside a point that alternatives give by values: θ_2 = 60°."""
+    evaluator = Evaluator(checker.names, there, 1)
+    for chains in side:
+        told = {
+            symbol: float(np.ravel(as_scalar(evaluator.evaluate(chain.members[1])))[0])
+            for chain in chains
+            if (symbol := checker.names.known_symbol(bare_key(chain.members[0]) or "")) in point
+        }
+        if told and all(abs(remainder(value - point[name], tau)) < NEAR for name, value in told.items()):
+            yield {**point, **told}
 
 
 def _holds(checker: ChainChecker, side: Alternatives, there: SampledAlgebra) -> bool:
