@@ -49,7 +49,7 @@ def _beside(
         told = {
             symbol: float(np.ravel(as_scalar(evaluator.evaluate(chain.members[1])))[0])
             for chain in chains
-            if (symbol := checker.names.known_symbol(bare_key(chain.members[0]) or "")) in point
+            if (symbol := checker.names.known_symbol(bare_key(chain.members[0]) or "") or "") in point
         }
         if told and all(abs(remainder(value - point[name], tau)) < NEAR for name, value in told.items()):
             yield {**point, **told}
