@@ -143,9 +143,11 @@ BOTH = (
 )
 # What takes long and is seldom broken alone waits for the rest.
 LATER = (
+    "course/authoring/test_checking.py::test_a_good_lesson_passes_in_a_kernel",
     "course/feedback/test_worked.py::test_a_number_of_few_digits_is_seldom_explained",
     "course/figures/test_files.py::test_another_process_at_another_time_gives_the_same_bytes",
     "course/figures/test_files.py::test_a_trimmed_figure_loses_nothing_but_empty_paper",
+    "course/grading/test_runs.py::test_what_was_checked_before_the_time_was_up_counts",
     "course/grading/test_on_workers.py::test_a_class_has_the_results_of_a_local_run_byte_for_byte_but_for_the_times",
     "course/site/test_in_browser.py::test_pages_are_read_anywhere",
     "course/test_words_decide_nothing.py",
