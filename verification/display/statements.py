@@ -31,6 +31,7 @@ from armproof.verification.latex.statements import PREVIOUS
 from armproof.verification.verdict import HOLDS, Role, Verdict
 
 SCRIPTED = re.compile(r"\\?[A-Za-z.…⋯]+(?:\s*[_^]\s*(?:\{[^{}]*\}|[^\\{]))*")  # \sum_{i=1}^{2}
+_ARC = re.compile(r"arc|tan|acos|asin|\^\s*\{?\s*-", re.IGNORECASE)  # where an inverse function may stand, however spelled
 
 
 @dataclass
@@ -100,7 +101,7 @@ class Statements:
             statements = [with_cells(statement, self.names) for statement in statements]
         is_of_any = statements != printed  # with cells left out: it may number axes otherwise than this arm
         statements = [self._with_subject(statement) for statement in statements]
-        if "arc" in latex or "tan" in latex or "^{-1}" in latex:
+        if _ARC.search(latex):
             statements = [beside_arcs(statement) for statement in statements]
         if self.names.arm is None:
             statements = [of_all_joints(statement) for statement in statements]
