@@ -31,7 +31,9 @@ from armproof.verification.latex.statements import PREVIOUS
 from armproof.verification.verdict import HOLDS, Role, Verdict
 
 SCRIPTED = re.compile(r"\\?[A-Za-z.…⋯]+(?:\s*[_^]\s*(?:\{[^{}]*\}|[^\\{]))*")  # \sum_{i=1}^{2}
-_ARC = re.compile(r"arc|tan|acos|asin|\^\s*\{?\s*-", re.IGNORECASE)  # where an inverse function may stand, however spelled
+_ARC = re.compile(
+    r"arc|tan|acos|asin|\^\s*\{?\s*-", re.IGNORECASE
+)  # where an inverse function may stand, however spelled
 
 
 @dataclass

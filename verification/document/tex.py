@@ -206,7 +206,7 @@ class _Scanner:
             pass
         if (title := _TITLE.search(self.visible)) is not None and title.start() < self.start:
             yield self._words(title.start(), closing_brace(self.visible, title.end() - 1) + 1)
-        listings = {found.start(): found for found in _LISTING.finditer(_uncommented(self.text))}
+        listings = {found.start(): found for found in self._listings()}
         cursor = self.start
         for begin, end, display in sorted([*self.spans, *((*each.span(), None) for each in listings.values())], key=lambda span: span[0]):  # fmt: skip
             if not cursor <= begin < self.stop:
@@ -221,10 +221,13 @@ class _Scanner:
 
     def code(self) -> Iterator[Display]:
         """Yield the listings, each from the line on which it begins."""
-        for found in _LISTING.finditer(_uncommented(self.text)):
+        for found in self._listings():
             head = self.text.find("\n", found.start())
             content = self.text[head : self.text.rfind("\\end", found.start(), found.end())] if head >= 0 else ""
             yield Display(self.line(found.start()), content, opening=CODE)
+
+    def _listings(self) -> Iterator[re.Match[str]]:
+        return _LISTING.finditer(_uncommented(self.text))
 
     def _words(self, begin: int, end: int) -> Words:
         """Return a stretch of text, its macros expanded; code within words, which is no mathematics, is seen again."""

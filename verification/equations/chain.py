@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Set
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, NoReturn
@@ -365,11 +366,11 @@ class ChainChecker:
             return first
         readings = [*entries_elsewhere(self.names, chain)]
         for entries in readings:
-            self.of_entries = True
-            tried = self._aside(chain, now.first, now.line, partial(self._take_entries, now, entries))
-            self.of_entries = False
+            with self._of_taken_entries():
+                tried = self._aside(chain, now.first, now.line, partial(self._take_entries, now, entries))
             if all(outcome.verdict in HOLDS for outcome in tried):
-                hold_entries(self.names, entries, now.line if now.define else 0)
+                if now.define:
+                    hold_entries(self.names, entries, now.line)
                 return tried
         if self.names.arm is None:
             return self._of_defined_rotation(now) or first
@@ -386,14 +387,23 @@ class ChainChecker:
 
     def _of_shown_matrix(self, now: _Pass, chain: n.Chain, entries: Mapping[str, Quantity]) -> list[Outcome]:
         """Return the outcomes where r_{ij} are of the matrix of which they were before; none where that decides nothing."""
-        meant, self.of_entries = self.names.state.copy(), True
-        self._take_entries(now, entries)
-        tried = self.check(chain, now.first, now.line, now.define)
-        self.of_entries = False
+        meant = self.names.state.copy()
+        with self._of_taken_entries():
+            self._take_entries(now, entries)
+            tried = self.check(chain, now.first, now.line, now.define)
         if all(each.verdict in DECIDED for each in tried):
             return tried
         self.names.state.become(meant)
         return []
+
+    @contextmanager
+    def _of_taken_entries(self) -> Iterator[None]:
+        """Ask for no other matrix while r_{ij} are read as those of one."""
+        self.of_entries = True
+        try:
+            yield
+        finally:
+            self.of_entries = False
 
     def _take_entries(self, now: _Pass, entries: Mapping[str, Quantity]) -> None:
         """Let the r_{ij} be of a matrix; what the first reading of a chain defined by others of them means nothing then."""

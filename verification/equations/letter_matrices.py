@@ -120,9 +120,8 @@ def _entry(names: Names, rotation: str, row: int, column: int, algebra: Any) -> 
 
 def hold_entries(names: Names, entries: Mapping[str, Quantity], line: int) -> None:
     """Remember of which rotation the r_{ij} of an equation were that holds."""
-    held = names.state.entries_held
-    for rotation in {_whole(each) for each in entries.values()} if line else ():
-        held[rotation] = held.get(rotation, frozenset()) | {line}
+    for rotation in {_whole(each) for each in entries.values()}:
+        _hold(names, rotation, line)
 
 
 def entries_before(names: Names, readings: Iterable[Iterable[str]]) -> dict[str, int]:
@@ -134,7 +133,11 @@ def entries_before(names: Names, readings: Iterable[Iterable[str]]) -> dict[str,
 def hold_as_defined(names: Names, chain: n.Chain, line: int) -> None:
     """Remember that an equation holds with its r_{ij} as a matrix gave them their meaning."""
     if _lines_of(names, _entries_in(chain)):
-        names.state.entries_held[None] = names.state.entries_held.get(None, frozenset()) | {line}
+        _hold(names, None, line)
+
+
+def _hold(names: Names, rotation: Quantity | None, line: int) -> None:
+    names.state.entries_held[rotation] = names.state.entries_held.get(rotation, frozenset()) | {line}
 
 
 def is_shown_to_be(names: Names, entries: Mapping[str, Quantity]) -> bool:

@@ -150,10 +150,9 @@ class Readings:
         left_open = self._of_last_frame(chains, frozenset(state.inferred))
         if arm is None or not left_open:
             return None
-        before = state.copy()
-        self._read_of_tool(left_open)
-        other = again()
-        state.become(before)
+        with state.unchanged():
+            self._read_of_tool(left_open)
+            other = again()
         if other is now:
             return None
         key, quantity = min(left_open.items())
