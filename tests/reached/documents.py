@@ -36,6 +36,11 @@ class Reached:
         return said_of(self.text) == self.said
 
 
+def can_stand(text: str) -> bool:
+    """Whether a document can stand in the file, between its headings."""
+    return text.endswith("\n") and "\r" not in text and HEAD.search(text) is None
+
+
 def said_of(text: str) -> str:
     """Return what we say of a document; an exception of its front matter in words."""
     try:

@@ -11,7 +11,7 @@ import re
 import signal
 import time
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from random import Random
@@ -47,7 +47,7 @@ class Search:
     rng: Random
     sources: Sequence[str]
     counts: Counter[Outcome] = field(default_factory=Counter)
-    found: list[str] = field(default_factory=list)
+    found: dict[str, frozenset[Outcome]] = field(default_factory=dict)
     failed: list[tuple[str, str]] = field(default_factory=list)
 
     @classmethod
@@ -64,19 +64,19 @@ class Search:
         until = time.monotonic() + seconds
         while time.monotonic() < until:
             recent = self.found and self.rng.random() < 0.4
-            self.try_text(self.changed(self.rng.choice(self.found if recent else self.sources)))
+            self.try_text(self.changed(self.rng.choice([*self.found] if recent else self.sources)))
 
     def try_text(self, text: str) -> bool:
-        """Keep a document that brings a rare outcome, and return whether it does."""
+        """Keep a document that brings a rare outcome and can stand on record, and return whether it does."""
         try:
-            noted = outcomes_of(text) if len(text) <= LONGEST else None
+            noted = outcomes_of(text) if len(text) <= LONGEST and documents.can_stand(text) else None
         except Exception as error:
             self.failed.append((f"{type(error).__name__}: {error}", text))
             return False
         if not noted or not any(self.counts[outcome] < ENOUGH for outcome in noted):
             return False
         self.counts.update(noted)
-        self.found.append(text)
+        self.found[text] = noted
         return True
 
     def changed(self, text: str) -> str:
@@ -149,13 +149,13 @@ def outcomes_of(text: str) -> frozenset[Outcome] | None:
     return frozenset(NOTED) if time.process_time() - began < SECONDS else None
 
 
-def fewest(texts: Iterable[str], counts: Counter[Outcome]) -> list[str]:
+def fewest(found: Mapping[str, frozenset[Outcome]], counts: Counter[Outcome]) -> list[str]:
     """Return those of the documents that are needed to have each outcome often enough, given what has it already."""
-    noted = {text: frozenset(o for o in outcomes_of(text) or () if counts[o] < ENOUGH) for text in texts}
+    rare = {text: frozenset(o for o in noted if counts[o] < ENOUGH) for text, noted in found.items()}
     chosen = []
-    for text in sorted(noted, key=lambda text: -len(noted[text]) / len(text)):
-        if any(counts[outcome] < ENOUGH for outcome in noted[text]):
-            counts.update(noted[text])
+    for text in sorted(rare, key=lambda text: -len(rare[text]) / len(text)):
+        if any(counts[outcome] < ENOUGH for outcome in rare[text]):
+            counts.update(rare[text])
             chosen.append(text)
     return chosen
 
