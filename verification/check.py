@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
@@ -20,11 +21,13 @@ from armproof.verification.diagnosis.accepted import with_accepted
 from armproof.verification.display.statements import Statements
 from armproof.verification.display.taken_arm import OfTakenArm, names_in
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
+from armproof.verification.document.postures import OTHER_POINT, SUPPOSED
 from armproof.verification.equations.chain import ChainChecker, no_samples
 from armproof.verification.equations.foreign_index import unless_written_elsewhere
 from armproof.verification.equations.index_direction import TWO_SCRIPTS, shown_direction
 from armproof.verification.equations.later_definitions import definitions_behind, names_lacking
 from armproof.verification.equations.outcome import AsUsual, Outcome, new_one
+from armproof.verification.equations.shorthands import Shorthand, own_shorthands
 from armproof.verification.errors import DocumentError, NotSampled, ReadError, TooComplex
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import MISPRINTS, Finding, Kind, finding_of, say
@@ -40,6 +43,7 @@ from armproof.verification.tables.arms import (
     difference,
     entries_by_place,
     infer_arm,
+    joints_used,
     links_of,
     links_that_explain,
     scopes,
@@ -196,6 +200,7 @@ class DocumentChecker:
         except DocumentError as error:
             raise document.fault(error.key or "quantities", error) from None
         self.names = replace(self.names, is_part=self.inferred.arm is not None and self.inferred.arm.is_part)
+        self.names = replace(self.names, lacks_base=self._lacks_base())
         if self._shown_transforms:  # by what the arm was taken from, and not stated by the author
             self.names = replace(self.names, stated_transforms="")
         self.names.reader.spelling = spelling_of(document, self.names.reader.words)
@@ -214,6 +219,14 @@ class DocumentChecker:
         self.lengths = self.lengths_in(document)
         self.names.state.configuration.update(self.lengths)
         self._name_entries()
+        self.names.state.own_shorthands = self._own_shorthands()
+
+    def _lacks_base(self) -> bool:
+        """Whether the arm was taken from the links behind the first ones, of which the document speaks, too."""
+        if self.inferred.arm is None or self.arm is None:
+            return False
+        first = self.arm.frames[0]
+        return first.isdigit() and any(0 < joint <= int(first) for joint in joints_used(self.document.displays))
 
     def _is_unknown(self, key: str) -> bool:
         return self.names.known_symbol(key) is None and key not in self.names.quantities
@@ -222,6 +235,13 @@ class DocumentChecker:
     def _shown_transforms(self) -> str:
         """Which index names the reference, as what the arm was taken from shows it; else an empty text."""
         return str(self.inferred.arm.front.get("transforms", "")) if self.inferred.arm is not None else ""
+
+    def _own_shorthands(self) -> frozenset[Shorthand]:
+        """Return the shorthands that the text of the document says to be something else than they usually are."""
+        said = [text for display in self.document.displays for text in (*display.said, *display.said_behind)]
+        with suppress(TooComplex), self.ring.budget.of(SECONDS_TO_DECIDE):
+            return frozenset(own_shorthands(self.checker.members, said)) if said else frozenset()
+        return frozenset()
 
     def direction_in(self, document: Document) -> tuple[str, int]:
         """Return which index names the reference, as a document's first link matrix shows it, and its line; else ("", 0)."""
@@ -430,6 +450,18 @@ class DocumentChecker:
 
     def _judge(self, record: Record, display: Display, statements: list[n.Statement]) -> Record:
         outcomes, extra = self._with_later_definitions(statements, display)
+        if display.said_next and not display.erratum:
+            behind = partial(self.statements.claims.circumstances.judge_behind, said=display.said_next)
+            outcomes = [behind(outcome) for outcome in outcomes]
+        if SUPPOSED in display.said:
+            outcomes = [outcome.unless_refuted(say(Kind.IS_SUPPOSED)) for outcome in outcomes]
+        if OTHER_POINT in display.said:
+            outcomes = [self._unless_of_the_tool(outcome) for outcome in outcomes]
+        if display.denied:
+            denied = say(Kind.DENIED)
+            outcomes = [
+                replace(o.left_open(denied), defines=()) if o.verdict is not Verdict.UNCHECKED else o for o in outcomes
+            ]
         if not outcomes:
             return replace(record, verdict=Verdict.UNCHECKED, findings=(say(Kind.NO_EQUATION), say(Kind.BEYOND)))
         if self.direction == ("lower", display.line):
@@ -454,6 +486,14 @@ class DocumentChecker:
         told = self._told(record, display, statements, usual, extra)
         self.names.state.forget_usual(meanings)
         return replace(found, if_shown=IfShown(told, meanings))
+
+    def _unless_of_the_tool(self, outcome: Outcome) -> Outcome:
+        """Leave open what is decided by a name that convention alone binds to the tool, where the text speaks of another point."""
+        named = {replace(name, dots=0).key for name in names_in(outcome)} & self.names.state.conventional
+        is_open = outcome.as_usual is None and all(re.search(r"[\d^]", key) for key in named)
+        if is_open or (outcome.as_usual is None and outcome.verdict not in DECIDED):
+            return outcome
+        return replace(outcome.left_open(say(Kind.OF_OTHER_POINT)), as_usual=None)
 
     def _told(
         self,
@@ -608,7 +648,7 @@ class DocumentChecker:
         """Return the outcomes; a name may be defined after its use in the display ("…, where D = …")."""
         known = len(self.names.state.definitions)
         check = partial(
-            self.statements.check, statements, display.line, define=not display.erratum,
+            self.statements.check, statements, display.line, define=not (display.erratum or display.denied),
             latex=normalise_unicode(display.latex),
         )  # fmt: skip
         outcomes, extra = check()

@@ -13,7 +13,7 @@ from armproof.verification.algebra.matrix import Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.document.heading import sections_around
-from armproof.verification.document.postures import SINGULAR, kind_of_joints
+from armproof.verification.document.postures import GENERAL, OTHER_POINT, SINGULAR, SUPPOSED, kind_of_joints
 from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
@@ -69,7 +69,10 @@ class Circumstances:
         said = tuple(said)
         is_last = said[-1:] == (SINGULAR,)
         for latex in said:
-            if latex == SINGULAR:
+            if latex in (SINGULAR, OTHER_POINT, SUPPOSED):
+                continue
+            if latex == GENERAL:
+                self._end_configuration(line)
                 continue
             if latex.startswith("\\text{") and (of_joints := kind_of_joints(latex)):
                 kind = of_joints
@@ -167,10 +170,36 @@ class Circumstances:
             self.names.define(str(letter), meaning, line, node=related[0], in_text=True)
         return replace(chain, members=tuple(related), relations=("=",) * (len(related) - 1))
 
-    def of_display(self, chain: n.Chain) -> None:
-        """A display that is a condition itself, c_1 = 1 or l_1 = l_2, may limit those behind it."""
-        if self.names.arm is not None:
-            self._begin(set(), [*self._conditions(chain)], in_words=False)
+    def of_display(self, chain: n.Chain, *, holds_nowhere: bool = False) -> None:
+        """A display that is a condition itself, c_1 = 1, l_1 = l_2, or P_y = 0 of a configuration that is not told, may limit those behind it."""
+        if self.names.arm is None:
+            return
+        conditions = [*self._conditions(chain)]
+        if not conditions and holds_nowhere and chain.relations == ("=",):
+            conditions = [chain]
+        self._begin(set(), conditions, in_words=False)
+
+    def judge_behind(self, outcome: Outcome, said: Sequence[str]) -> Outcome:
+        """Leave open what is refuted, and holds with what the text right behind its display says: "where θ_1 = θ_2 = 0"."""
+        if outcome.verdict is not Verdict.REFUTED or outcome.true is None or outcome.printed is None:
+            return outcome
+        conditions: list[n.Chain] = []
+        for latex in said:
+            with suppress(ReadError, RecursionError):
+                found = [each for each in self.names.reader.read(latex) if isinstance(each, n.Chain)]
+                conditions += [condition for chain in found for condition in self._conditions(chain)]
+                if not found and self._stands_still(outcome):
+                    return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
+        if conditions and self._follows(conditions, outcome):
+            return outcome.left_open(say(Kind.HOLDS_AS_BEHIND))
+        return outcome
+
+    def _end_configuration(self, line: int) -> None:
+        """ "In general": the configuration stated before is over. What holds there alone is not refuted behind it."""
+        state = self.names.state
+        ended = {key: state.configuration.pop(key) for key in {*state.configuration} - {*self.given.lengths}}
+        given = tuple(_value(key, each.node) for key, each in ended.items()) or state.told.conditions
+        state.told = Told(conditions=given, line=line, section=state.section) if given else Told()
 
     def _begin(self, names: set[str], conditions: Sequence[n.Chain], in_words: bool, line: int = 0) -> None:
         """Forget what is given anew: a length by its name, a configuration as a whole."""

@@ -11,7 +11,7 @@ from armproof.verification.latex.statements import ARROWS
 from armproof.verification.verdict import DECIDED, Role, Verdict
 
 CHANGES = re.compile(
-    r"\b(?:not|never|cannot|no longer|except|unless|only if|otherwise|false|wrong|sauf|ne|n'|pas|jamais|faux|non|sinon)\b",
+    r"\b(?:not|never|cannot|no longer|except|unless|only (?:if|for|when|where|at)|(?:seulement|uniquement) (?:si|pour|quand|lorsque)|otherwise|false|wrong|incorrect|impossible|untrue|invalid|erroneous|fails|neither|nor|ni|contradicts?|contradict(?:s|ory)|up to (?:a|an|the)|ignor\w+|neglect\w*|néglige\w*|without|sans|sauf|ne|n'|pas|jamais|faux|fausse|erronée?|incorrecte|inexacte?|non|sinon)\b",
     re.I,
 )
 
@@ -19,7 +19,7 @@ CHANGES = re.compile(
 def tell_words_that_change(statements: list[n.Statement], outcomes: list[Outcome]) -> None:
     """Beside "not", "except" or "unless" nothing is decided or defined."""
     said = [s.text for s in statements if isinstance(s, n.Connective) and s.kind == "words"]
-    words = [text for text in said if CHANGES.search(text) or text == "exists"]
+    words = [text for text in said if CHANGES.search(text) or text.strip(" .,()") in ("exists", "only", "seulement")]
     for outcome in outcomes if words else ():
         if outcome.verdict in DECIDED or outcome.role is Role.DEFINITION:
             outcome.verdict, outcome.findings = Verdict.UNCHECKED, (say(Kind.WORDS_CHANGE_IT, text=words[0]),)

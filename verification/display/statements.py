@@ -25,10 +25,11 @@ from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.named_signs import unless_signs_clash
 from armproof.verification.equations.outcome import Outcome, with_role
 from armproof.verification.equations.series import unless_added, written_out
-from armproof.verification.findings import Kind, say
+from armproof.verification.equations.shorthands import digits_of, is_among
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.statements import PREVIOUS
-from armproof.verification.verdict import HOLDS, Role, Verdict
+from armproof.verification.verdict import DECIDED, HOLDS, Role, Verdict
 
 SCRIPTED = re.compile(r"\\?[A-Za-z.…⋯]+(?:\s*[_^]\s*(?:\{[^{}]*\}|[^\\{]))*")  # \sum_{i=1}^{2}
 _ARC = re.compile(
@@ -125,6 +126,8 @@ class Statements:
         if is_of_any:
             unwritten = say(Kind.TERMS_UNWRITTEN, text="\\dots")
             display.outcomes = [outcome.unless_refuted(unwritten) for outcome in display.outcomes]
+        if own := self._own_shorthand(statements):
+            display.outcomes = [each.left_open(own) if each.verdict in DECIDED else each for each in display.outcomes]
         undecided = [each for each in display.outcomes if each.verdict is Verdict.UNCHECKED] if define else []
         for key in (key for outcome in undecided for key in outcome.defines):
             self.names.doubt(key)  # what follows from it is not decided either
@@ -135,6 +138,15 @@ class Statements:
         if first_chain is not None and define:
             self.names.state.subject = first_chain.members[0]
         return display.outcomes, display.counterexample
+
+    def _own_shorthand(self, statements: list[n.Statement]) -> Finding | None:
+        """Return the doubt where a c_{12} is written that the text says to be something else than it usually is."""
+        if not (own := self.names.state.own_shorthands):
+            return None
+        found = next(
+            (b for each in statements for b in n.walk(each) if isinstance(b, n.Call) and is_among(b, own)), None
+        )
+        return None if found is None else say(Kind.OWN_SHORTHAND, name=f"{found.head}_{{{digits_of(found)}}}")
 
     def _with_subject(self, statement: n.Statement) -> n.Statement:
         """A display that begins with a relation goes on about the subject of the one before."""

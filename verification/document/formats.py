@@ -11,6 +11,7 @@ from armproof.models.catalogue import arm_names
 from armproof.verification.document.accepts import MARK, with_accepts
 from armproof.verification.document.cells import percent_cells
 from armproof.verification.document.code_tables import code_tables
+from armproof.verification.document.denials import ABOVE, BELOW, denied_in
 from armproof.verification.document.formula_links import shows_its_latex
 from armproof.verification.document.front_matter import read_any_text, suffix_of
 from armproof.verification.document.heading import encloses
@@ -101,8 +102,11 @@ def _with_what_is_said(document: Document) -> Document:
         if display.opening == CODE:
             continue
         if display.opening != INLINE:
-            displays.append(_with_what_is_before(display, between[-1]))
+            is_denied = denied_in(display.latex) or any(said.latex == BELOW for said in between[-1])
+            displays.append(replace(_with_what_is_before(display, between[-1]), denied=is_denied))
             between.append([])
+        elif display.latex == ABOVE:
+            displays[-1:] = [replace(each, denied=True) for each in displays[-1:]]
         elif _SAYS.search(display.latex):
             between[-1].append(display)
     told = tuple(_with_what_is_behind(displays, between[1:]))
@@ -120,7 +124,8 @@ def _listings(document: Document) -> Iterator[Listing]:
             yield Listing(display.line, values, display.section)
 
 
-def _with_what_is_before(display: Display, said: Sequence[Display]) -> Display:
+def _with_what_is_before(display: Display, all_said: Sequence[Display]) -> Display:
+    said = [each for each in all_said if each.latex != BELOW]
     above = sum(each.section != display.section for each in said)
     outside = sum(not encloses(each.section, display.section) for each in said)
     return replace(display, said=tuple(each.latex for each in said), said_above=above, said_outside=outside)
@@ -130,9 +135,9 @@ def _with_what_is_behind(displays: Sequence[Display], behind: Sequence[Sequence[
     """Yield the displays with what the next text in their section says: "where ρ = …" is often told below several of them."""
     found: list[Display] = []
     for display, said in zip(reversed(displays), reversed(behind), strict=True):
-        own = tuple(each.latex for each in said if each.section == display.section)
+        own = tuple(each.latex for each in said if each.section == display.section and each.latex != BELOW)
         later = found[-1].said_behind if found and found[-1].section == display.section else ()
-        found.append(replace(display, said_behind=own or later))
+        found.append(replace(display, said_next=own, said_behind=own or later))
     yield from reversed(found)
 
 

@@ -54,11 +54,13 @@ class Display:
     cell: int | None = None
     section: str = ""
     closed: bool = True
+    denied: bool = False  # whether the text around it, or a tag, says that it is wrong
     opening: str = "$$"  # what it begins with in the file
     file: str = ""  # in which it stands, below the document's folder, where a main file inputs others; `cell` counts the changes
     said: tuple[str, ...] = ()  # the equations and postures in the text between the display before and this one
     said_above: int = 0  # how many of them stand above the last heading
     said_outside: int = 0  # and how many of those in sections that are not around that of the display
+    said_next: tuple[str, ...] = ()  # those of the text between it and the next display
     said_behind: tuple[str, ...] = ()  # those of the next text below it, under the same heading
     listed: tuple[Listing, ...] = ()  # the values in code under its heading, and those that are worked out above it
     pieces: tuple[Piece, ...] = field(default=(), compare=False, repr=False)

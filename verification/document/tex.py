@@ -18,10 +18,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from armproof.verification.document.denials import denials
 from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, FrontMatter, split_front_matter
 from armproof.verification.document.heading import begin_section
+from armproof.verification.document.in_words import said_in_words
 from armproof.verification.document.model import CODE, INLINE, Display, Document, Table, Words
-from armproof.verification.document.postures import postures
+from armproof.verification.document.postures import points_at_end, postures
 from armproof.verification.document.tex_definitions import find_macros
 from armproof.verification.document.tex_macros import blank, closing_brace
 from armproof.verification.document.tex_project import Project
@@ -172,7 +174,9 @@ class _Scanner:
         """Yield the displays in their order, and gather the tables."""
         position = self.start
         while (token := _TOKEN.search(self.visible, position, self.stop)) is not None:
-            yield from postures(self.visible[position : token.start()], self.line(position), self.section)
+            between = self.visible[position : token.start()]
+            yield from postures(between, self.line(position), self.section)
+            yield from denials(between, self.line(position), self.section)
             position = token.end()
             if token.group("section"):
                 close = closing_brace(self.visible, token.end() - 1)
@@ -186,6 +190,10 @@ class _Scanner:
             elif (opened := self._opened(token)) is not None:
                 begin, end, after = opened
                 if token.group() not in ("$", "\\("):
+                    paragraph = (
+                        self.visible[max(self.start, token.start() - 400) : token.start()].rstrip().rsplit("\n\n")[-1]
+                    )
+                    yield from points_at_end(paragraph, self.line(token.start()), self.section)
                     yield (display := self._display(token, begin, end))
                     self.spans.append((token.start(), after, display))
                 elif end >= 0:
@@ -194,6 +202,11 @@ class _Scanner:
                     yield Display(
                         self.line(token.start()), latex, section=self.section, opening=INLINE, **self.where(begin)
                     )
+                    if (said := said_in_words(self.visible, token.start())) is not None:
+                        latex, _ = self.macros.expanded(said, begin, self.place)
+                        yield Display(
+                            self.line(token.start()), latex, section=self.section, opening=INLINE, **self.where(begin)
+                        )
                 position = after
             elif token.group("begin"):
                 position = self._enter(token)

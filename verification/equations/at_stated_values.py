@@ -249,13 +249,13 @@ class StatedValues:
         assert self.names.arm is not None
         lengths = {name: value for name, value in self.names.arm.lengths.items() if name in one | other}
         numbers = _sides(outcome)[set(lengths).isdisjoint(other)].node
-        if (
-            not lengths
-            or not (set(lengths).isdisjoint(one) or set(lengths).isdisjoint(other))
-            or not _has_factor(numbers)
-        ):
-            return None
         stated = self._stated(lengths)
+        if lengths and one & other & lengths.keys():
+            return self._for_some_lengths(outcome, pair, self._stated(lengths.keys() & (one ^ other)))
+        if not lengths or not (
+            _has_factor(numbers) or stated.keys() == lengths.keys()
+        ):  # of a length of 1 no number is left
+            return None
         try:
             differences = [self._at(each, stated) for each in _differences(pair)]
         except NoValue:  # the root of a negative number
@@ -277,6 +277,12 @@ class StatedValues:
             outcome, verdict=Verdict.DEFINED, findings=(say(Kind.VALUES_OF_LENGTHS, names=sorted(given)),), pair=None,
             wrong=[], gives=given, defines=tuple(given),
         )  # fmt: skip
+
+    def _for_some_lengths(self, outcome: Outcome, pair: Pair, stated: dict[str, Stated]) -> Outcome | None:
+        """Leave open P_x = l_1 c_1 + c_{12} behind l_2 = 1: it may be meant of that length, or have lost it."""
+        if not stated or not self._vanish(pair, stated):
+            return None
+        return outcome.left_open(say(Kind.HOLDS_THERE_ALONE))
 
     def _without_lengths(self, outcome: Outcome) -> Outcome | None:
         """Leave open decimals that stand where the arm has lengths to which nothing gives values: det J_v = 0.15 s_2."""

@@ -72,6 +72,8 @@ class RowsOfJacobians:
         before = self.names.rows_of(name.key)
         if before not in (None, rows):
             return outcome.left_open(say(Kind.ROWS_TOLD_OTHERWISE, name=name.text, rows=list(before or ())))
+        if before is None and len(rows) == 1 < pair.true.shape[1]:  # a row is missing, or one alone is meant
+            return outcome.left_open(say(Kind.ONE_ROW, name=name.text))
         if len(outcome.wrong) > len(pair.true.cells) / 2:
             return outcome
         is_matrix = isinstance(bare(printed.node), n.Matrix)

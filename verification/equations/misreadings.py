@@ -14,6 +14,7 @@ from armproof.verification.equations.alignment import is_constant, is_near
 from armproof.verification.equations.given_values import keys_alone
 from armproof.verification.equations.other_screws import of_other_screws
 from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.shorthands import digits_of
 from armproof.verification.equations.sides import Member
 from armproof.verification.equations.unit_vectors import holds_for_unit_vector
 from armproof.verification.findings import Finding, Kind, say
@@ -183,7 +184,7 @@ def _own_name(chain: n.Chain, names: Names) -> Finding | None:
         unknown = any(isinstance(b, n.Name) and b.key != "pi" and not _is_bound(b, names) for b in others)
         is_no_cosine = any(isinstance(b, n.Matrix) for b in others) or not _has_its_joints(alone, names)
         if is_no_cosine or (unknown and not moves):
-            return say(Kind.OWN_NAME, text=f"{alone.head}_{_digits(alone)}")
+            return say(Kind.OWN_NAME, text=f"{alone.head}_{digits_of(alone)}")
     return None
 
 
@@ -384,8 +385,3 @@ def letters_held(member: n.Node, names: Names, of: frozenset[str] = frozenset())
 def _is_bound(name: n.Name, names: Names) -> bool:
     known = names.known_symbol(name.key) is not None or name.key in names.state.definitions
     return known or names.quantity(name) is not None
-
-
-def _digits(call: n.Call) -> str:
-    (angles,) = call.arguments
-    return "".join(str(index) for _, index in angles.terms) if isinstance(angles, n.JointAngles) else ""

@@ -22,6 +22,7 @@ from armproof.verification.naming.conventions import LINEAR_VELOCITIES
 from armproof.verification.verdict import Role, Verdict
 
 _OF_POINT = re.compile(r"(?:v|P|p|L|T)?_?,?(?:c|cm|G|C)?,?_?(\d)")
+_SLIDE = re.compile(r"[dr]_\d")
 _CENTRES = ("c{}", "c_{}", "C{}", "C_{}", "G{}", "G_{}", "cm{}", "cm_{}", "c,{}")
 
 
@@ -127,7 +128,14 @@ class OfPoints:
             return tuple(joint.symbol for joint in arm.joints) if len(arm.joints) == count else None
         angles = {angle for cell in point for angle in angles_in(cell)}
         letters = {angle.partition("_")[0] for angle in angles}
-        joints = tuple(f"{letter}_{k}" for letter in letters for k in range(1, count + 1))
+        slides = {
+            each.partition("_")[2]: each for cell in point for each in symbols_in([cell]) if _SLIDE.fullmatch(each)
+        }
+        numbers = [str(k) for k in range(1, count + 1)]
+        turning = {angle.partition("_")[2] for angle in angles}
+        joints = tuple(
+            slides[k] if k in slides and k not in turning else f"{letter}_{k}" for letter in letters for k in numbers
+        )  # where θ_2 is nowhere, d_2 slides
         return joints if len(letters) == 1 and angles <= {*joints} else None
 
 

@@ -18,6 +18,7 @@ from armproof.verification.naming.names import Names
 SINGULAR = 1e7  # samples beyond this size lie at a singularity of the formula and are left out
 LEAST_SHARE = 0.05  # of the configurations drawn at random
 LEAST = 8
+FEW_NEAR = 4  # of the configurations drawn at random may be near a singularity: a wrong formula is so at many more
 SETS_OF_LENGTHS = 3
 
 
@@ -48,9 +49,12 @@ class SampledErrors:
         return float(self.scaled[..., self.counted].max(initial=0.0))
 
     @property
-    def random(self) -> SampledErrors:
-        """The errors at the samples that are drawn at random alone: near a singularity a root of large numbers has few digits."""
-        return replace(self, counted=self.counted & self.at_random)
+    def telling(self) -> SampledErrors:
+        """The errors at the samples that are drawn at random alone, without the few largest: near a singularity a root of large numbers has few digits."""
+        usable = self.counted & self.at_random
+        largest = np.where(usable, self.scaled.max(axis=(0, 1)), -1.0)
+        usable[np.argsort(largest)[-FEW_NEAR:]] = False
+        return replace(self, counted=usable)
 
     @property
     def places(self) -> list[tuple[int, int]]:

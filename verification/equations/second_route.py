@@ -294,7 +294,7 @@ class SecondRoute:
                 self.exact.budget.check()
                 errors = self.sampled_errors(outcome, branches, sampled)
                 if errors is not None:
-                    yield errors if unit == 1 else errors.random
+                    yield errors if unit == 1 else errors.telling
 
     def holds_everywhere(self, outcome: Outcome) -> bool:
         """Whether samples say that an equation with ± holds, on one choice of its signs at each."""

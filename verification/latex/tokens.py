@@ -105,6 +105,7 @@ _BRACED_FUNCTION = re.compile(r"\{\s*\\?([A-Za-z]+\d?)\s*\}")
 _PLAIN_UNDER_HAT = re.compile(
     r"[\s{]*(?:\\(?:math(?:bf|rm|it)|boldsymbol|bm)[\s{]*)?(?:[xyzXYZijknsaouweTRAHJ]|\\omega)(?![A-Za-z])"
 )
+_COORDINATE_UNDER_HAT = re.compile(r"(?:\s*\{\s*[xyXY]\s*\}|\s*[xyXY])(?!\s*[_A-Za-z])")  # x estimated, and no axis x_1
 _TWO = re.compile(r"\s*(?:_\s*\{?\s*2\s*\}?|2)(?=[\s&]*(?:\\left|\\[bB]ig|\(|\[|\{\s*\(|\\!|\\,))")  # of atan2
 _POWER_OF_UNIT = re.compile(r"\s*\^\s*(?:\{\s*-?\d\s*\}|\d)")
 _OF_FORCE = re.compile(  # N and N·m, and no letter N before another factor
@@ -565,7 +566,8 @@ class _Scanner:
     def _accent(self, name: str, end: int) -> str:
         """The accent that makes another name of a letter: a bar, a tilde, a hat but for that of a unit vector or a matrix."""
         accent = ACCENTS.get(name, "")
-        return "" if accent == "hat" and _PLAIN_UNDER_HAT.match(self.text, end) else accent
+        is_plain = _PLAIN_UNDER_HAT.match(self.text, end) and not _COORDINATE_UNDER_HAT.match(self.text, end)
+        return "" if accent == "hat" and is_plain else accent
 
     def _variant(self, name: str) -> str:
         return name if name in self.spelling.told_apart else VARIANTS.get(name, name)

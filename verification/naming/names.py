@@ -39,7 +39,8 @@ class Names:
     """The bindings of one document: those of its front matter, and in `state` those that its displays add.
 
     `general` marks the names of its general statements, which are about no arm; they share the state but have free letters
-    of their own. `is_part`: whether the arm is only the first part of the one that the document is about.
+    of their own. `is_part`: whether the arm is only the first part of the one that the document is about;
+    `lacks_base`: whether that has joints before the arm's first.
     """
 
     arm: Arm | None
@@ -50,6 +51,7 @@ class Names:
     state: DocumentState = field(default_factory=DocumentState)
     general: bool = False
     is_part: bool = False
+    lacks_base: bool = False
 
     @property
     def transforms(self) -> str:
@@ -232,7 +234,14 @@ class Names:
         return replace(found, rows=rows) if fewer and found is not None else found
 
     def may_be(self, name: n.Name, quantity: Quantity) -> bool:
-        """Whether a name can be that quantity: the tool of an arm of which only a part is known is none of its frames."""
+        """Whether a name can be that quantity: the tool of an arm of which only a part is known is none of its frames.
+
+        Where joints before it are not known, what says no reference is not seen from the part's first frame.
+        """
+        of_base = self.arm is not None and quantity.reference == self.arm.frames[0]
+        told = quantity.reference in (name.pre_sup, name.sup, name.pre_sub) or len(name.sub) > 1
+        if self.lacks_base and of_base and not told and name.base != "A":
+            return False
         return (
             not self.is_part or self.arm is None or quantity.frame != self.arm.frames[-1] or tells_frame(name, quantity)
         )

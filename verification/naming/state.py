@@ -185,6 +185,7 @@ class DocumentState:
         inferred: names whose meaning the other side of an equation told.
         conventional: those of them that only convention binds.
         placed: names of blocks that are what convention says, as their place in a matrix showed → the line and the section of its display.
+        own_shorthands: sines and cosines by their indices, c_{12}, that the text says to be something else than they usually are.
         other_sizes: usual names that are printed as a matrix of another size, each with what was said there.
         awaited: a name without a value → the matrix of letters that it is equated to, its entries once it has one, and the line.
         printed: the rotation that a matrix printed last was, or that of the pose: its entries may be the r_ij behind it.
@@ -221,6 +222,7 @@ class DocumentState:
     inferred: dict[str, Quantity] = field(default_factory=dict)
     conventional: set[str] = field(default_factory=set)
     placed: dict[str, tuple[int, str]] = field(default_factory=dict)
+    own_shorthands: frozenset[tuple[str, object]] = frozenset()
     other_sizes: dict[str, Finding] = field(default_factory=dict)
     awaited: dict[str, tuple[n.Node, int]] = field(default_factory=dict)
     printed: Quantity | None = None

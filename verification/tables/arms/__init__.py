@@ -2,7 +2,7 @@
 
 from armproof.verification.tables.arms.catalogue import difference, table_of_named
 from armproof.verification.tables.arms.disputed import unless_disputed
-from armproof.verification.tables.arms.inference import infer_arm
+from armproof.verification.tables.arms.inference import infer_arm, joints_used
 from armproof.verification.tables.arms.scopes import scopes
 from armproof.verification.tables.arms.support import Inference, links_of, links_that_explain, settle_data
 from armproof.verification.tables.arms.values import entries_by_place, stated_lengths
@@ -12,6 +12,7 @@ __all__ = [
     "difference",
     "entries_by_place",
     "infer_arm",
+    "joints_used",
     "links_of",
     "links_that_explain",
     "scopes",

@@ -228,7 +228,10 @@ def _coordinates(
 
 def _given(chain: n.Chain, spelt: re.Pattern[str]) -> Iterator[tuple[str, str, n.Node]]:
     """Yield the axes with a name and what is printed for them: alone, in a column, or in the last column of a pose of the tool."""
-    name, *others = map(unapplied, chain.members)
+    members = [unapplied(each) for each in chain.members]
+    name, *others = (
+        members[::-1] if _is_of_point(members[-1], spelt) and not _is_of_point(members[0], spelt) else members
+    )
     own = _coordinate(bare_key(name) or "", spelt)
     if own is not None and not isinstance(others[-1], n.Matrix):  # x = x_1 + l_2 c_12 = l_1 c_1 + l_2 c_12
         yield *own, others[-1]
@@ -238,6 +241,12 @@ def _given(chain: n.Chain, spelt: re.Pattern[str]) -> Iterator[tuple[str, str, n
     number = f"_{name.sub}" if isinstance(name, n.Name) and name.sub.isdigit() and name.base in _POINTS else ""
     named = letters if letters and None not in letters else [(axis, f"{axis}{number}") for axis in "xyz"]
     yield from ((*each, cell) for each, cell in zip(named, column, strict=False) if each is not None)
+
+
+def _is_of_point(node: n.Node, spelt: re.Pattern[str]) -> bool:
+    """Whether a side is a coordinate, or a column of them, and no formula: d_2 c_1 = x gives x as well as x = d_2 c_1 does."""
+    cells = node.cells if isinstance(node, n.Matrix) else (node,)
+    return all(_coordinate(bare_key(cell) or "", spelt) is not None for cell in cells)
 
 
 def _coordinate(key: str, spelt: re.Pattern[str]) -> tuple[str, str] | None:

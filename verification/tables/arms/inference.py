@@ -175,7 +175,7 @@ def joints_used(displays: Iterable[Display]) -> set[int]:
     found = (
         digit
         for d in displays
-        if not d.erratum
+        if not (d.erratum or d.denied)
         for part in _INDEXED.findall(normalise_unicode(d.latex))
         for digit in part
     )

@@ -21,7 +21,7 @@ _JOINT = re.compile(r"(?:theta|Theta|q|[dr](?=_))(?:_\d+)?")  # what a pose or a
 
 def equations_of(display: Display, names: Names) -> Iterator[n.Chain]:
     """Yield the chains of = of a display; none of an erratum, or of what cannot be read."""
-    if display.erratum or not display.closed:
+    if display.erratum or display.denied or not display.closed:
         return
     try:
         statements = names.reader.read(display.latex)

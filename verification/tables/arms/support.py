@@ -204,18 +204,28 @@ def settle_data(
         any(_is_sure(taken, each, confirmed) for each in claims) or _shown_twice(taken, tables),
         {key: each.links for each in claims for key in each.defines},
         _never_as_usual(inferred, equations),
-        _against(taken, equations),
+        _against(taken, equations, confirmed),
     )
     return tuple(map(settled.display, equations)), tuple(map(settled.table, tables))
 
 
-def _against(taken: TakenArm, records: Iterable[Record]) -> Mapping[int, frozenset[int]]:
-    """Return, for each link, the lines that do not hold of the arm that a closed form or a table gave."""
+def _against(taken: TakenArm, records: Iterable[Record], confirmed: frozenset[int]) -> Mapping[int, frozenset[int]]:
+    """Return, for each link, the lines that do not hold of it: of a printed matrix those that another one would make right."""
     found: dict[int, frozenset[int]] = {}
-    for record in records if taken.source != "matrices" else ():
-        for link in (link for each in record.outcomes if each.verdict is Verdict.REFUTED for link in each.links):
-            found[link] = found.get(link, frozenset()) | ({record.line} if not record.erratum else set())
+    for record in records:
+        for each in record.outcomes if not record.erratum else ():
+            of_matrices = taken.source == "matrices"
+            links = _links_at_fault(each, record, confirmed) if of_matrices else each.links
+            for link in links if each.verdict is Verdict.REFUTED else ():
+                found[link] = found.get(link, frozenset()) | {record.line}
     return found
+
+
+def _links_at_fault(result: EquationResult, record: Record, confirmed: frozenset[int]) -> frozenset[int]:
+    """Return the links of which nothing holds and of which another one makes a pose right that several entries would have to mend."""
+    wrong = [entry for entry in record.entries if entry.equation == result.index]
+    links = result.explained_by or frozenset()
+    return links - confirmed if len(wrong) > 1 and links and min(links) > 0 else frozenset()
 
 
 def _is_sure(taken: TakenArm, claim: EquationResult, confirmed: frozenset[int]) -> bool:
@@ -340,6 +350,7 @@ class _Settled:
             bool(links) or has_entry or result.role is Role.CONDITION
         )  # else a shape, or an inverse that this arm's Jacobian does not have
         is_own = self.taken.source == "matrices" and not (links - self.confirmed) & self.taken.mended
+        is_own = is_own and not _links_at_fault(result, record, self.confirmed)
         is_sure = has_sides and (is_own or not doubtful or self._is_slip(links, result, record))
         is_sure = is_sure and (not self.taken.told_by or TOLD in self.confirmed)
         if result.verdict is not Verdict.REFUTED or record.erratum or _is_of_any_arm(result):

@@ -130,7 +130,7 @@ def weigh(
     for display in document.displays:
         if sum(trial.checker.exact.budget.asked for trial in trials) > WORK_IN_ALL:
             break
-        if display.closed and not display.erratum and "=" in display.latex:
+        if display.closed and not (display.erratum or display.denied) and "=" in display.latex:
             for trial in trials:
                 trial.take(display, (display.cell, display.line) not in apart)
             best, *others = sorted((trial.held for trial in trials), reverse=True)

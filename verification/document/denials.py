@@ -1,0 +1,56 @@
+"""Displays that the text around them denies: "It is not true that", "This is wrong.", a tag that says so."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from armproof.verification.document.model import INLINE, Display
+
+ABOVE, BELOW = r"\text{denies above}", r"\text{denies below}"  # which of its neighbours a text denies
+_WRONG = (
+    r"(?:wrong|false|incorrect|untrue|erroneous|mistaken|invalid|impossible|absurd|nonsense|faux|fausse|erroné(?:e)?|incorrecte?|inexacte?|impossible|"
+    r"absurde|falso|falsa|falsch|incorrecto|incorrecta)"
+)
+_FALSE_TO = r"(?:to|that|,? si|que|de|d['’]écrire)\b"
+_FORMULA = r"(?:formula|equation|result|line|expression|formule|équation|ligne|égalité)"
+_DENIES_BELOW = re.compile(
+    rf"(?:\b(?:it is|it['’]s|it would be|il est|il serait|c['’]est)\s+(?:clearly |plainly |simply |just )?(?:{_WRONG}|not (?:true|correct|right|so|the case)|a mistake|une erreur)\s+{_FALSE_TO}"
+    rf"|\bil n['’]est pas (?:vrai|correct|exact) {_FALSE_TO}|\bce n['’]est pas vrai que\b"
+    rf"|\b(?:following|suivante?|{_FORMULA})(?: {_FORMULA})? (?:is|are|est) {_WRONG}\s*:|(?:\A|[,;]\s*){_WRONG}\s*:\s*\Z|\b(?:wrong|false|incorrect|faux|fausse) {_FORMULA}\b[^.:]{{0,40}}:?\s*\Z"
+    r"|\b(?:common|frequent|typical|classic|usual) (?:mistake|error|slip)\b|\berreur (?:fréquente|courante|classique)\b|\btempted to write\b|\btenté d['’]écrire\b"
+    r"|\b(?:wrongly|erroneously|mistakenly|à tort)\b)[^.;!?]*:?\s*\Z",
+    re.IGNORECASE,
+)
+_RIGHT = re.compile(
+    r"\b(?:right|correct(?:ly|ed)?|instead|rather|but|should be|mais|plutôt|correct|corrigée?)\b[^.;!?]*\Z",
+    re.IGNORECASE,
+)
+_NOT = r"(?:\s+(?:clearly|of course|however|bien sûr|donc|thus))?"
+_DENIES_ABOVE = re.compile(
+    rf"[\s.,;:)]*(?:(?:but|however|of course|note that|beware,?|mais|or|attention,?)[\s,:]+)?(?:(?:this|that|it|which|cela|ceci|ce|il|elle|ce qui|the (?:above )?(?:last |previous )?{_FORMULA}(?: above)?"
+    rf"|cette (?:dernière )?{_FORMULA}|l['’](?:équation|expression|égalité)(?: ci-dessus)?)\s+)"
+    rf"(?:(?:is|was|would be|est|serait){_NOT}\s+(?:{_WRONG}|not (?:true|correct|right|so|the case|possible|valid))\b|(?:does|can|could|did) ?not (?:hold|be)\b|cannot (?:hold|be)\b|never holds?\b|fails\b"
+    rf"|n['’]est (?:pas|jamais) (?:vraie?|correcte?|exacte?|possible|valable)\b|ne (?:tient|vaut) (?:pas|jamais)\b)"
+    rf"|[\s.,;:(]*(?:c['’]est {_WRONG}|(?:not true|wrong|false|faux|incorrect)\s*[.!)])",
+    re.IGNORECASE,
+)
+_IN_DISPLAY = re.compile(
+    rf"\\tag\*?\s*\{{[^{{}}]*(?:\b{_WRONG}\b|[✗✘×]|\?)[^{{}}]*\}}|\\[bx]?cancel\s*\{{(?:[^{{}}]|\{{[^{{}}]*\}})*=",
+    re.IGNORECASE,
+)
+
+
+def denials(text: str, line: int, section: str) -> Iterator[Display]:
+    """Yield that a text denies the display above it, or the one that it leads to, each as what stands in the text between displays."""
+    plain = re.sub(r"[*_~]+(?=\w)|(?<=\w)[*_~]+", "", " ".join(text.split()))
+    if _DENIES_ABOVE.match(plain):
+        yield Display(line, ABOVE, section=section, opening=INLINE)
+    sentence = re.split(r"[.;!?](?=\s+\S)", plain)[-1]
+    if (found := _DENIES_BELOW.search(sentence)) and not _RIGHT.search(sentence, found.start()):
+        yield Display(line, BELOW, section=section, opening=INLINE)
+
+
+def denied_in(latex: str) -> bool:
+    """Whether a display denies itself: a tag says that it is wrong, or it is crossed out."""
+    return _IN_DISPLAY.search(latex) is not None

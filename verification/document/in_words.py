@@ -1,0 +1,57 @@
+"""Names whose meaning words give: "where $c_{12}$ stands for $\\cos(\\theta_1 + \\theta_2)$", "on note $D$ pour …"."""
+
+from __future__ import annotations
+
+import re
+
+_FORMULA = r"(?:\$`?(?P<{0}>[^$`]{{1,200}})`?\$|\\\((?P<{0}_tex>.{{1,200}}?)\\\)|:math:`(?P<{0}_rst>[^`]{{1,200}})`)"
+_WRITE = re.compile(
+    r"\b(?:writ(?:e|ing|ten)|abbreviat(?:e|es|ing|ed)|denot(?:e|es|ing|ed)|use|using|not(?:e|ons|ant)|écri(?:t|vons|vant)|abr[eèé]g(?:e|eons|eant))\s*\Z"
+)
+_IS = (
+    r"(?:(?:stands?|(?:is|are) (?:an abbreviation|abbreviations|a shorthand|shorthand|short|written)) for|(?:is|are) (?:an abbreviation|a shorthand) of|"
+    r"denotes?|means?|represents?|abbreviates?|désigne(?:nt)?|signifie(?:nt)?|représente(?:nt)?|(?:est|sont) (?:mise?s?|écrite?s?|notée?s?) pour|"
+    r"est l['’]abréviation de|abrège(?:nt)?|steht für|stehen für|bezeichne[tn]|bedeute[tn]|significan?|denotan?)"
+)
+_AND = r"\s*(?:,|and|et|und|y)\s+"
+_TURN = r"(?:(?:the |le )?(?P<turn>cos|sin)(?:ine|inus|e|us) (?:of|de) (?:(?:the|the angle|the sum|la somme|l['’]angle) )?)?"
+_SAID = re.compile(
+    rf"{_FORMULA.format('name')}\s+(?P<verb>{_IS}|is|est|for|pour|by|par|as)\s+{_TURN}{_FORMULA.format('value')}",
+    re.DOTALL,
+)
+_TWO_SAID = re.compile(
+    rf"{_FORMULA.format('name')}{_AND}{_FORMULA.format('other')}\s+{_IS}\s+{_FORMULA.format('value')}{_AND}{_FORMULA.format('second')}",
+    re.DOTALL,
+)
+_SECOND = re.compile(rf"[$)`]{_AND}\Z")
+_ONE_NAME = re.compile(r"\s*\\?[A-Za-z]+(?:\s*_\s*(?:\{[\w\s,]+\}|\\?\w+))?\s*")
+
+
+def said_in_words(text: str, at: int) -> str | None:
+    """Return the equation that words make of the formula that begins at a place and of the next one; None where they make none."""
+    if (two := _TWO_SAID.match(text, at)) is not None:
+        pairs = [(_formula(two, "name"), _formula(two, "value")), (_formula(two, "other"), _formula(two, "second"))]
+        return (
+            ", ".join(f"{name} = {value}" for name, value in pairs)
+            if _are_names(*(name for name, _ in pairs))
+            else None
+        )
+    found = _SAID.match(text, at)
+    if found is None or _SECOND.search(text, max(0, at - 10), at):
+        return None
+    name, value, verb = _formula(found, "name"), _formula(found, "value"), found["verb"]
+    if verb in ("by", "par", "as"):
+        name, value = value, name
+    needs_turn, needs_write = verb in ("is", "est"), verb in ("for", "pour", "by", "par", "as")
+    if (needs_turn and not found["turn"]) or (needs_write and not _WRITE.search(text, max(0, at - 20), at)):
+        return None
+    value = rf"\{found['turn']}({value})" if found["turn"] else value
+    return f"{name} = {value}" if _are_names(name) else None
+
+
+def _formula(found: re.Match[str], group: str) -> str:
+    return next(filter(None, (found[f"{group}{kind}"] for kind in ("", "_tex", "_rst"))), "")
+
+
+def _are_names(*names: str) -> bool:
+    return all(map(_ONE_NAME.fullmatch, names))

@@ -1,0 +1,73 @@
+"""Shorthands that a document gives a meaning of its own: c_{12} of a text that says `c_{12} = \\cos(\\theta_1 - \\theta_2)`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
+
+from armproof.verification.algebra.ring import Scalar
+from armproof.verification.equations.sides import Members
+from armproof.verification.errors import EvaluationError, ReadError
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
+
+Shorthand = tuple[str, object]  # "cos" and the angles, or how many there are where it is said of any: c_i, c_{ij}
+
+_MAY_BE = re.compile(r"(?<![A-Za-z\\])[cCsS]\s*_.*=|=\s*[cCsS]\s*_", re.DOTALL)
+_ANY = re.compile(r"_\s*(?:\{\s*([ijk](?:\s*[ijk])*)\s*\}|([ijk])(?![A-Za-z]))")
+_NUMBERS = str.maketrans("ijk", "123")
+
+
+def own_shorthands(members: Members, said: Iterable[str]) -> Iterator[Shorthand]:
+    """Yield the shorthands that the text between displays says to be something else than they are by convention.
+
+    A condition says nothing of the kind: of c_2 = 0, c_1 = s_1 and c_2 = c_3 none says how a cosine is written.
+    """
+    for latex in filter(_MAY_BE.search, dict.fromkeys(said)):
+        of_any = _ANY.search(latex) is not None
+        numbered = _ANY.sub(lambda found: f"_{{{(found[1] or found[2]).translate(_NUMBERS)}}}", latex)
+        with suppress(ReadError, EvaluationError, RecursionError):
+            for chain in members.names.reader.read(numbered):
+                if isinstance(chain, n.Chain) and set(chain.relations) in ({"="}, {"≡"}):
+                    for call in _said_otherwise(members, chain):
+                        yield call.function, len(angles_of(call)) if of_any else angles_of(call)
+
+
+def is_among(call: n.Call, own: frozenset[Shorthand]) -> bool:
+    """Whether a sine or cosine is one of some shorthands."""
+    angles = angles_of(call)
+    return bool(angles) and not own.isdisjoint({(call.function, angles), (call.function, len(angles))})
+
+
+def angles_of(call: n.Call) -> tuple[tuple[int, int], ...]:
+    """Return the angles in the index of a shorthand, with their signs; none of any other call."""
+    angles = call.arguments[0] if call.arguments else None
+    return angles.terms if isinstance(angles, n.JointAngles) else ()
+
+
+def digits_of(call: n.Call) -> str:
+    """Return the index of a shorthand: 12 of c_{12}."""
+    return "".join(str(index) for _, index in angles_of(call))
+
+
+def _said_otherwise(members: Members, chain: n.Chain) -> Iterator[n.Call]:
+    for alone in map(bare, chain.members):
+        for other in chain.members if isinstance(alone, n.Call) and _is_shorthand(alone) else ():
+            if alone is not bare(other) and _defines(alone, other):  # type: ignore[arg-type]
+                one, value = members.evaluate(alone).value, members.evaluate(other).value
+                if isinstance(one, Scalar) and isinstance(value, Scalar) and not (one - value).is_zero():
+                    yield alone  # type: ignore[misc]
+
+
+def _is_shorthand(node: n.Node) -> bool:
+    return (
+        isinstance(node, n.Call) and node.style == "index" and node.function in ("cos", "sin") and bool(angles_of(node))
+    )
+
+
+def _defines(call: n.Call, other: n.Node) -> bool:
+    """Whether a side may say what a shorthand stands for: it holds a sine or a cosine that is written out, or a formula for one of several digits."""
+    turns = [each for each in n.walk(other) if isinstance(each, n.Call) and each.function in ("cos", "sin")]
+    is_formula = len(angles_of(call)) > 1 and not _is_shorthand(bare(other))
+    return any(not _is_shorthand(each) or is_formula for each in turns)
