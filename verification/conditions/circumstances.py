@@ -147,6 +147,12 @@ class Circumstances:
         if self.names.quantity(name) is not None and rows_of_letters(chain.members[1]):  # T = [s n a P; 0 0 0 1]
             self.checker.check(chain, 1, line)
             return
+        if self._says_anew(name, chain.members[1]):
+            before = self.names.state.definitions[name.key]
+            if not before.in_text:
+                self.names.leave_open(name.key, say(Kind.SECOND_MEANING, name=name.text or name.key, line=line))
+                return
+            del self.names.state.definitions[name.key]
         if not self.names.is_open(name):
             return
         members, value = self.checker.members, chain.members[1]
@@ -159,6 +165,17 @@ class Circumstances:
         scalars = [cell for cell in cells if isinstance(cell, Scalar)]
         if len(scalars) == len(cells) and symbols_in(scalars):
             self.names.define(name.key, members.meaning(value), line, node=value, in_text=True)
+
+    def _says_anew(self, name: n.Name, node: n.Node) -> bool:
+        """Whether a letter that the document has defined gets another meaning, a formula and no value: "Now let k_1 = l_1 - l_2 c_2"."""
+        before = self.names.state.definitions.get(name.key)
+        if before is None or before.by_place or before.by_table or isinstance(bare(node), n.Name):
+            return False
+        consulted = frozenset(self.names.state.consulted)
+        values = [as_scalar(self.checker.members.evaluate(each).value) for each in (name, node)]
+        self.names.state.consulted.intersection_update(consulted)
+        scalars = [each for each in values if isinstance(each, Scalar)]
+        return len(scalars) == 2 and bool(symbols_in(scalars[1:])) and not (scalars[0] - scalars[1]).normal().is_zero()
 
     def _without_letters(self, chain: n.Chain, line: int) -> n.Chain:
         """l_1 = l_2 = l relates lengths, and says what the letter l is; return the chain without it."""

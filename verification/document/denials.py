@@ -27,11 +27,14 @@ _RIGHT = re.compile(
     re.IGNORECASE,
 )
 _NOT = r"(?:\s+(?:clearly|of course|however|bien sûr|donc|thus))?"
+_UNLESS = (
+    r"(?! (?:if|when|whenever|where|for|unless|that|to|si|quand|pour|que|lorsque|de|où)\b)"  # then it holds elsewhere
+)
 _DENIES_ABOVE = re.compile(
     rf"[\s.,;:)]*(?:(?:but|however|of course|note that|beware,?|mais|or|attention,?)[\s,:]+)?(?:(?:this|that|it|which|cela|ceci|ce|il|elle|ce qui|the (?:above )?(?:last |previous )?{_FORMULA}(?: above)?"
     rf"|cette (?:dernière )?{_FORMULA}|l['’](?:équation|expression|égalité)(?: ci-dessus)?)\s+)"
-    rf"(?:(?:is|was|would be|est|serait){_NOT}\s+(?:{_WRONG}|not (?:true|correct|right|so|the case|possible|valid))\b|(?:does|can|could|did) ?not (?:hold|be)\b|cannot (?:hold|be)\b|never holds?\b|fails\b"
-    rf"|n['’]est (?:pas|jamais) (?:vraie?|correcte?|exacte?|possible|valable)\b|ne (?:tient|vaut) (?:pas|jamais)\b)"
+    rf"(?:(?:is|was|would be|est|serait){_NOT}\s+(?:{_WRONG}|not (?:true|correct|right|so|the case|possible|valid))\b|(?:does|can|could|did) ?not (?:hold|be (?:so|true|right|correct))\b|cannot (?:hold|be (?:so|true|right|correct))\b|never holds?\b"
+    rf"|n['’]est (?:pas|jamais) (?:vraie?|correcte?|exacte?|possible|valable)\b|ne (?:tient|vaut) (?:pas|jamais)\b){_UNLESS}"
     rf"|[\s.,;:(]*(?:c['’]est {_WRONG}|(?:not true|wrong|false|faux|incorrect)\s*[.!)])",
     re.IGNORECASE,
 )

@@ -60,7 +60,20 @@ class OfPoints:
             if is_near(pair) and (wrong := different_entries(pair, exactly_equal)):
                 return self._wrong(outcome, pair, wrong, by)
         self.members.names.state.consulted.intersection_update(consulted)  # it rests on no point
+        if self.members.names.arm is None and self._is_transposed(name, value):
+            doubt = say(Kind.MAY_BE_TRANSPOSED, name=name.key)
+            self.members.names.leave_open(name.key, doubt)
+            return outcome.left_open(doubt)
         return outcome
+
+    def _is_transposed(self, name: n.Name, value: Matrix) -> bool:
+        """Whether the columns of a J are the derivatives of coordinates, and the rows of none."""
+        turned = [[row[k] for row in value.rows] for k in range(value.shape[1])]
+        by, by_turned = (self._variables(value.cells, count) for count in (value.shape[1], value.shape[0]))
+        if name.sub or by is None or by_turned is None or value.shape[0] < 2 or value.shape[1] < 2:
+            return False
+        of_rows = all(_is_gradient(row, by) for row in value.rows)
+        return not of_rows and all(_is_gradient(column, by_turned) for column in turned)
 
     def _of_speed(self, outcome: Outcome, name: n.Name, value: Scalar) -> Outcome:
         r"""Return v_{c2}^2 = … as a claim where it is \dot x_{c2}^2 + \dot y_{c2}^2, or a slip away from that."""

@@ -116,6 +116,7 @@ class Kind(MessageKind):
     OF_OTHER_POINT = "of_other_point", "the text speaks of another point or frame than the tool in the base: bind the name in the front matter (quantities) to have it checked"
     DEGREES_UNMARKED = "degrees_unmarked", "an angle of {number} may be in degrees: write {number}^\\circ"
     IS_SUPPOSED = "is_supposed", "the words before it suppose something, or ask for it: what holds then is not decided"
+    MAY_BE_TRANSPOSED = "may_be_transposed", "the columns of `{name}` are the derivatives of coordinates, and its rows are of none: it may be transposed"
     DENIED = "denied", "the text says that it is wrong, or not so: what is denied is not decided"
     SIGNS_CLASH = "signs_clash", "each holds on one choice of ±, and both on the same one only where ∓ stands for ± in one of them"
     ONE_OF_TWO = "one_of_two", "an equation beside 'or': which of them holds, and when, is not said; write each on its own, or a ±"
