@@ -21,7 +21,6 @@ from armproof.verification.diagnosis.accepted import with_accepted
 from armproof.verification.display.statements import Statements
 from armproof.verification.display.taken_arm import OfTakenArm, names_in
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
-from armproof.verification.document.postures import OTHER_POINT, SUPPOSED
 from armproof.verification.equations.chain import ChainChecker, no_samples
 from armproof.verification.equations.foreign_index import unless_written_elsewhere
 from armproof.verification.equations.index_direction import TWO_SCRIPTS, shown_direction
@@ -219,7 +218,8 @@ class DocumentChecker:
         self.lengths = self.lengths_in(document)
         self.names.state.configuration.update(self.lengths)
         self._name_entries()
-        self.names.state.own_shorthands = self._own_shorthands()
+        self.shorthands = self.shorthands_in(document)
+        self.names.state.own_shorthands = self.shorthands
 
     def _lacks_base(self) -> bool:
         """Whether the arm was taken from the links behind the first ones, of which the document speaks, too."""
@@ -236,9 +236,9 @@ class DocumentChecker:
         """Which index names the reference, as what the arm was taken from shows it; else an empty text."""
         return str(self.inferred.arm.front.get("transforms", "")) if self.inferred.arm is not None else ""
 
-    def _own_shorthands(self) -> frozenset[Shorthand]:
-        """Return the shorthands that the text of the document says to be something else than they usually are."""
-        said = [text for display in self.document.displays for text in (*display.said, *display.said_behind)]
+    def shorthands_in(self, document: Document) -> frozenset[Shorthand]:
+        """Return the shorthands that the text of a document says to be something else than they usually are."""
+        said = [text for display in document.displays for text in (*display.said, *display.said_behind)]
         with suppress(TooComplex), self.ring.budget.of(SECONDS_TO_DECIDE):
             return frozenset(own_shorthands(self.checker.members, said)) if said else frozenset()
         return frozenset()
@@ -453,9 +453,9 @@ class DocumentChecker:
         if display.said_next and not display.erratum:
             behind = partial(self.statements.claims.circumstances.judge_behind, said=display.said_next)
             outcomes = [behind(outcome) for outcome in outcomes]
-        if SUPPOSED in display.said:
+        if display.supposed and not display.erratum:
             outcomes = [outcome.unless_refuted(say(Kind.IS_SUPPOSED)) for outcome in outcomes]
-        if OTHER_POINT in display.said:
+        if display.of_other_point:
             outcomes = [self._unless_of_the_tool(outcome) for outcome in outcomes]
         if display.denied:
             denied = say(Kind.DENIED)

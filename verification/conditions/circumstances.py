@@ -13,7 +13,8 @@ from armproof.verification.algebra.matrix import Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.document.heading import sections_around
-from armproof.verification.document.postures import GENERAL, OTHER_POINT, SINGULAR, SUPPOSED, kind_of_joints
+from armproof.verification.document.lead_ins import GENERAL
+from armproof.verification.document.postures import SINGULAR, kind_of_joints
 from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
@@ -69,7 +70,7 @@ class Circumstances:
         said = tuple(said)
         is_last = said[-1:] == (SINGULAR,)
         for latex in said:
-            if latex in (SINGULAR, OTHER_POINT, SUPPOSED):
+            if latex == SINGULAR:
                 continue
             if latex == GENERAL:
                 self._end_configuration(line)

@@ -43,7 +43,6 @@ from armproof.verification.naming.quantities import is_inverse_link
 from armproof.verification.naming.state import DocumentState, Key, Told
 from armproof.verification.verdict import DECIDED, HOLDS, Role, Verdict
 
-DEGREES = 10  # a whole number from here on is hardly an angle in radians
 CLOSE = 1e-9  # so near are angles that are the same
 
 
@@ -134,8 +133,6 @@ class Claims:
         if any(isinstance(below, n.Dots) for below in n.walk(chain)):
             unwritten = say(Kind.TERMS_UNWRITTEN, text="…")
             outcomes = [each.unless_refuted(unwritten) for each in outcomes]
-        if any(each.verdict is Verdict.REFUTED for each in outcomes) and (bare_angle := _angle_without_unit(chain)):
-            outcomes = [each.unless_refuted(say(Kind.DEGREES_UNMARKED, number=bare_angle)) for each in outcomes]
         if not n.letters(chain).isdisjoint(AXES) and (doubt := axis_of_another_frame(chain)) is not None:
             outcomes = [each.left_open(doubt) if each.verdict in HOLDS else each for each in outcomes]
         foreign = self.names.state.foreign()
@@ -536,19 +533,6 @@ def _is_of_rank(chain: n.Chain) -> bool:
     below = [*n.walk(chain)]
     ranks = any(isinstance(each, n.Call) and each.function == "rank" for each in below)
     return ranks and not any(isinstance(each, n.At) for each in below)
-
-
-def _angle_without_unit(chain: n.Chain) -> str:
-    """Return the whole number that a sine, cosine or tangent is taken of, as of an angle in degrees: 30 of cos 30."""
-    calls = (
-        b
-        for each in chain.members
-        for b in n.walk(each)
-        if isinstance(b, n.Call) and b.function in ("cos", "sin", "tan")
-    )
-    numbers = (bare(argument) for call in calls for argument in call.arguments)
-    found = (each for each in numbers if isinstance(each, n.Number) and not each.decimals and each.value >= DEGREES)
-    return next((str(each.value) for each in found), "")
 
 
 def _is_label(chain: n.Chain) -> bool:

@@ -22,6 +22,7 @@ from armproof.verification.display.claims import Claims
 from armproof.verification.display.prepared import asked, beside_arcs, of_all_joints, prepared
 from armproof.verification.equations.cells_left_out import with_cells
 from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.decimals import angle_without_unit
 from armproof.verification.equations.named_signs import unless_signs_clash
 from armproof.verification.equations.outcome import Outcome, with_role
 from armproof.verification.equations.series import unless_added, written_out
@@ -126,6 +127,9 @@ class Statements:
         if is_of_any:
             unwritten = say(Kind.TERMS_UNWRITTEN, text="\\dots")
             display.outcomes = [outcome.unless_refuted(unwritten) for outcome in display.outcomes]
+        if number := angle_without_unit(statements):
+            degrees = say(Kind.DEGREES_UNMARKED, number=number)
+            display.outcomes = [outcome.unless_refuted(degrees) for outcome in display.outcomes]
         if own := self._own_shorthand(statements):
             display.outcomes = [each.left_open(own) if each.verdict in DECIDED else each for each in display.outcomes]
         undecided = [each for each in display.outcomes if each.verdict is Verdict.UNCHECKED] if define else []

@@ -3,11 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 
-from armproof.verification.document.model import INLINE, Display
-
-ABOVE, BELOW = r"\text{denies above}", r"\text{denies below}"  # which of its neighbours a text denies
 _WRONG = (
     r"(?:wrong|false|incorrect|untrue|erroneous|mistaken|invalid|impossible|absurd|nonsense|faux|fausse|erroné(?:e)?|incorrecte?|inexacte?|impossible|"
     r"absurde|falso|falsa|falsch|incorrecto|incorrecta)"
@@ -44,16 +40,22 @@ _IN_DISPLAY = re.compile(
 )
 
 
-def denials(text: str, line: int, section: str) -> Iterator[Display]:
-    """Yield that a text denies the display above it, or the one that it leads to, each as what stands in the text between displays."""
-    plain = re.sub(r"[*_~]+(?=\w)|(?<=\w)[*_~]+", "", " ".join(text.split()))
-    if _DENIES_ABOVE.match(plain):
-        yield Display(line, ABOVE, section=section, opening=INLINE)
-    sentence = re.split(r"[.;!?](?=\s+\S)", plain)[-1]
-    if (found := _DENIES_BELOW.search(sentence)) and not _RIGHT.search(sentence, found.start()):
-        yield Display(line, BELOW, section=section, opening=INLINE)
+def denies_above(text: str) -> bool:
+    """Whether a text begins with a denial of what stands above it: "This is wrong."."""
+    return _DENIES_ABOVE.match(_plain(text)) is not None
+
+
+def denies_below(text: str) -> bool:
+    """Whether a text leads to what it denies: "It is not true that"."""
+    sentence = re.split(r"[.;!?](?=\s+\S)", _plain(text))[-1]
+    found = _DENIES_BELOW.search(sentence)
+    return found is not None and not _RIGHT.search(sentence, found.start())
 
 
 def denied_in(latex: str) -> bool:
     """Whether a display denies itself: a tag says that it is wrong, or it is crossed out."""
     return _IN_DISPLAY.search(latex) is not None
+
+
+def _plain(text: str) -> str:
+    return re.sub(r"[*_~]+(?=\w)|(?<=\w)[*_~]+", "", " ".join(text.split()))

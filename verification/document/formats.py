@@ -11,10 +11,19 @@ from armproof.models.catalogue import arm_names
 from armproof.verification.document.accepts import MARK, with_accepts
 from armproof.verification.document.cells import percent_cells
 from armproof.verification.document.code_tables import code_tables
-from armproof.verification.document.denials import ABOVE, BELOW, denied_in
+from armproof.verification.document.denials import denied_in
 from armproof.verification.document.formula_links import shows_its_latex
 from armproof.verification.document.front_matter import read_any_text, suffix_of
 from armproof.verification.document.heading import encloses
+from armproof.verification.document.lead_ins import (
+    DENIED,
+    DENIED_ABOVE,
+    LIMITED_ABOVE,
+    OF_NEXT,
+    OTHER_POINT,
+    SUPPOSED,
+    is_of_a_case,
+)
 from armproof.verification.document.listings import assignments, with_listings
 from armproof.verification.document.markdown import read_markdown_file
 from armproof.verification.document.model import CODE, INLINE, Display, Document, Listing
@@ -102,11 +111,12 @@ def _with_what_is_said(document: Document) -> Document:
         if display.opening == CODE:
             continue
         if display.opening != INLINE:
-            is_denied = denied_in(display.latex) or any(said.latex == BELOW for said in between[-1])
-            displays.append(replace(_with_what_is_before(display, between[-1]), denied=is_denied))
+            displays.append(_with_what_is_before(display, between[-1]))
             between.append([])
-        elif display.latex == ABOVE:
+        elif display.latex == DENIED_ABOVE:
             displays[-1:] = [replace(each, denied=True) for each in displays[-1:]]
+        elif display.latex == LIMITED_ABOVE:
+            displays[-1:] = [replace(each, supposed=True) for each in displays[-1:]]
         elif _SAYS.search(display.latex):
             between[-1].append(display)
     told = tuple(_with_what_is_behind(displays, between[1:]))
@@ -125,17 +135,26 @@ def _listings(document: Document) -> Iterator[Listing]:
 
 
 def _with_what_is_before(display: Display, all_said: Sequence[Display]) -> Display:
-    said = [each for each in all_said if each.latex != BELOW]
+    of_it = {each.latex for each in all_said}
+    said = [each for each in all_said if each.latex not in OF_NEXT]
     above = sum(each.section != display.section for each in said)
     outside = sum(not encloses(each.section, display.section) for each in said)
-    return replace(display, said=tuple(each.latex for each in said), said_above=above, said_outside=outside)
+    return replace(
+        display,
+        said=tuple(each.latex for each in said),
+        said_above=above,
+        said_outside=outside,
+        denied=DENIED in of_it or denied_in(display.latex),
+        supposed=SUPPOSED in of_it or is_of_a_case(display.section),
+        of_other_point=OTHER_POINT in of_it,
+    )
 
 
 def _with_what_is_behind(displays: Sequence[Display], behind: Sequence[Sequence[Display]]) -> Iterator[Display]:
     """Yield the displays with what the next text in their section says: "where ρ = …" is often told below several of them."""
     found: list[Display] = []
     for display, said in zip(reversed(displays), reversed(behind), strict=True):
-        own = tuple(each.latex for each in said if each.section == display.section and each.latex != BELOW)
+        own = tuple(each.latex for each in said if each.section == display.section and each.latex not in OF_NEXT)
         later = found[-1].said_behind if found and found[-1].section == display.section else ()
         found.append(replace(display, said_next=own, said_behind=own or later))
     yield from reversed(found)

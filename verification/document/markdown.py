@@ -18,14 +18,14 @@ from mdit_py_plugins.colon_fence import colon_fence_plugin
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 from mdit_py_plugins.dollarmath.index import math_block_dollar
 
-from armproof.verification.document.denials import denials
 from armproof.verification.document.formula_links import formulas_in_html, formulas_in_line
 from armproof.verification.document.front_matter import FrontMatter, split_front_matter
 from armproof.verification.document.heading import begin_section
 from armproof.verification.document.html_tables import read_html_tables
 from armproof.verification.document.in_words import said_in_words
+from armproof.verification.document.lead_ins import said_at_end, said_at_start
 from armproof.verification.document.model import CODE, INLINE, Display, Document, Piece, Table
-from armproof.verification.document.postures import points_at_end, postures
+from armproof.verification.document.postures import postures
 from armproof.verification.document.units import with_unit
 
 PICTURE = "<img"  # the opening of a display whose LaTeX stands in the address of a picture
@@ -387,15 +387,15 @@ def _inline_displays(token: Token, first: int, erratum: bool, cell: int | None, 
     children = token.children or []
     stands_alone = _stands_alone(token)
     text, *texts = token.content.split("$$")[::2]
-    yield from denials(text, base, section)
+    yield from said_at_start(text, base, section)
     for child, behind in zip_longest(children, children[1:]):
         if child.type == "math_inline_double":
             at = token.content.find("$$" + child.content, cursor)
             cursor = at + len(child.content) + 4
-            yield from points_at_end(text, base, section)
+            yield from said_at_end(text, base, section)
             yield Display(base + token.content.count("\n", 0, at), child.content, erratum, cell, section)
             text = texts.pop(0) if texts else ""
-            yield from denials(text, base, section)
+            yield from said_at_start(text, base, section)
         elif child.type == "math_inline":
             quoted = re.fullmatch(r"`(.*)`", child.content, re.DOTALL)  # GitHub's $`…`$
             latex = quoted[1] if quoted else child.content
@@ -419,7 +419,7 @@ def _inline_displays(token: Token, first: int, erratum: bool, cell: int | None, 
                 base + token.content.count("\n", 0, at), token.content[at + 2 :], erratum, cell, section, closed=False
             )
             return
-    yield from points_at_end(text, base, section)
+    yield from said_at_end(text, base, section)
     for at, latex, alone in formulas_in_line(token.children or []):
         yield _of_picture(latex, base + at, erratum, cell, section, alone)
 

@@ -40,42 +40,12 @@ _DENIED = re.compile(
     r"\b(?:no|not|non|without|avoid\w*|away|except|unless|sans|hors|évit\w*|sauf|pas|sin|no hay)\b", re.IGNORECASE
 )
 
-GENERAL = r"\text{in general}"  # what ends a configuration
-_GENERAL = re.compile(
-    r"\b(?:in general|generally|(?:for|in|at|holds for|true for) (?:all|any|every|each|arbitrary) (?:possible )?(?:joint )?(?:angles?|values?|configurations?|positions?|postures?|variables?)(?: of the (?:joints|arm|robot|angles))?"
-    r"|en général|de (?:façon|manière) générale|(?:pour|dans|en) (?:toutes? (?:les )?)(?:configurations?|positions?|postures?)|quel(?:le)?s? que soi(?:en)?t (?:la|les) (?:configuration|position|angles?|valeurs?))\b(?! position\b)",
-    re.IGNORECASE,
-)
-SUPPOSED = (
-    r"\text{under a hypothesis}"  # what is said right before an equation that is supposed, sought or holds under words
-)
-_SUPPOSED = re.compile(
-    r"(?:\b(?:suppos(?:e|ing)|assum(?:e|ing)|imagine|by contradiction|if (?:we|one) had|if it were true|supposons|en supposant|admettons|en admettant|par l['’]absurde|si l['’]on avait|si on avait)"
-    r"(?:[ ,]+(?:that|by contradiction|for a moment|for now|que|par l['’]absurde|now|for contradiction))*"
-    r"|\b(?:solv(?:e|ing)|solutions? (?:of|to)|roots? of|we (?:look|search) for|we (?:must|have to|need to|want to) (?:solve|find|have)|find [^.;]{0,60}such that|such that|so as to have|satisfying|résou(?:dre|dons)|solutions? de|on (?:cherche|veut)|telle?s? que|vérifiant))\s*[:,]?\s*\Z"
-    r"|\A\s*(?:(?:but|and|now|then|mais|et|or)[ ,]+)?(?:(?:if|when|whenever|si|quand|lorsque?)(?! (?:we|one|you|i|on|nous|l['’]on)\b(?! (?:assum|suppos|neglect|ignor|lock|fix|block|had)))"
-    r"|with [^,]*\b(?:locked|fixed|blocked|welded|frozen|at rest)|avec [^,]*\b(?:bloquée?s?|fixée?s?|figée?s?|soudée?s?)|assuming|supposing|neglecting|ignoring|provided|unless|except|as long as|in the absence of|en supposant|en négligeant|à moins que|sauf|tant que"
-    r"|for (?:small|unit|equal|identical|massless|tiny|infinitesimal)|pour de (?:petits|petites|faibles)|pour des (?:longueurs|barres|segments) (?:unitaires?|égale?s?|identiques))\b[^;:]*,\s*(?:then|alors|we (?:get|have|find|obtain)|on (?:a|obtient|trouve))?\s*:?\s*\Z",
-    re.IGNORECASE,
-)
-OTHER_POINT = r"\text{of another point}"  # what is said right before the coordinates of a point that is not the tool
-_OTHER_POINT = re.compile(
-    r"\b(?:elbow(?!['’ -](?:up|down|arm|manipulator|robot|singular))|coude(?! (?:haut|bas|en haut|en bas))|codo(?! (?:arriba|abajo))|mid-?point|milieu d|(?:centre|center) of (?:mass|gravity|(?:the )?(?:\w+ )?(?:link|bar|rod))"
-    r"|centre de (?:masse|gravité|la (?:\w+ )?barre)|barycentre|centro de (?:masa|gravedad)"
-    r"|(?:in|seen from|expressed in|with respect to|relative to|dans|vu(?:es?)? (?:de|depuis)|exprimée?s? dans|par rapport à) (?:the |le )?(?:frame|repère) \{?[1-9])\b",
-    re.IGNORECASE,
-)
-
 _NUMBER = r"-?\d+(?:\.\d+)?"
 _RATES = re.compile(
     rf"\b(?:joint (?:rates|velocities|speeds)|vitesses articulaires)(?: (?:of|are|be|equal to|de|sont|sont de|valent))? "
     rf"({_NUMBER}(?:, {_NUMBER})*,? (?:and|et) {_NUMBER}) ?rad/s",
     re.IGNORECASE,
 )
-
-_ALTERNATIVES = re.compile(
-    r"(?:\s*(?:\$[^$]+\$|\\\(.+?\\\)|:math:`[^`]+`)\s*,?\s*(?:or|and|ou|et|o|y|oder|und)?)+\s*\Z"
-)  # $s_3 = 0$ or
 
 _KINDS = {
     "revolute": r"revolute|rotary|rotational|rotating|rotoïde|rotoide|pivot|rotative|revoluta|rotacional|rotativa|giratoria|rotoidale|rotatorisch",
@@ -102,20 +72,10 @@ def postures(text: str, line: int, section: str) -> Iterator[Display]:
     for found in _RATES.finditer(plain):
         rates = ", ".join(re.findall(_NUMBER, found[1]))
         yield Display(line, rf"\dot q = [{rates}]^T", section=section, opening=INLINE)
-    if _GENERAL.search(plain):
-        yield Display(line, GENERAL, section=section, opening=INLINE)
-    sentence = re.split(r"[.;:!?](?=\s+\S)", plain)[-1]
-    if _SINGULARITIES.search(sentence) and not _DENIED.search(sentence):
+    if is_of_singularities(re.split(r"[.;:!?](?=\s+\S)", plain)[-1]):
         yield Display(line, SINGULAR, section=section, opening=INLINE)
 
 
-def points_at_end(text: str, line: int, section: str) -> Iterator[Display]:
-    """Yield what the last sentence of a text, formulas and all, says of the display that follows: that it is of another point, or one of several singularities."""
-    sentence = re.split(r"[.;!?](?=\s+\S)", " ".join(text.split()))[-1]
-    if _SUPPOSED.search(sentence):
-        yield Display(line, SUPPOSED, section=section, opening=INLINE)
-    if _OTHER_POINT.search(sentence):
-        yield Display(line, OTHER_POINT, section=section, opening=INLINE)
-    found = _ALTERNATIVES.search(sentence) if not _DENIED.search(sentence) else None
-    if found is not None and _SINGULARITIES.search(sentence[: found.start()].rstrip()):
-        yield Display(line, SINGULAR, section=section, opening=INLINE)
+def is_of_singularities(sentence: str) -> bool:
+    """Whether a sentence says where the arm is singular, and ends there: "The arm is singular if"."""
+    return bool(_SINGULARITIES.search(sentence)) and not _DENIED.search(sentence)

@@ -18,12 +18,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from armproof.verification.document.denials import denials
 from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, FrontMatter, split_front_matter
 from armproof.verification.document.heading import begin_section
 from armproof.verification.document.in_words import said_in_words
+from armproof.verification.document.lead_ins import said_at_end, said_at_start
 from armproof.verification.document.model import CODE, INLINE, Display, Document, Table, Words
-from armproof.verification.document.postures import points_at_end, postures
+from armproof.verification.document.postures import postures
 from armproof.verification.document.tex_definitions import find_macros
 from armproof.verification.document.tex_macros import blank, closing_brace
 from armproof.verification.document.tex_project import Project
@@ -176,7 +176,7 @@ class _Scanner:
         while (token := _TOKEN.search(self.visible, position, self.stop)) is not None:
             between = self.visible[position : token.start()]
             yield from postures(between, self.line(position), self.section)
-            yield from denials(between, self.line(position), self.section)
+            yield from said_at_start(between, self.line(position), self.section)
             position = token.end()
             if token.group("section"):
                 close = closing_brace(self.visible, token.end() - 1)
@@ -193,7 +193,7 @@ class _Scanner:
                     paragraph = (
                         self.visible[max(self.start, token.start() - 400) : token.start()].rstrip().rsplit("\n\n")[-1]
                     )
-                    yield from points_at_end(paragraph, self.line(token.start()), self.section)
+                    yield from said_at_end(paragraph, self.line(token.start()), self.section)
                     yield (display := self._display(token, begin, end))
                     self.spans.append((token.start(), after, display))
                 elif end >= 0:
@@ -212,6 +212,7 @@ class _Scanner:
                 position = self._enter(token)
             elif token.group("end"):
                 self._leave(token.group("end"))
+        yield from said_at_start(self.visible[position : self.stop], self.line(position), self.section)
 
     def parts(self) -> Iterator[Words | Display]:
         """Yield the displays and the words between them."""

@@ -57,7 +57,9 @@ class IncrementalChecker:
             fresh = True
         if checker is not None and not fresh:
             fresh = (
-                checker.direction_in(document) != checker.direction or checker.lengths_in(document) != checker.lengths
+                checker.direction_in(document) != checker.direction
+                or checker.lengths_in(document) != checker.lengths
+                or checker.shorthands_in(document) != checker.shorthands
             )
         self.result = None
         if fresh:
