@@ -53,7 +53,11 @@ def slip_before(
 
 def _edits(formula: n.Node, around: Iterable[n.Node], letters: Letters) -> Iterator[Edit]:
     """Yield a definition with a slip, of the letters and the sines that stand in it and around it; nobody turns all signs of a sum."""
-    found = chain(_cells(formula), _exchanged(formula, around), single_edits(formula, letters), _multiplied(formula))
+    around = list(around)
+    found = chain(
+        _cells(formula), _with_a_term(formula, around), _with_an_angle(formula, around), _exchanged(formula, around),
+        single_edits(formula, letters), _multiplied(formula),
+    )  # fmt: skip
     is_sum = isinstance(formula, n.Sum) and len(formula.terms) > 1
     return (each for each in found if not (is_sum and each.finding == say(Kind.WRONG_SIGN)))
 
@@ -67,6 +71,56 @@ def _cells(formula: n.Node) -> Iterator[Edit]:
             size = "small" if other else "large"
             yield Edit(changed, "number", say(Kind.WRONG_NUMBER, number=_written(cell), size=size))
         yield Edit(n.substitute(formula, cell, n.Sum((("-", n.Group(cell)),))), "sign", say(Kind.WRONG_SIGN))
+
+
+def _with_a_term(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
+    """Yield a sum with one term more, like one of its own with another index, or one around it, with its sines for cosines or not: it was left out."""
+    terms = formula.terms if isinstance(formula, n.Sum) else (("+", formula),)
+    own = [term for _, term in terms if _is_length_and_turn(term)]
+    indices = {b.sub for node in around for b in n.walk(node) if isinstance(b, n.Name) and b.sub.isdigit()}
+    others = [each for node in around for each in n.walk(node) if _is_length_and_turn(each)]
+    pool = [*_with_other_index(own, indices), *map(_turned, others), *others] if own else []
+    for term in dict.fromkeys(pool):
+        for sign in "+-" if term not in own else "":
+            finding = say(Kind.MISSING_TERM, term=_written(n.Sum(((sign, term),))))
+            yield Edit(n.Sum((*terms, (sign, term)), span=formula.span), "term", finding)
+
+
+def _is_length_and_turn(node: n.Node) -> bool:
+    """Whether a node is a letter times a sine or a cosine: l_2 c_{12}."""
+    return isinstance(node, n.Product) and sorted(map(is_trigonometric, node.factors)) == [False, True] and all(map(_stands_alone, node.factors))  # fmt: skip
+
+
+def _with_other_index(terms: Iterable[n.Node], indices: Iterable[str]) -> Iterator[n.Node]:
+    for term in terms:
+        for index in sorted(indices):
+            named = [b for b in n.walk(term) if isinstance(b, n.Name) and b.sub.isdigit()]
+            if len({b.sub for b in named}) == 1 and named[0].sub != index:
+                yield n.substitute_each(
+                    term, {id(b): replace(b, sub=index, text=b.text.replace(b.sub, index)) for b in named}
+                )
+
+
+def _turned(term: n.Node) -> n.Node:
+    """Return a term with a sine for its cosine, or a cosine for its sine."""
+    calls = (b for b in n.walk(term) if isinstance(b, n.Call))
+    return n.substitute_each(
+        term, {id(b): replace(b, function={"sin": "cos", "cos": "sin"}.get(b.function, b.function)) for b in calls}
+    )
+
+
+def _with_an_angle(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
+    """Yield a formula with an angle subtracted in a sine or a cosine, one of those around it: single edits add angles alone."""
+    pool = {
+        b for node in around for b in n.walk(node) if isinstance(b, n.Name) and b.base in ("theta", "q") and not b.dots
+    }
+    for call in [b for b in n.walk(formula) if isinstance(b, n.Call) and is_trigonometric(b) and b.arguments]:
+        argument = n.ungrouped(call.arguments[0])
+        held = {b for b in n.walk(argument) if isinstance(b, n.Name)}
+        for angle in sorted(pool - held if held else (), key=lambda each: each.key):
+            terms = argument.terms if isinstance(argument, n.Sum) else (("+", argument),)
+            longer = replace(call, arguments=(n.Sum((*terms, ("-", angle))),), style="macro()")
+            yield Edit(n.substitute(formula, call, longer), "index", say(Kind.MISSING_ANGLE, angle=_written(angle)))
 
 
 def _exchanged(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:

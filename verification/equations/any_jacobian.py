@@ -71,6 +71,8 @@ def holds_of_any_jacobian(chain: n.Chain, names: Names) -> bool:
     """Whether a chain of = about a Jacobian, joint rates, velocities, forces and torques holds whatever these are."""
     if len(chain.members) < 2 or set(chain.relations) != {"="} or not _may_be_of_jacobian(chain):
         return False
+    if any(isinstance(b, n.Matrix) and len(b.cells) == 1 for member in chain.members for b in n.walk(member)):
+        return False  # the one component that a bracket holds is no vector
     spoken: set[tuple[str, str]] = set()
     chain = _of_one_frame(chain)
     members = [_usual(member, spoken) for member in chain.members]

@@ -88,7 +88,9 @@ def _arms(found: Found, letters: Mapping[str, n.Name], algebra: ExactAlgebra, ra
     tried = [(_ClosedForm(algebra, values, rates).moves(), told) for values, told in _mended(found, algebra)]
     mended = [_candidate(moves, told, letters) for moves, told in tried if moves is not None]
     mended = [replace(each, mended=frozenset(range(1, len(each.rows) + 1))) for each in mended]
-    return [each for each in mended if not _turns_back(each)] or mended
+    return [
+        each for each in mended if not _turns_back(each)
+    ]  # else the arm is seen from below, and a slip is in either
 
 
 def _arm_of_jacobian(document: Document, names: Names, algebra: ExactAlgebra, rates: set[str]) -> list[Candidate]:
