@@ -12,8 +12,8 @@ _FALSE_TO = r"(?:to|that|,? si|que|de|d['’]écrire)\b"
 _FORMULA = r"(?:formula|equation|result|line|expression|formule|équation|ligne|égalité)"
 _DENIES_BELOW = re.compile(
     rf"(?:\b(?:it is|it['’]s|it would be|il est|il serait|c['’]est)\s+(?:clearly |plainly |simply |just )?(?:{_WRONG}|not (?:true|correct|right|so|the case)|a mistake|une erreur)\s+{_FALSE_TO}"
-    rf"|\bil n['’]est pas (?:vrai|correct|exact) {_FALSE_TO}|\bce n['’]est pas vrai que\b"
-    rf"|\b(?:following|suivante?|{_FORMULA})(?: {_FORMULA})? (?:is|are|est) {_WRONG}\s*:|(?:\A|[,;]\s*){_WRONG}\s*:\s*\Z|\b(?:wrong|false|incorrect|faux|fausse) {_FORMULA}\b[^.:]{{0,40}}:?\s*\Z"
+    rf"|\bil n['’]est pas (?:vrai|correct|exact) {_FALSE_TO}|\bce n['’]est pas vrai que\b|\b(?:no es (?:cierto|verdad)|es falso|non è vero) (?:que|che)\b|\bes ist (?:nicht (?:wahr|richtig)|falsch),? dass\b"
+    rf"|\b(?:following|suivante?|{_FORMULA})(?: {_FORMULA})? (?:is|are|est) {_WRONG}\s*:|(?:\A|[,;]\s*)(?:not true|{_WRONG})\s*[:.!]\s*\Z|[✗✘❌]\s*\Z|\b(?:wrong|false|incorrect|faux|fausse) {_FORMULA}\b[^.:]{{0,40}}:?\s*\Z"
     r"|\b(?:common|frequent|typical|classic|usual) (?:mistake|error|slip)\b|\berreur (?:fréquente|courante|classique)\b|\btempted to write\b|\btenté d['’]écrire\b"
     r"|\b(?:wrongly|erroneously|mistakenly|à tort)\b)[^.;!?]*:?\s*\Z",
     re.IGNORECASE,
@@ -26,12 +26,19 @@ _NOT = r"(?:\s+(?:clearly|of course|however|bien sûr|donc|thus))?"
 _UNLESS = (
     r"(?! (?:if|when|whenever|where|for|unless|that|to|si|quand|pour|que|lorsque|de|où)\b)"  # then it holds elsewhere
 )
+_SUBJECT = (
+    rf"(?:(?:but|however|of course|note that|beware,?|mais|or|attention,?)[\s,:]+)?(?:this|that|it|which|cela|ceci|ce|il|elle|ce qui|esto|eso|questo|ciò|das|dies"
+    rf"|the (?:above )?(?:last |previous )?{_FORMULA}(?: above)?|cette (?:dernière )?{_FORMULA}|l['’](?:équation|expression|égalité)(?: ci-dessus)?"
+    r"|esta (?:ecuación|fórmula)|questa (?:equazione|formula)|diese (?:gleichung|formel))\s+"
+)
+_IS_WRONG = (
+    rf"(?:(?:is|are|was|would be|est|sont|serait|ist|es|è){_NOT}\s+(?:{_WRONG}|not (?:true|correct|right|so|the case|possible|valid)|nicht (?:richtig|wahr)|sbagliat[oa])\b"
+    r"|(?:does|can|could|did) ?not (?:hold|be (?:so|true|right|correct))\b|cannot (?:hold|be (?:so|true|right|correct))\b|never holds?\b"
+    r"|n['’]est (?:pas|jamais) (?:vraie?|correcte?|exacte?|possible|valable)\b|ne (?:tient|vaut) (?:pas|jamais)\b"
+    r"|no es (?:cierta?|correcta?|verdad)\b|non è (?:vero|vera|corrett[oa])\b)"
+)
 _DENIES_ABOVE = re.compile(
-    rf"[\s.,;:)]*(?:(?:but|however|of course|note that|beware,?|mais|or|attention,?)[\s,:]+)?(?:(?:this|that|it|which|cela|ceci|ce|il|elle|ce qui|the (?:above )?(?:last |previous )?{_FORMULA}(?: above)?"
-    rf"|cette (?:dernière )?{_FORMULA}|l['’](?:équation|expression|égalité)(?: ci-dessus)?)\s+)"
-    rf"(?:(?:is|was|would be|est|serait){_NOT}\s+(?:{_WRONG}|not (?:true|correct|right|so|the case|possible|valid))\b|(?:does|can|could|did) ?not (?:hold|be (?:so|true|right|correct))\b|cannot (?:hold|be (?:so|true|right|correct))\b|never holds?\b"
-    rf"|n['’]est (?:pas|jamais) (?:vraie?|correcte?|exacte?|possible|valable)\b|ne (?:tient|vaut) (?:pas|jamais)\b){_UNLESS}"
-    rf"|[\s.,;:(]*(?:c['’]est {_WRONG}|(?:not true|wrong|false|faux|incorrect)\s*[.!)])",
+    rf"[\s.,;:)—–-]*(?:{_SUBJECT})?(?:{_IS_WRONG}{_UNLESS}|(?:holds?|is (?:true|right|valid|correct)) only\b|n['’]est (?:vraie?|exacte?|valable) que\b|ne (?:tient|vaut) que\b)|[\s.,;:(—–-]*(?:c['’]est {_WRONG}|(?:not true|{_WRONG})\s*[.!)])|\s*[✗✘❌]",
     re.IGNORECASE,
 )
 _IN_DISPLAY = re.compile(
@@ -58,4 +65,4 @@ def denied_in(latex: str) -> bool:
 
 
 def _plain(text: str) -> str:
-    return re.sub(r"[*_~]+(?=\w)|(?<=\w)[*_~]+", "", " ".join(text.split()))
+    return re.sub(r"[*~]+|(?<!\w)_+(?=\w)|(?<=\w)_+(?!\w)", "", " ".join(text.split()))
