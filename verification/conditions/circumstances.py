@@ -120,7 +120,8 @@ class Circumstances:
 
     def told_values(self) -> dict[str, Stated]:
         """Return the values that the text gives: of lengths, wherever above, and of joints, for the display at hand."""
-        return self.names.state.told_lengths | self._values(self.names.state.told.conditions)
+        told = self.names.state.told
+        return self.names.state.told_lengths | self._values(told.conditions if not told.is_over else ())
 
     def _values(self, conditions: Iterable[n.Chain]) -> dict[str, Stated]:
         return self.given.stated(
@@ -217,7 +218,8 @@ class Circumstances:
         state = self.names.state
         ended = {key: state.configuration.pop(key) for key in {*state.configuration} - {*self.given.lengths}}
         given = tuple(_value(key, each.node) for key, each in ended.items()) or state.told.conditions
-        state.told = Told(conditions=given, line=line, section=state.section) if given else Told()
+        state.told = Told(conditions=given, line=line, section=state.section, is_over=True) if given else Told()
+        state.given_last = {key: each for key, each in state.given_last.items() if key in self.given.lengths}
 
     def _begin(self, names: set[str], conditions: Sequence[n.Chain], in_words: bool, line: int = 0) -> None:
         """Forget what is given anew: a length by its name, a configuration as a whole."""
@@ -345,7 +347,7 @@ class Circumstances:
         """Return what becomes of an equation with a rank, which is decided where the text or a display before it says."""
         told, configuration = self.names.state.told, self.names.state.configuration
         joints = [_value(name, each.node) for name, each in configuration.items() if name in self.given.joints]
-        given = [*told.conditions, *joints]
+        given = [*(told.conditions if not told.is_over else ()), *joints]
         if not given and not told.in_words:
             return outcomes
         with self.checker.exact.budget.paused():

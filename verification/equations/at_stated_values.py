@@ -252,9 +252,10 @@ class StatedValues:
         stated = self._stated(lengths)
         if lengths and one & other & lengths.keys():
             return self._for_some_lengths(outcome, pair, self._stated(lengths.keys() & (one ^ other)))
-        if not lengths or not (
-            _has_factor(numbers) or stated.keys() == lengths.keys()
-        ):  # of a length of 1 no number is left
+        if not lengths or not (set(lengths).isdisjoint(one) or set(lengths).isdisjoint(other)):
+            return None
+        here = {name for name, each in stated.items() if encloses(each.section, self.names.state.section)}
+        if not (_has_factor(numbers) or here == lengths.keys()):  # of lengths of 1 no number is left
             return None
         try:
             differences = [self._at(each, stated) for each in _differences(pair)]

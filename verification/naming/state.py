@@ -100,6 +100,7 @@ class Told:
         bounds: where it says that something is positive, or larger than something else, or in an interval.
         kind: of which joints it speaks alone, "revolute" or "prismatic".
         line: of the display behind it.
+        is_over: whether the conditions are those of a configuration that the text ends: "In general,".
         section, holds_below: under which heading it says so, and whether it holds under those below it: of lengths alone.
     """
 
@@ -114,6 +115,7 @@ class Told:
     line: int = 0
     section: str = ""
     holds_below: bool = False
+    is_over: bool = False
 
 
 @dataclass(frozen=True)
