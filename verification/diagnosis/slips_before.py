@@ -80,7 +80,8 @@ def _with_a_term(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
     indices = {b.sub for node in around for b in n.walk(node) if isinstance(b, n.Name) and b.sub.isdigit()}
     others = [each for node in around for each in n.walk(node) if _is_length_and_turn(each)]
     pool = [*_with_other_index(own, indices), *map(_turned, others), *others] if own else []
-    for term in dict.fromkeys(pool):
+    spoken = {b.key for node in (formula, *around) for b in n.walk(node) if isinstance(b, n.Name)}
+    for term in (each for each in dict.fromkeys(pool) if _keys(each) <= spoken):
         for sign in "+-" if term not in own else "":
             finding = say(Kind.MISSING_TERM, term=_written(n.Sum(((sign, term),))))
             yield Edit(n.Sum((*terms, (sign, term)), span=formula.span), "term", finding)

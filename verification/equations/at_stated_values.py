@@ -255,8 +255,8 @@ class StatedValues:
         if not lengths or not (set(lengths).isdisjoint(one) or set(lengths).isdisjoint(other)):
             return None
         here = {name for name, each in stated.items() if encloses(each.section, self.names.state.section)}
-        if not (_has_factor(numbers) or here == lengths.keys()):  # of lengths of 1 no number is left
-            return None
+        if not _has_factor(numbers) and here != lengths.keys():  # of lengths of 1 no number is left
+            return self._for_some_lengths(outcome, pair, stated) if stated.keys() == lengths.keys() else None
         try:
             differences = [self._at(each, stated) for each in _differences(pair)]
         except NoValue:  # the root of a negative number
