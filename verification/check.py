@@ -26,7 +26,7 @@ from armproof.verification.equations.foreign_index import unless_written_elsewhe
 from armproof.verification.equations.index_direction import TWO_SCRIPTS, shown_direction
 from armproof.verification.equations.later_definitions import definitions_behind, names_lacking
 from armproof.verification.equations.outcome import AsUsual, Outcome, new_one
-from armproof.verification.equations.shorthands import Shorthand, own_shorthands
+from armproof.verification.equations.shorthands import Shorthand, own_shorthands, shorthands_in_row
 from armproof.verification.errors import DocumentError, NotSampled, ReadError, TooComplex
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import MISPRINTS, Finding, Kind, finding_of, say
@@ -239,6 +239,7 @@ class DocumentChecker:
     def shorthands_in(self, document: Document) -> frozenset[Shorthand]:
         """Return the shorthands that the text of a document says to be something else than they usually are."""
         said = [text for display in document.displays for text in (*display.said, *display.said_behind)]
+        said += [equation for table in document.tables for row in table.rows for equation in shorthands_in_row(row)]
         with suppress(TooComplex), self.ring.budget.of(SECONDS_TO_DECIDE):
             return frozenset(own_shorthands(self.checker.members, said)) if said else frozenset()
         return frozenset()

@@ -23,6 +23,11 @@ _TWO_SAID = re.compile(
     rf"{_FORMULA.format('name')}{_AND}{_FORMULA.format('other')}\s+{_IS}\s+{_FORMULA.format('value')}{_AND}{_FORMULA.format('second')}",
     re.DOTALL,
 )
+_BESIDE = re.compile(  # a shorthand and the sine or cosine that words join to it, whatever they are
+    rf"{_FORMULA.format('name')}(?P<between>[^$`.;]{{1,40}}){_FORMULA.format('value')}", re.DOTALL
+)
+_LISTS = re.compile(r"(?:\s|[,()])*(?:and|or|et|ou|und|oder|y|o|plus|minus|times|in|into|with|by|par|avec|then|[,()])(?:\s|[,()])*")
+_SHORTHAND = re.compile(r"\s*[cCsS]\s*_\s*(?:\d|\{\s*[\dijk\s]+\}|[ijk])\s*")
 _SECOND = re.compile(rf"[$)`]{_AND}\Z")
 _ONE_NAME = re.compile(r"\s*\\?[A-Za-z]+(?:\s*_\s*(?:\{[\w\s,]+\}|\\?\w+))?\s*")
 
@@ -38,15 +43,29 @@ def said_in_words(text: str, at: int) -> str | None:
         )
     found = _SAID.match(text, at)
     if found is None or _SECOND.search(text, max(0, at - 10), at):
-        return None
+        return _of_shorthand(text, at)
     name, value, verb = _formula(found, "name"), _formula(found, "value"), found["verb"]
     if verb in ("by", "par", "as"):
         name, value = value, name
     needs_turn, needs_write = verb in ("is", "est"), verb in ("for", "pour", "by", "par", "as")
     if (needs_turn and not found["turn"]) or (needs_write and not _WRITE.search(text, max(0, at - 20), at)):
-        return None
+        return _of_shorthand(text, at)
     value = rf"\{found['turn']}({value})" if found["turn"] else value
     return f"{name} = {value}" if _are_names(name) else None
+
+
+def _of_shorthand(text: str, at: int) -> str | None:
+    """Return what a shorthand and the sine or cosine beside it are said to be, where words stand between them that list nothing."""
+    found = _BESIDE.match(text, at)
+    if found is None or _LISTS.fullmatch(found["between"]):
+        return None
+    name, value = _formula(found, "name"), _formula(found, "value")
+    if _SHORTHAND.fullmatch(value):
+        name, value = value, name
+    elif turn := re.search(r"\b(cos|sin)(?:ine|inus|us|e)\b", found["between"]):
+        value = rf"\{turn[1]}({value})"
+    is_turn = re.search(r"\\(?:cos|sin)(?![a-z])", value) is not None and "=" not in value
+    return f"{name} = {value}" if _SHORTHAND.fullmatch(name) and is_turn else None
 
 
 def _formula(found: re.Match[str], group: str) -> str:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 
+from armproof.verification.algebra.protocol import OutsideAlgebra
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.sides import Members
 from armproof.verification.errors import EvaluationError, ReadError
@@ -34,6 +35,14 @@ def own_shorthands(members: Members, said: Iterable[str]) -> Iterator[Shorthand]
                         yield call.function, len(angles_of(call)) if of_any else angles_of(call)
 
 
+def shorthands_in_row(cells: Iterable[str]) -> Iterator[str]:
+    """Yield what a row of a table of symbols says of a shorthand: | c_{12} | cos(θ_1 + θ_2) |."""
+    cells = list(cells)
+    for name in cells:
+        if re.fullmatch(r"[cCsS]\s*_\s*(?:\w|\{[\d\sijk]+\})", name.strip()):
+            yield from (f"{name} = {other}" for other in cells if re.search(r"\\(?:cos|sin)(?![a-z])", other))
+
+
 def is_among(call: n.Call, own: frozenset[Shorthand]) -> bool:
     """Whether a sine or cosine is one of some shorthands."""
     angles = angles_of(call)
@@ -55,8 +64,12 @@ def _said_otherwise(members: Members, chain: n.Chain) -> Iterator[n.Call]:
     for alone in map(bare, chain.members):
         for other in chain.members if isinstance(alone, n.Call) and _is_shorthand(alone) else ():
             if alone is not bare(other) and _defines(alone, other):  # type: ignore[arg-type]
-                one, value = members.evaluate(alone).value, members.evaluate(other).value
-                if isinstance(one, Scalar) and isinstance(value, Scalar) and not (one - value).is_zero():
+                one, found = members.evaluate(alone).value, members.evaluate(other)
+                is_outside = isinstance(found.problem, OutsideAlgebra)  # the cosine of a product of angles
+                differs = (
+                    isinstance(one, Scalar) and isinstance(found.value, Scalar) and not (one - found.value).is_zero()
+                )
+                if differs or is_outside:
                     yield alone  # type: ignore[misc]
 
 
