@@ -26,7 +26,9 @@ _TWO_SAID = re.compile(
 _BESIDE = re.compile(  # a shorthand and the sine or cosine that words join to it, whatever they are
     rf"{_FORMULA.format('name')}(?P<between>[^$`.;]{{1,40}}){_FORMULA.format('value')}", re.DOTALL
 )
-_LISTS = re.compile(r"(?:\s|[,()])*(?:and|or|et|ou|und|oder|y|o|plus|minus|times|in|into|with|by|par|avec|then|[,()])(?:\s|[,()])*")
+_LISTS = re.compile(
+    r"(?:\s|[,()])*(?:and|or|et|ou|und|oder|y|o|plus|minus|times|in|into|with|by|par|avec|then|[,()])(?:\s|[,()])*"
+)
 _SHORTHAND = re.compile(r"\s*[cCsS]\s*_\s*(?:\d|\{\s*[\dijk\s]+\}|[ijk])\s*")
 _SECOND = re.compile(rf"[$)`]{_AND}\Z")
 _ONE_NAME = re.compile(r"\s*\\?[A-Za-z]+(?:\s*_\s*(?:\{[\w\s,]+\}|\\?\w+))?\s*")

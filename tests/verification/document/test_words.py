@@ -1,0 +1,86 @@
+"""What words say of the displays around them: names and shorthands, denials, hypotheses, other points."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from armproof.verification.document import Display, parse_document
+from armproof.verification.document.denials import denied_in
+from armproof.verification.document.in_words import said_in_words
+
+SHORTHANDS = [
+    (r"$c_{12}$ stands for $\cos(\theta_1)$", r"c_{12} = \cos(\theta_1)"),
+    (r"$c_1$ is the sine of $\theta_1$", r"c_1 = \sin(\theta_1)"),
+    (r"$D$ denotes $x^2$", "D = x^2"),
+    (r"\(c_i\) désigne \(\sin q_i\)", r"c_i = \sin q_i"),
+    (r":math:`c_1` means :math:`\sin q_1`", r"c_1 = \sin q_1"),
+    (r"$s_i$ and $c_i$ denote $\cos q_i$ and $\sin q_i$", r"s_i = \cos q_i, c_i = \sin q_i"),
+    (r"$\cos q_1$ is written $c_1$", r"c_1 = \cos q_1"),
+    (r"$c_1$ and $\cos q_2$ differ", None),
+    (r"$x$ is $y$", None),
+    (r"$x$ for $y$", None),
+]
+TEX = "\\documentclass{article}\n\\begin{document}\n%s\n\\end{document}\n"
+
+
+@pytest.mark.parametrize(("text", "equation"), SHORTHANDS)
+def test_words_between_two_formulas_make_an_equation(text: str, equation: str | None) -> None:
+    assert said_in_words(text, 0) == equation
+
+
+def test_what_is_written_for_another_is_that() -> None:
+    text = r"We write $c_1$ for $\sin q_1$, and denote $\cos q_2$ by $c_2$."
+    assert said_in_words(text, text.index("$c_1")) == r"c_1 = \sin q_1"
+    assert said_in_words(text, text.index(r"$\cos")) == r"c_2 = \cos q_2"
+
+
+def displays(text: str, name: str = "sheet.md") -> tuple[Display, ...]:
+    return parse_document(Path(name), TEX % text if name.endswith("tex") else text).displays
+
+
+@pytest.mark.parametrize("name", ["sheet.md", "sheet.tex"])
+@pytest.mark.parametrize(
+    ("text", "denied"),
+    [
+        ("It is not true that\n\n$$ a = b $$", True),
+        ("$$ a = b $$\n\nThis is wrong.", True),
+        ("The claim that\n\n$$ a = b $$\n\nest fausse.", True),
+        ("$$ a = b $$\n\nThis fails where $s = 0$.", False),
+        ("The first guess was wrong. We have\n\n$$ a = b $$", False),
+        ("$$ a = b $$\n\nThis is impossible if $a > 1$.", False),
+    ],
+)
+def test_a_display_is_denied_by_the_text_beside_it(text: str, denied: bool, name: str) -> None:
+    (display,) = displays(text, name)
+    assert display.denied is denied
+
+
+def test_a_display_denies_itself() -> None:
+    assert denied_in(r"a = b \tag{wrong}")
+    assert denied_in(r"\cancel{a = b}")
+    assert not denied_in(r"a = b \tag{3.1}")
+
+
+@pytest.mark.parametrize("name", ["sheet.md", "sheet.tex"])
+@pytest.mark.parametrize(
+    ("text", "supposed"),
+    [
+        ("Suppose that\n\n$$ a = b $$", True),
+        ("If only joint 2 moves,\n\n$$ a = b $$", True),
+        ("$$ a = b $$\n\nto first order.", True),
+        ("We suppose that the links are rigid. Then\n\n$$ a = b $$", False),
+        ("If we add both, we find\n\n$$ a = b $$", False),
+        ("$$ a = b $$\n\nIf the arm moves, nothing changes.", False),
+    ],
+)
+def test_a_display_is_supposed_by_the_words_beside_it(text: str, supposed: bool, name: str) -> None:
+    (display,) = displays(text, name)
+    assert display.supposed is supposed
+
+
+def test_a_display_is_of_the_point_that_the_sentence_before_names() -> None:
+    one, other = displays("The elbow is at\n\n$$ x = a $$\n\nThe elbow is up. The tip is at\n\n$$ x = b $$")
+    assert one.of_other_point
+    assert not other.of_other_point
