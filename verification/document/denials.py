@@ -15,6 +15,8 @@ _DENIES_BELOW = re.compile(
     rf"|\bil n['’]est pas (?:vrai|correct|exact) {_FALSE_TO}|\bce n['’]est pas vrai que\b|\b(?:no es (?:cierto|verdad)|es falso|non è vero) (?:que|che)\b|\bes ist (?:nicht (?:wahr|richtig)|falsch),? dass\b"
     rf"|\b(?:following|suivante?|{_FORMULA})(?: {_FORMULA})? (?:is|are|est) {_WRONG}\s*:|(?:\A|[,;]\s*)(?:not true|{_WRONG})\s*[:.!]\s*\Z|[✗✘❌]\s*\Z|\b(?:wrong|false|incorrect|faux|fausse) {_FORMULA}\b[^.:]{{0,40}}:?\s*\Z"
     r"|\b(?:common|frequent|typical|classic|usual) (?:mistake|error|slip)\b|\berreur (?:fréquente|courante|classique)\b|\btempted to write\b|\btenté d['’]écrire\b"
+    r"|\b(?:(?:one|we|you) (?:cannot|can never|can['’]t|must not|may not|should not|do not|don['’]t)|never|do not|don['’]t) (?:write|have|say|use)\b"
+    r"|\bon ne (?:peut|doit) (?:pas|jamais) (?:écrire|avoir|poser)\b|\bil ne faut (?:pas|jamais) écrire\b|\bn['’]écri(?:vez|s) (?:pas|jamais)\b"
     r"|\b(?:wrongly|erroneously|mistakenly|à tort)\b)[^.;!?]*:?\s*\Z",
     re.IGNORECASE,
 )
