@@ -231,9 +231,8 @@ def _coordinates(
 def _given(chain: n.Chain, spelt: re.Pattern[str]) -> Iterator[tuple[str, str, n.Node]]:
     """Yield the axes with a name and what is printed for them: alone, in a column, or in the last column of a pose of the tool."""
     members = [unapplied(each) for each in chain.members]
-    name, *others = (
-        members[::-1] if _is_of_point(members[-1], spelt) and not _is_of_point(members[0], spelt) else members
-    )
+    is_turned = _is_of_point(members[-1], spelt) and isinstance(members[0], n.Sum | n.Product | n.Matrix)
+    name, *others = members[::-1] if is_turned and not _is_of_point(members[0], spelt) else members
     own = _coordinate(bare_key(name) or "", spelt)
     if own is not None and not isinstance(others[-1], n.Matrix):  # x = x_1 + l_2 c_12 = l_1 c_1 + l_2 c_12
         yield *own, others[-1]
