@@ -454,7 +454,7 @@ class DocumentChecker:
         if display.said_next and not display.erratum:
             behind = partial(self.statements.claims.circumstances.judge_behind, said=display.said_next)
             outcomes = [behind(outcome) for outcome in outcomes]
-        if display.supposed and not display.erratum:
+        if display.supposed:
             outcomes = [outcome.unless_refuted(say(Kind.IS_SUPPOSED)) for outcome in outcomes]
         if display.of_other_point:
             outcomes = [self._unless_of_the_tool(outcome) for outcome in outcomes]

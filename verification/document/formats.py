@@ -114,9 +114,9 @@ def _with_what_is_said(document: Document) -> Document:
             displays.append(_with_what_is_before(display, between[-1]))
             between.append([])
         elif display.latex == DENIED_ABOVE:
-            displays[-1:] = [replace(each, denied=True) for each in displays[-1:]]
+            displays[-1:] = [replace(each, denied=not each.erratum) for each in displays[-1:]]
         elif display.latex == LIMITED_ABOVE:
-            displays[-1:] = [replace(each, supposed=True) for each in displays[-1:]]
+            displays[-1:] = [replace(each, supposed=not each.erratum) for each in displays[-1:]]
         elif _SAYS.search(display.latex):
             between[-1].append(display)
     told = tuple(_with_what_is_behind(displays, between[1:]))
@@ -144,9 +144,9 @@ def _with_what_is_before(display: Display, all_said: Sequence[Display]) -> Displ
         said=tuple(each.latex for each in said),
         said_above=above,
         said_outside=outside,
-        denied=DENIED in of_it or denied_in(display.latex),
-        supposed=SUPPOSED in of_it or is_of_a_case(display.section),
-        of_other_point=OTHER_POINT in of_it,
+        denied=not display.erratum and (DENIED in of_it or denied_in(display.latex)),
+        supposed=not display.erratum and (SUPPOSED in of_it or is_of_a_case(display.section)),
+        of_other_point=not display.erratum and OTHER_POINT in of_it,
     )
 
 

@@ -54,7 +54,9 @@ class Display:
     cell: int | None = None
     section: str = ""
     closed: bool = True
-    denied: bool = False  # whether the text around it, or a tag, says that it is wrong
+    denied: bool = (
+        False  # whether the text around it, or a tag, says that it is wrong: of an erratum all that goes without saying
+    )
     supposed: bool = False  # whether that supposes it, asks for it, or says in words that it holds in a case alone
     of_other_point: bool = (
         False  # whether the sentence before it is of another point than the tool, or of another frame
