@@ -51,7 +51,9 @@ _SCRIPT_OF_MASSES = {
 }  # fmt: skip
 
 
-_OWN_LETTER = re.compile(r"(?:^|[,;]|\\\\|quad|\\begin\{(?!\w*matrix)\w+\*?\})\s*([cCsS])\s*&?\s*:?=")  # S = sin(θ_1 + θ_2)
+_OWN_LETTER = re.compile(
+    r"(?:^|[,;]|\\\\|quad|\\begin\{(?!\w*matrix)\w+\*?\})\s*([cCsS])\s*&?\s*:?="
+)  # S = sin(θ_1 + θ_2)
 
 _LENGTH = re.compile(
     r"(?<![A-Za-z])([pP])_\{?(\d)\}?\s*(?:\\[,;!]\s*|\\cdot\s*)?(?:\\cos|\\sin|[cCsS]_)"

@@ -154,7 +154,8 @@ def _mended(found: Found, algebra: ExactAlgebra) -> Iterator[tuple[dict[str, Sca
         by_other = (
             derivative(values[told], angle) * sign + (algebra.ring.zero if angles_in(slide) else slide)
         ).normal()
-        is_mirrored = (by_other + values[axis]).normal().is_zero()  # y may point down
+        apart, turned = by_other - values[axis], by_other + values[axis]  # y may point down
+        is_mirrored = turned.normal().is_zero() or len(_lengths_in(turned)) < len(_lengths_in(apart))
         is_of_same = symbols_in([values[axis]]) <= symbols_in([by_other])
         if is_of_same and not is_mirrored and is_near(Pair(as_matrix(by_other), as_matrix(values[axis]))):
             yield {**values, axis: by_other}, {each: given for each, given in found.items() if each != axis}
@@ -198,6 +199,10 @@ def _goes_on_from(value: Scalar, before: Scalar) -> bool:
         return False
     counts = [len(tuple(each.ring.terms(each.normal().numerator))) for each in (value, before, value - before)]
     return counts[2] == counts[0] - counts[1]
+
+
+def _lengths_in(value: Scalar) -> set[str]:
+    return symbols_in([value.normal()]) - angles_in(value)
 
 
 def _with_meanings(value: Scalar, meant: Mapping[str, Scalar]) -> Scalar:
