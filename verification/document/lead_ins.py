@@ -69,12 +69,12 @@ _ALTERNATIVES = re.compile(  # $s_3 = 0$ or
 )
 
 
-def said_at_start(text: str, line: int, section: str) -> Iterator[Display]:
-    """Yield what a text says of the display above it, and that it speaks of every configuration, as what stands between displays."""
-    if denies_above(text):
+def said_at_start(text: str, line: int, section: str, is_behind: bool = True) -> Iterator[Display]:
+    """Yield what a text says of the display that it may stand right behind, and that it speaks of every configuration, as what stands between displays."""
+    if is_behind and denies_above(text):
         yield Display(line, DENIED_ABOVE, section=section, opening=INLINE)
     plain = " ".join(text.split())
-    if _FOLLOWS.match(plain):
+    if is_behind and _FOLLOWS.match(plain):
         yield Display(line, LIMITED_ABOVE, section=section, opening=INLINE)
     if _GENERAL.search(plain):
         yield Display(line, GENERAL, section=section, opening=INLINE)

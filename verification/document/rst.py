@@ -103,6 +103,7 @@ def _displays(lines: list[str]) -> Iterator[Display]:
     section, rules = "", list[str]()  # the marks that underline headings, in the order of their ranks
     erratum: int | None = None  # the indent of the erratum that is open
     hidden: int | None = None  # the indent of a comment or of code
+    is_behind = False  # a display
     for row, line in enumerate(lines):
         if not line.strip():
             continue
@@ -113,9 +114,11 @@ def _displays(lines: list[str]) -> Iterator[Display]:
         if erratum is not None and (indent < erratum or (indent == erratum and not line.startswith(" "))):
             erratum = None
         yield from postures(line, row + 1, section)
-        yield from said_at_start(line, row + 1, section)
+        yield from said_at_start(line, row + 1, section, is_behind)
+        is_behind = _MATH.match(line) is not None
         if (alone := _alone(line, row, erratum is not None, section)) is not None:
             yield alone
+            is_behind = True
             continue
         for role in _ROLE.finditer(line):
             latex = with_unit(role[1], line[role.end() :])

@@ -172,11 +172,12 @@ class _Scanner:
 
     def displays(self) -> Iterator[Display]:
         """Yield the displays in their order, and gather the tables."""
-        position = self.start
+        position, is_behind = self.start, False
         while (token := _TOKEN.search(self.visible, position, self.stop)) is not None:
             between = self.visible[position : token.start()]
             yield from postures(between, self.line(position), self.section)
-            yield from said_at_start(between, self.line(position), self.section)
+            yield from said_at_start(between, self.line(position), self.section, is_behind)
+            is_behind = is_behind and not between.strip()
             position = token.end()
             if token.group("section"):
                 close = closing_brace(self.visible, token.end() - 1)
@@ -196,7 +197,9 @@ class _Scanner:
                     yield from said_at_end(paragraph, self.line(token.start()), self.section)
                     yield (display := self._display(token, begin, end))
                     self.spans.append((token.start(), after, display))
+                    is_behind = True
                 elif end >= 0:
+                    is_behind = False
                     latex, _ = self.macros.expanded(self.visible[begin:end], begin, self.place)
                     latex = with_unit(latex, self.visible[after : after + 40])
                     yield Display(
@@ -212,7 +215,7 @@ class _Scanner:
                 position = self._enter(token)
             elif token.group("end"):
                 self._leave(token.group("end"))
-        yield from said_at_start(self.visible[position : self.stop], self.line(position), self.section)
+        yield from said_at_start(self.visible[position : self.stop], self.line(position), self.section, is_behind)
 
     def parts(self) -> Iterator[Words | Display]:
         """Yield the displays and the words between them."""

@@ -84,3 +84,20 @@ def test_a_display_is_of_the_point_that_the_sentence_before_names() -> None:
     one, other = displays("The elbow is at\n\n$$ x = a $$\n\nThe elbow is up. The tip is at\n\n$$ x = b $$")
     assert one.of_other_point
     assert not other.of_other_point
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("\\[ a = b \\]\nThe choice $c = 0$ is impossible.", "sheet.tex"),
+        (".. math:: a = b\n\nSo the choice of 0\nis impossible.\n", "sheet.rst"),
+    ],
+)
+def test_what_goes_on_from_a_text_denies_no_display(text: str, name: str) -> None:
+    (display,) = displays(text, name)
+    assert not display.denied
+
+
+def test_a_text_right_behind_a_display_denies_it_in_rst() -> None:
+    (display,) = displays(".. math:: a = b\n\nThis is wrong.\n", "sheet.rst")
+    assert display.denied
