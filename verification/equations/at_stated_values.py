@@ -184,6 +184,7 @@ class StatedValues:
             raise
         except EvaluationError:
             return None
+        missing &= symbols_in([value])  # l_2 cos 90° is none
         if missing and not value.is_zero() and length_values([value], lengths) is not None:
             return None
         self._rest_on(stated)
