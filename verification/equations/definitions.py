@@ -149,7 +149,9 @@ class Definitions:
     def define_entries(self, true: Member, member: Member, equation: int, defines: bool) -> Outcome | None:
         """A matrix whose unknown entries are bare names: each is defined by its place, the known ones are checked."""
         value, rows = true.value, written_rows(member.node)
-        blocks = partition(rows, value.shape) if rows and isinstance(value, Matrix) else None
+        alone = bare(rows[0][0]) if rows and len(rows) == 1 == len(rows[0]) else None
+        is_one = isinstance(alone, n.Name) and not alone.base.isupper()  # [τ_1] is no column of torques
+        blocks = partition(rows, value.shape) if rows and isinstance(value, Matrix) and not is_one else None
         if not isinstance(value, Matrix) or blocks is None:
             return None
         if (unclear := self._rows_unclear(true, blocks)) is not None:

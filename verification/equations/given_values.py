@@ -108,7 +108,10 @@ class GivenValues:
         return isinstance(node, plain) and all(map(GivenValues._is_linear, n.children(node)))
 
     def remember(self, values: Mapping[str, n.Node], line: int) -> None:
-        """Keep values; a joint that had one before begins another configuration, and that of the others is over."""
+        """Keep values; a joint that had one before begins another configuration, and that of the others is over.
+
+        A length that one display gives two values has neither.
+        """
         before, joints = self.names.state.configuration, self.joints
         if any(name in joints and name in before and before[name].line != line for name in values):
             for name in [name for name, stated in before.items() if name not in self.lengths and stated.line != line]:
@@ -116,8 +119,17 @@ class GivenValues:
         if not set(values).isdisjoint(joints):
             self.names.state.told = Told()
         stated = self.stated(values, line)
-        before |= stated
-        self.names.state.given_last |= stated
+        twice = {
+            name
+            for name, each in stated.items()
+            if name in self.lengths
+            and name in before
+            and (before[name].line, before[name].value != each.value) == (line, True)
+        }
+        for kept in (before, self.names.state.given_last):
+            kept |= stated
+            for name in twice:
+                kept.pop(name, None)
 
     def stated(self, values: Mapping[str, n.Node], line: int = 0) -> dict[str, Stated]:
         """Return those of the values that are numbers, as stated under the heading at hand."""
