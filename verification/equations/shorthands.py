@@ -62,15 +62,15 @@ def digits_of(call: n.Call) -> str:
 
 def _said_otherwise(members: Members, chain: n.Chain) -> Iterator[n.Call]:
     for alone in map(bare, chain.members):
-        for other in chain.members if isinstance(alone, n.Call) and _is_shorthand(alone) else ():
-            if alone is not bare(other) and _defines(alone, other):  # type: ignore[arg-type]
+        if not isinstance(alone, n.Call) or not _is_shorthand(alone):
+            continue
+        for other in chain.members:
+            if bare(other) is not alone and _defines(alone, other):
                 one, found = members.evaluate(alone).value, members.evaluate(other)
                 is_outside = isinstance(found.problem, OutsideAlgebra)  # the cosine of a product of angles
-                differs = (
-                    isinstance(one, Scalar) and isinstance(found.value, Scalar) and not (one - found.value).is_zero()
-                )
-                if differs or is_outside:
-                    yield alone  # type: ignore[misc]
+                both = isinstance(one, Scalar) and isinstance(found.value, Scalar)
+                if is_outside or (both and not (one - found.value).is_zero()):  # type: ignore[operator]
+                    yield alone
 
 
 def _is_shorthand(node: n.Node) -> bool:
