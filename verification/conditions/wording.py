@@ -18,11 +18,21 @@ CHANGES = re.compile(
     re.I,
 )
 
+_PREDICATE = re.compile(  # "… is nonsense": what is said of an equation, unless that it is so, or what it is called
+    r"\W*(?:is|are|was|were|est|sont|ist|es)\s+(?!(?:the|an?|our|thus|then|also|known|true|correct|right|valid|exact|obtained|given|called|found|le|la|un|une|donc|aussi|vraie?"
+    r"|juste|correcte?|exacte?|connue?|donnée?|appelée?|obtenue?)\b|l['’])\w",
+    re.I,
+)
+
 
 def tell_words_that_change(statements: list[n.Statement], outcomes: list[Outcome]) -> None:
     """Beside "not", "except" or "unless" nothing is decided or defined."""
     said = [s.text for s in statements if isinstance(s, n.Connective) and s.kind == "words"]
-    words = [text for text in said if CHANGES.search(text) or text.strip(" .,()") in ("exists", "only", "seulement")]
+    words = [
+        text
+        for text in said
+        if CHANGES.search(text) or _PREDICATE.match(text) or text.strip(" .,()") in ("exists", "only", "seulement")
+    ]
     for outcome in outcomes if words else ():
         if outcome.verdict in DECIDED or outcome.role is Role.DEFINITION:
             outcome.verdict, outcome.findings = Verdict.UNCHECKED, (say(Kind.WORDS_CHANGE_IT, text=words[0]),)

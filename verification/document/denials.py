@@ -9,7 +9,7 @@ _WRONG = (
     r"absurde|falso|falsa|falsch|incorrecto|incorrecta)"
 )
 _FALSE_TO = r"(?:to|that|,? si|que|de|d['’]écrire)\b"
-_FORMULA = r"(?:formula|equation|result|line|expression|formule|équation|ligne|égalité)"
+_FORMULA = r"(?:formula|equation|identity|relation|claim|statement|result|line|expression|formule|équation|identité|affirmation|ligne|égalité)"
 _DENIES_BELOW = re.compile(
     rf"(?:\b(?:it is|it['’]s|it would be|il est|il serait|c['’]est)\s+(?:clearly |plainly |simply |just )?(?:{_WRONG}|not (?:true|correct|right|so|the case)|a mistake|une erreur)\s+{_FALSE_TO}"
     rf"|\bil n['’]est pas (?:vrai|correct|exact) {_FALSE_TO}|\bce n['’]est pas vrai que\b|\b(?:no es (?:cierto|verdad)|es falso|non è vero) (?:que|che)\b|\bes ist (?:nicht (?:wahr|richtig)|falsch),? dass\b"

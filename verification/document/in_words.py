@@ -43,8 +43,10 @@ def said_in_words(text: str, at: int) -> str | None:
             if _are_names(*(name for name, _ in pairs))
             else None
         )
+    if _SECOND.search(text, max(0, at - 10), at):  # the second of two: it was said with the first
+        return None
     found = _SAID.match(text, at)
-    if found is None or _SECOND.search(text, max(0, at - 10), at):
+    if found is None:
         return _of_shorthand(text, at)
     name, value, verb = _formula(found, "name"), _formula(found, "value"), found["verb"]
     if verb in ("by", "par", "as"):

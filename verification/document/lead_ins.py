@@ -23,10 +23,12 @@ _GENERAL = re.compile(
     r"|quel(?:le)?s? que soi(?:en)?t (?:la|les) (?:configuration|position|angles?|valeurs?))\b",
     re.IGNORECASE,
 )
+_PLACE = r"(?:positions?|coordinates?|heights?|abscissas?|ordinates?|location|velocity|speed|coordonnées|hauteur|abscisse|ordonnée|vitesse|posición|coordenadas|velocidad)"
+_ELBOW = r"(?:elbow|coude|codo)"
 _OTHER_POINT = re.compile(
-    r"\b(?:elbow(?!['’ -](?:up|down|arm|manipulator|robot|singular))|coude(?! (?:haut|bas|en haut|en bas))|codo(?! (?:arriba|abajo))|mid-?point|milieu d"
-    r"|(?:centre|center) of (?:mass|gravity|(?:the )?(?:\w+ )?(?:link|bar|rod))|centre de (?:masse|gravité|la (?:\w+ )?barre)|barycentre|centro de (?:masa|gravedad)"
-    r"|(?:in|seen from|expressed in|with respect to|relative to|dans|vu(?:es?)? (?:de|depuis)|exprimée?s? dans|par rapport à) (?:the |le )?(?:frame|repère) \{?[1-9])\b",
+    rf"\b(?:{_PLACE} (?:of (?:the )?|du |del ){_ELBOW}|{_ELBOW}['’]?s? (?:itself|{_PLACE}|is|lies|sits|has|moves|est|se trouve|se situe|a pour|está|tiene)(?! (?:up|down|bent|locked|haut|bas))|{_ELBOW}\s*:"
+    r"|mid-?point|milieu d|(?:centre|center) of (?:mass|gravity|(?:the )?(?:\w+ )?(?:link|bar|rod))|centre de (?:masse|gravité|la (?:\w+ )?barre)|barycentre|centro de (?:masa|gravedad)"
+    r"|(?:in|seen from|expressed in|with respect to|relative to|dans|vu(?:es?)? (?:de|depuis)|exprimée?s? dans|par rapport à) (?:the |le )?(?:frame|repère) \{?[1-9])(?!\w)",
     re.IGNORECASE,
 )
 _APPROXIMATION = (
@@ -54,7 +56,7 @@ _SUPPOSED = re.compile(
     r"(?:[ ,]+(?:that|by contradiction|for a moment|for now|que|par l['’]absurde|now|for contradiction))*"
     r"|\b(?:solv(?:e|ing)|solutions? (?:of|to)|roots? of|we (?:look|search) for|we (?:must|have to|need to|want to) (?:solve|find|have)|find [^.;]{0,60}such that|such that|so as to have"
     r"|satisfying|résou(?:dre|dons)|solutions? de|on (?:cherche|veut)|telle?s? que|vérifiant))\s*[:,]?\s*\Z"
-    r"|\A\s*(?:(?:but|and|now|then|mais|et|or)[ ,]+)?(?:(?:if|when|whenever|si|quand|lorsque?)(?! (?:we|one|you|i|on|nous|l['’]on)\b)"
+    r"|\A\s*(?:(?:but|and|now|then|mais|et|or)[ ,]+)?(?:(?:if|when|whenever|si|quand|lorsque?)(?! (?:we|one|you|i|on|nous|l['’]on)\b(?! (?:assum|suppos|neglect|ignor|lock|fix|block|weld|had\b|bloqu|fig|soud|néglig|admet)))"
     r"|assuming|supposing|provided|unless|except|as long as|in the absence of|en supposant|à moins que|sauf|tant que)\b[^;:]*,\s*(?:then|alors|we (?:get|have|find|obtain)|on (?:a|obtient|trouve))?\s*:?\s*\Z",
     re.IGNORECASE,
 )
