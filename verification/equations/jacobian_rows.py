@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import square_rows
 from armproof.verification.equations.outcome import Outcome, hold
 from armproof.verification.equations.rates import rows_told
@@ -74,7 +75,7 @@ class RowsOfJacobians:
             return outcome.left_open(say(Kind.ROWS_TOLD_OTHERWISE, name=name.text, rows=list(before or ())))
         if before is None and len(rows) == 1 < pair.true.shape[1]:  # a row is missing, or one alone is meant
             return outcome.left_open(say(Kind.ONE_ROW, name=name.text))
-        if len(outcome.wrong) > len(pair.true.cells) / 2:
+        if len(outcome.wrong) > len(pair.true.cells) / 2 or _is_beside_zeros(outcome):
             return outcome
         is_matrix = isinstance(bare(printed.node), n.Matrix)
         self.names.state.shown.setdefault(name.key, JacobianRows(rows, self.names.state.section, is_matrix))
@@ -212,6 +213,12 @@ class RowsOfJacobians:
         part = replace(name, sub=f"{name.sub}rows {rows}")
         self.names.state.inferred[replace(part, dots=0).key] = replace(quantity, rows=rows)
         return part
+
+
+def _is_beside_zeros(outcome: Outcome) -> bool:
+    """Whether a wrong entry stands in a row of zeros: the row may be another one that has a slip."""
+    rows = outcome.pair.true.rows if outcome.pair is not None and outcome.verdict is Verdict.REFUTED else ()
+    return any(all(isinstance(cell, Scalar) and cell.is_zero() for cell in rows[row]) for row, _ in outcome.wrong)
 
 
 def _rows_of_plane(chain: n.Chain) -> tuple[int, ...] | None:
