@@ -1,8 +1,9 @@
 """A search for documents in which a condition of the trusted base comes out as in few others.
 
 Labelled displays, pages, handouts of the course, documents in the tests, and what was found before are changed at random: a
-slip, a damage, the front matter, a heading or a display of another. What brings an outcome that fewer than three documents have is kept. Mutants of the base live where few
-documents go; what is said of these is on record, and a mutant that says another thing is killed by it.
+slip, a damage, the front matter, a heading or a display of another. What brings an outcome that fewer than three documents
+have is kept. Mutants of the base live where few documents go; what is said of these is on record, and a mutant that says
+another thing is killed by it.
 """
 
 from __future__ import annotations
@@ -54,6 +55,7 @@ class Search:
 
     rng: Random
     sources: Sequence[Text]
+    unknown: Sequence[Text] = ()
     counts: Counter[Outcome] = field(default_factory=Counter)
     found: dict[Text, frozenset[Outcome]] = field(default_factory=dict)
     failed: list[tuple[str, Text]] = field(default_factory=list)
@@ -62,14 +64,17 @@ class Search:
     def begun(cls, seed: int) -> Search:
         """Return a search that knows the outcomes of what is labelled and of what was found before."""
         known = [*map(Text, labelled()), *(each.document for each in documents.load())]
-        search = cls(Random(seed), [*known, *handouts(), *of_tests()])
+        others = [*handouts(), *of_tests()]
+        search = cls(Random(seed), [*known, *others], others)
         for document in known:
             search.counts.update(outcomes_of(document) or ())
         return search
 
     def run(self, seconds: float) -> None:
-        """Change documents for so long."""
+        """Try what is not known as it is, then change documents, for so long."""
         until = time.monotonic() + seconds
+        for document in self.unknown:
+            self.try_document(document)
         while time.monotonic() < until:
             recent = self.found and self.rng.random() < 0.4
             self.try_document(self.changed(self.rng.choice([*self.found] if recent else self.sources)))
