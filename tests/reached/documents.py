@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
+from armproof.models.errors import ArmproofError
 from armproof.verification.check import verify_text
 from tests.labelled.judging import said_of_document
 from tests.labelled.pages import HEAD
@@ -32,11 +33,11 @@ class Text:
         return self.text.endswith("\n") and "\r" not in self.text and HEAD.search(self.text) is None
 
     def said(self) -> str:
-        """Return what we say of it; an exception of its front matter in words."""
+        """Return what we say of it, or why it cannot be checked."""
         try:
             return said_of_document(verify_text(self.text, self.format))
-        except Exception as error:
-            return f"{type(error).__name__}\n"
+        except ArmproofError as error:
+            return " ".join(f"{type(error).__name__}: {error}".split()) + "\n"
 
 
 @dataclass(frozen=True)
