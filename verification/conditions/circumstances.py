@@ -194,7 +194,8 @@ class Circumstances:
         if self.names.arm is None:
             return
         conditions = [*self._conditions(chain)]
-        if not conditions and holds_nowhere and chain.relations == ("=",):
+        sides = [as_scalar(self.checker.member(node).value) for node in chain.members if holds_nowhere]
+        if not conditions and chain.relations == ("=",) and sides and all(isinstance(each, Scalar) for each in sides):
             conditions = [chain]
         self._begin(set(), conditions, in_words=False)
 

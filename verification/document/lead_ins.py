@@ -61,7 +61,7 @@ _SUPPOSED = re.compile(
     re.IGNORECASE,
 )
 _CASE = re.compile(
-    rf"\b(?:(?:special|particular|limit(?:ing)?|degenerate) cases?|cas (?:particuliers?|limites?|dégénérés?)|{_APPROXIMATION}"
+    r"\b(?:(?:special|particular|limit(?:ing)?|degenerate) cases?|cas (?:particuliers?|limites?|dégénérés?)|linearis\w+|lineariz\w+|linéaris\w+|small (?:angles?|motions?|displacements?)|petits (?:angles|mouvements|déplacements)"
     r"|only joint|joint \d (?:alone|only|locked|fixed|blocked)|(?:unit|equal|identical) (?:link )?lengths?|longueurs (?:unitaires?|égales)"
     r"|(?:common|typical|frequent) (?:mistakes?|errors?)|erreurs (?:fréquentes|courantes)|true or false|vrai ou faux)\b",
     re.IGNORECASE,
