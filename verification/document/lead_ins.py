@@ -36,10 +36,12 @@ _APPROXIMATION = (
     r"|neglect\w*|ignoring|néglige\w*|for small|small (?:angles?|motions?|displacements?)|petits (?:angles|mouvements|déplacements)|petites (?:variations|oscillations)"
     r"|up to (?:a|the) (?:sign|factor|constant)|au signe près|à une constante près|à un facteur près)"
 )
+_STILL = r"(?:locked|fixed|blocked|welded|frozen|at rest|bloquée?s?|fixée?s?|figée?s?|soudée?s?)"
 _OF_A_PART = (
     r"(?:contributions?|due to|apports?|first (?:term|part)|second (?:term|part)|premier terme|second terme|without the|sans (?:le|la|les)"
-    r"|(?:with|of|for) (?:one|a single) (?:link|joint)|avec une seule|only joint|joint \d (?:alone|only)|joint (?:\d )?(?:is |being )?(?:locked|fixed|blocked|at rest)"
-    r"|(?:locked|fixed|blocked|welded|frozen)|bloquée?s?|figée?s?|soudée?s?|(?:unit|equal|identical) (?:link )?lengths?|longueurs (?:unitaires?|égales)|equal links)"
+    r"|(?:with|of|for) (?:one|a single) (?:link|joint)|avec une seule|only joint|joint \d (?:alone|only)"
+    rf"|(?:joints?|elbow|shoulder|wrist|axis|axes|links?|articulations?|coude|épaule|poignet)(?: \d)? (?:is |are |being |est |sont )?{_STILL}"
+    r"|(?:unit|equal|identical) (?:link )?lengths?|longueurs (?:unitaires?|égales)|equal links)"
 )
 _OF_NO_CLAIM = (
     r"(?:would|might|could|were|expected?|serait|aurait|pourrait|confuse[ds]?|confondre|confondu|never|not|don['’]t|jamais|il ne faut pas|instead of|rather than"
