@@ -239,7 +239,7 @@ class Asked:
             if not value.is_integer():
                 yield Guess(value, partial(written, _ELSEWHERE, value=value))
 
-    def counted(self) -> Iterator[Guess]:
+    def whole_ones(self) -> Iterator[Guess]:
         """Yield the whole numbers of the text, of which one may stand where zero belongs."""
         for value in filter(float.is_integer, self.stated):
             yield Guess(value, partial(written, _ELSEWHERE, value=value))

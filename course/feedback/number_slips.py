@@ -307,7 +307,7 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
         return beside
     if not right:
         said = explained(given, right, asked.guesses(given), _MOST_TRUE)
-        return said or explained(given, right, asked.counted(), _ALL) or look_up("zero belongs there")
+        return said or explained(given, right, asked.whole_ones(), _ALL) or look_up("zero belongs there")
     return (
         _of_a_count(given, asked)
         or _carried(asked, given, own)
