@@ -13,8 +13,9 @@ import numpy as np
 from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import is_function
 from armproof.course.feedback.derivation import Derivation, Line
+from armproof.course.feedback.guesses import nearly
 from armproof.course.feedback.number_guesses import OF_ANGLES
-from armproof.course.feedback.number_slips import near, number_slip, numbers_in_text, values_in, wrong_numbers
+from armproof.course.feedback.number_slips import number_slip, numbers_in_text, values_in, wrong_numbers
 from armproof.course.feedback.numbers import numbers_in
 from armproof.course.feedback.outcome import Feedback, Outcome
 from armproof.course.feedback.steps import Steps
@@ -162,7 +163,7 @@ class Number:
     def is_like(self, given: np.ndarray, wrong: np.ndarray) -> bool:
         """Whether an answer is a known wrong one, which may have been rounded."""
         return given.shape == wrong.shape and (
-            near(given, wrong) or all(map(_to_its_digits, given.tolist(), wrong.tolist()))
+            all(map(nearly, given.tolist(), wrong.tolist())) or all(map(_to_its_digits, given.tolist(), wrong.tolist()))
         )
 
     def judge(self, answer: Any) -> Feedback:

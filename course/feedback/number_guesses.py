@@ -62,8 +62,8 @@ class Asked:
         yield from self._as_it_stands()
         yield from self._alone(own, given)
         if self.worked is not None and len(own) == _TWO_LETTERS:
-            pairs = _pairs(own) if self.worked.is_short else _sums(own)
-            yield from (Guess(value, partial(instead, name), is_exact=True) for name, value in pairs.items())
+            pairs = {**_pairs(own), **_bent(own)} if self.worked.is_short else _sums(own)
+            yield from (Guess(value, partial(instead, name), is_exact="√" not in name) for name, value in pairs.items())
         yield from shortened(given, self.right)
         yield from digits_exchanged(given, self.right)
         yield from self._of_parts(own)
@@ -76,6 +76,7 @@ class Asked:
         yield from self._another()
         yield from self._turned() if self.unit == "rad" else ()
         if self.worked is not None:
+            yield from self._of_parts(far) if self.worked.is_short else ()
             yield from self.worked.confusions()
         yield from self.doubled() if self.others else ()
         is_of_others = self.worked is None or bool(self.worked.letters)
@@ -84,6 +85,7 @@ class Asked:
         yield from self._of_the_text()
         yield from self._alone(far, given)
         yield from self._of_parts(far)
+        yield from self._with_a_value()
         yield from digits_astray(given, self.right)
         if self.worked is not None:
             yield from self._in_degrees() if not self.worked.is_short else ()
@@ -235,9 +237,18 @@ class Asked:
 
     def _copied(self) -> Iterator[Guess]:
         """Yield the numbers of the text, where they are few; a whole one may count, and what is in metres makes no angle."""
-        for value in self.stated if self.unit != "rad" and len(self.stated) <= _MOST_STATED else ():
+        stated = self.stated if self.right else {*self.stated, *(-value for value in self.stated)}
+        for value in stated if self.unit != "rad" and len(self.stated) <= _MOST_STATED else ():
             if not value.is_integer():
                 yield Guess(value, partial(written, _ELSEWHERE, value=value))
+
+    def _with_a_value(self) -> Iterator[Guess]:
+        """Yield a lone number with a given value more or less, where few are given."""
+        if self.worked is None or self.others or len(self.stated) > _TWO_LETTERS:
+            return
+        for value in self.stated:
+            for sign, part in (("+", value), ("-", -value)):
+                yield Guess(self.right + part, partial(self._with_more, sign, number_text(value, "g")), is_exact=True)
 
     def whole_ones(self) -> Iterator[Guess]:
         """Yield the whole numbers of the text, of which one may stand where zero belongs."""
@@ -278,6 +289,13 @@ def _with_function(words: str, function: str) -> str:
 def _sums(known: Mapping[str, float]) -> dict[str, float]:
     """Return the sums of two given values."""
     return {f"{one} + {other}": known[one] + known[other] for one, other in combinations(known, 2)}
+
+
+def _bent(known: Mapping[str, float]) -> dict[str, float]:
+    """Return the hypotenuse of two given values, and their product."""
+    one, other = known
+    a, b = known.values()
+    return {f"√({one}² + {other}²)": float(np.hypot(a, b)), f"{one} · {other}": a * b}
 
 
 def _pairs(known: Mapping[str, float]) -> dict[str, float]:

@@ -32,8 +32,8 @@ _TENS = (_LARGEST_FACTOR, *_POWERS_OF_TEN)
 _LONE_FACTORS = (2, 3, 4, *_TENS)  # of one number: seven comes by chance
 _NEAR = 2e-3  # of numbers that were rounded, where the mistake is sought
 _NEAR_SHORT = 1e-4  # of one that has many digits, where the right one has few
-_USUAL_ANGLE = 15  # degrees: of a direction that is taken for another
-_NEAR_ANGLE = 0.02  # of it
+_USUAL_ANGLE = 5  # degrees: of a direction that is taken for another
+_NEAR_ANGLE = 0.06  # of it
 _NEAR_LENGTH = 0.004  # of coordinates that were rounded to three digits
 _ABOUT = 0.04  # of a double or a half that was rounded
 _NOT_ZERO = {
@@ -46,6 +46,9 @@ _NOT_ZERO = {
 _SIGN = r"[A-Za-z](?:_\{?\w+\}?)?"
 _GIVEN = re.compile(rf"(?<![\w\\])(?<!dot )({_SIGN}(?: [-+] {_SIGN})*) = (\d+(?:\.\d+)?)(?![\w.^]|\s*\\?°)")
 _NUMBER = re.compile(r"(?<![\w.\\^{}_])(?:(?<=[\[, ])-)?\d+(?:\.\d+)?(?![\w.°^}]|\s*\\?°)")
+_COUNTED = re.compile(
+    r"(?:ax[ie]s|axe|joint|articulation|frame|repère|row|ligne|column|colonne|link|corps|document)\s*$", re.I
+)
 _CLOSE = ((0.01, noted("a hundredth")), (0.1, noted("a tenth: a slip in the reckoning?")))
 
 near = partial(np.allclose, rtol=_NEAR, atol=_TOLERANCE)
@@ -58,7 +61,9 @@ def values_in(text: str) -> dict[str, float]:
 
 def numbers_in_text(text: str) -> tuple[float, ...]:
     """Return the numbers that a task's text gives, each once, with its sign: not zero, no indices, exponents or degrees."""
-    found = dict.fromkeys(float(number) for number in _NUMBER.findall(text))
+    found = dict.fromkeys(
+        float(number[0]) for number in _NUMBER.finditer(text) if not _COUNTED.search(text[: number.start()])
+    )
     return tuple(number for number in found if number)
 
 
@@ -354,7 +359,7 @@ def _of_a_count(given: float, asked: Asked) -> str:
     if asked.unit != "–" or not all(map(float.is_integer, values)) or not max(values) > 1 or asked.right < 0:
         return ""
     if not float(given).is_integer():
-        return look_up("a whole number is asked")
+        return look_up("a whole number is asked") if asked.worked is None or not asked.worked.has_powers else ""
     if given < 0:
         return look_up("a number of things is not negative")
     more = int(given - asked.right)

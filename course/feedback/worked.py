@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import chain
-from types import UnionType
 
 import numpy as np
 
@@ -131,11 +130,11 @@ class Worked:
             in_degrees = {name: float(np.degrees(self.known[name])) for name in self.angles}
             yield Guess(self.with_values(in_degrees), lambda: look_up(IN_RADIANS))
         yield from self._told(done_otherwise(self._tree))
-        yield from self._told(self._confused(n.Name))
+        yield from self._told(self._confused([leaf for leaf in leaves_of(self._tree) if isinstance(leaf, n.Name)]))
 
     def confusions(self) -> Iterator[Guess]:
         """Yield what it gives with one given value in place of another, of those that it takes and of all that are given."""
-        return self._told(self._confused(n.Name | n.Number, self._elsewhere))
+        return self._told(self._confused(self._given, self._elsewhere))
 
     def misreadings(self) -> Iterator[Guess]:
         """Yield what it gives with one given value that is misread."""
@@ -156,9 +155,8 @@ class Worked:
             for number in misread(self._value(leaf)):
                 yield n.substitute(self._tree, leaf, number_node(number))
 
-    def _confused(self, kinds: type | UnionType, others: Iterable[n.Node] = ()) -> Iterator[n.Node]:
-        """Yield the formula with one of its values, of these kinds, or another in place of one of them."""
-        leaves = [leaf for leaf in leaves_of(self._tree) if isinstance(leaf, kinds)]
+    def _confused(self, leaves: Sequence[n.Node], others: Iterable[n.Node] = ()) -> Iterator[n.Node]:
+        """Yield the formula with one of some values, or another, in place of one of them."""
         names = {self._shown(leaf): leaf for leaf in (*leaves, *others)}
         for leaf in leaves:
             for name, other in names.items():

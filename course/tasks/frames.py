@@ -178,7 +178,13 @@ LESSON = Lesson(
                 unit="m",
                 labels=("x", "y", "z"),
                 steps=(r"\theta = 90^\circ", r"2 \cos\theta", r"2 \sin\theta", "0"),
-                beside=("2 x_A + 2 x_B = [2, 2, 0]", "x_B = [0, 1, 0]", r"[x, y, \theta] = [0, 2, 90]"),
+                beside=(
+                    "2 x_A + 2 x_B = [2, 2, 0]",
+                    "x_B = [0, 1, 0]",
+                    r"[x, y, \theta] = [0, 2, 90]",
+                    "[x, y, 1] = [0, 2, 1]",
+                    r"2 \cdot \pi/2",
+                ),
             ),
             hints=(
                 "Take a pen as the x axis and turn it on the table.",

@@ -404,6 +404,7 @@ LESSON = Lesson(
                     r"2 y_0 \times{} p = [2 \cdot 0.5, 0, -2 \cdot 0.3]",
                     r"z_0 \times{} p / 2 = [-0.4/2, 0.3/2, 0]",
                     r"2^2 z_0 \times{} p = [-2^2 \cdot 0.4, 2^2 \cdot 0.3, 0]",
+                    r"2 p_{xy} = [2 \cdot 0.3, 2 \cdot 0.4, 0]",
                     r"-2^2 p_{xy} = [-2^2 \cdot 0.3, -2^2 \cdot 0.4, 0]",
                     r"[v_x, v_y, \omega] = [-0.8, 0.6, 2]",
                     r"[-2 x, 2 y, 0] = [-2 \cdot 0.3, 2 \cdot 0.4, 0]",

@@ -738,7 +738,14 @@ LESSON = Lesson(
                 "m/s",
                 labels=("the peak speed",),
                 steps=("v_m = 0.4/2", r"v = 15/8 \cdot v_m"),
-                beside=(r"10/\sqrt{3} \cdot 0.4/2", r"6 \cdot 0.4/2^2", "0.4/2^2", r"15/8 \cdot 0.4/2^2"),
+                beside=(
+                    r"10/\sqrt{3} \cdot 0.4/2",
+                    r"6 \cdot 0.4/2^2",
+                    "0.4/2^2",
+                    r"10/\sqrt{3} \cdot 0.4",
+                    r"\pi/2 \cdot 0.4/2",
+                    r"15/8 \cdot 0.4/2^2",
+                ),
             ),
             hints=(
                 "A slide moves as a turn does: put the distance where the angle stood.",
