@@ -186,6 +186,8 @@ class Number:
                 len(right), given=len(given),
             )  # fmt: skip
             return Feedback(Outcome.WRONG, size)
+        if not np.isfinite(given).all():
+            return Feedback(Outcome.WRONG, look_up("not infinite: what is asked is a number"))
         wrong = ~(np.abs(given - right) <= _TOLERANCE * (1 + np.abs(right)))
         if not wrong.any():
             return Feedback(Outcome.PROVED, "")
@@ -200,7 +202,8 @@ class Number:
             for k in np.flatnonzero(_listed(given, right, wrong)).tolist()
         ]
         labels = [self._label(k) for k in range(right.size)]
-        slip = number_slip(given, right, labels, self.known, self.unit, self.stated, self.way, self.beside)
+        with np.errstate(all="ignore"):
+            slip = number_slip(given, right, labels, self.known, self.unit, self.stated, self.way, self.beside)
         if slip and len(told) == 1:
             return Feedback(Outcome.WRONG, written("{said}: {slip}", said=told[0], slip=slip))
         return Feedback(Outcome.WRONG, separator(told).join(told) + (look_up("; ") + slip if slip else ""))

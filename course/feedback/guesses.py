@@ -70,7 +70,10 @@ def explained(given: float, right: float, guesses: Iterable[Guess], share: float
 
 def nearly(given: float, value: float, is_exact: bool = False) -> bool:
     """Whether a number is a value, to the digits that it has."""
-    return abs(value - given) <= (0 if is_exact else min(_unit(given, given) / 2, _ROUNDED * abs(given))) + _SMALL
+    return (
+        isfinite(given)
+        and abs(value - given) <= (0 if is_exact else min(_unit(given, given) / 2, _ROUNDED * abs(given))) + _SMALL
+    )
 
 
 def _unit(given: float, beside: float) -> float:

@@ -67,6 +67,7 @@ class Asked:
         yield from shortened(given, self.right)
         yield from digits_exchanged(given, self.right)
         yield from self._of_parts(own)
+        yield from self._alone(far, given)
         if is_soon := self.worked is None or len(self.stated) <= _FEW_STATED:
             yield from self._copied()
         if self.worked is not None:
@@ -83,7 +84,6 @@ class Asked:
         mirrored = (*self._mirrored(),) if self.unit == "rad" else ()
         yield from (*self._of_the_others(), *mirrored) if is_of_others else (*mirrored, *self._of_the_others())
         yield from self._of_the_text()
-        yield from self._alone(far, given)
         yield from self._of_parts(far)
         yield from self._with_a_value()
         yield from digits_astray(given, self.right)

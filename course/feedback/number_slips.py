@@ -96,7 +96,7 @@ def number_slip(
         for k, latex in enumerate(way.ways)
         if latex
     }
-    near_by = Beside(tuple(beside), letters)
+    near_by = Beside(tuple(beside), {**letters, **letters_of(values)})
     own = dict(zip(labels, given.tolist(), strict=True))
     asked = {
         k: Asked(float(right[k]), labels[k], unit, others[k], known, tuple(stated), worked.get(k), tuple(near_by.of_one(k, given, wrong)))
@@ -107,6 +107,7 @@ def number_slip(
         or next(_whole(given, right, unit), "")
         or _of_another_value(given, right, worked, way.angles)
         or ("" if any(_carried(asked[k], own[labels[k]], own) for k in wrong) else _reordered(given, right, labels))
+        or _reordered_with_signs(given, right, asked)
         or _turned(given, right, labels)
         or _exchanged({k: float(given[k]) for k in wrong}, worked)
     ):
@@ -233,9 +234,15 @@ def _reordered(given: np.ndarray, right: np.ndarray, labels: Sequence[str]) -> s
         return written("{one} and {other} are exchanged", one=one, other=other)
     if near(np.sort(given), np.sort(right)):
         return look_up("the numbers are right, their order is not")
-    if near(np.sort(np.abs(given)), np.sort(np.abs(right))):
-        return look_up("the numbers are right, their order and signs are not")
     return ""
+
+
+def _reordered_with_signs(given: np.ndarray, right: np.ndarray, asked: Mapping[int, Asked]) -> str:
+    """Return that numbers are in another order and have other signs, where that is not what slips of each make of them."""
+    if not near(np.sort(np.abs(given)), np.sort(np.abs(right))):
+        return ""
+    has_slips = all(each.worked and explained(float(given[k]), each.right, each.guesses(float(given[k]))) for k, each in asked.items())  # fmt: skip
+    return "" if has_slips else look_up("the numbers are right, their order and signs are not")
 
 
 def _turned(given: np.ndarray, right: np.ndarray, labels: Sequence[str]) -> str:

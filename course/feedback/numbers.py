@@ -30,7 +30,7 @@ _SCALES = {
     "rad": {"rad": 1.0, "deg": np.pi / 180, "°": np.pi / 180},
     "rad/s": {"rad/s": 1.0, "deg/s": np.pi / 180, "°/s": np.pi / 180, "s^-1": 1.0, "/s": 1.0},
 }
-_WORDS = {
+_WORDS: dict[str, float] = {
     word: number
     for number, words in enumerate((
         "zero none no zéro aucun aucune", "one un une", "two deux", "three trois", "four quatre", "five cinq", "six",
@@ -38,6 +38,7 @@ _WORDS = {
     ))
     for word in words.split()
 }  # fmt: skip
+_WORDS |= dict.fromkeys(("infinite", "infinity", "infinitely many", "infini", "infinité", "∞", "inf"), float("inf"))
 _FRACTION = re.compile(r"\\[dt]?frac\s*(?:\{([^{}]*)\}|(\d))\s*(?:\{([^{}]*)\}|(\d))")
 _PLAIN = {"pi": "pi", "cdot": "*", "times": "*"}
 _IN_LATEX = re.compile(r"\\(pi|cdot|times)(?![A-Za-z])")

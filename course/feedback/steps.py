@@ -14,6 +14,7 @@ from armproof.course.feedback.worked import LETTER, Worked
 from armproof.verification.latex.plain import plain_text
 
 _NUMBER = re.compile(r"(-?\d+(?:\.\d+)?)(\^\\circ)?")
+_TIMES = {1.0: "", -1.0: "−", 2.0: "2 · ", -2.0: "−2 · ", 0.5: "1/2 · ", -0.5: "−1/2 · "}
 _LIST = re.compile(r"\[(.*)\]", re.DOTALL)
 
 
@@ -123,11 +124,11 @@ class Beside:
     known: Mapping[str, float]
 
     def of_all(self, given: np.ndarray) -> str:
-        """Return which list the numbers are, or which with the other sign; empty where they are none."""
-        for sign, minus in ((1, ""), (-1, "−")):
+        """Return which list the numbers are, as it is, doubled, halved or with the other sign; empty where they are none."""
+        for times, shown in _TIMES.items():
             for line in map(line_of, self.lines):
-                if self._is_whole(line, given.size) and self._agree(line, sign * given, range(given.size)):
-                    return instead(minus + plain_text(line.name))
+                if self._is_whole(line, given.size) and self._agree(line, given / times, range(given.size)):
+                    return instead(shown + plain_text(line.name))
         return ""
 
     def of_one(self, place: int, given: np.ndarray, wrong: Sequence[int]) -> Iterator[Guess]:

@@ -348,7 +348,14 @@ LESSON = Lesson(
                 (0.8, 0.6, 0.75),
                 labels=("sin θ", "cos θ", "tan φ"),
                 steps=("s_x = 0.48", "s_y = 0.36", "s_z = -0.8", "-s_z", r"\sqrt{(s_x^2 + s_y^2)}", "s_y/s_x"),
-                beside=(r"\sqrt{(1 - s_x^2)}", r"\sqrt{(1 - s_y^2)}", "s_y/s_z", "s_x/s_z", "s_z/s_x"),
+                beside=(
+                    "s = [0.48, 0.36, -0.8]",
+                    r"\sqrt{(1 - s_x^2)}",
+                    r"\sqrt{(1 - s_y^2)}",
+                    "s_y/s_z",
+                    "s_x/s_z",
+                    "s_z/s_x",
+                ),
             ),
             hints=(
                 "Compare with the first column of your matrix: $[C\\phi C\\theta,\\ S\\phi C\\theta,\\ -S\\theta]^T$.",

@@ -69,8 +69,9 @@ def test_every_line_on_the_way_is_needed(task: Task) -> None:
 def test_what_stands_beside_is_something_else(task: Task) -> None:
     asks = task.asks.told_in(task.text)
     right = np.atleast_1d(np.array(asks.value, dtype=float))
-    beside = Beside(asks.beside, {**asks.known, **asks.way.angles})
-    assert beside.of_all(right) == ""
+    beside = Beside(asks.beside, known_of(asks, -1))
+    lists = [line.cells for line in map(line_of, asks.beside) if line.name and line.cells and all(line.cells)]
+    assert not any(np.allclose([Worked(cell, beside.known).value for cell in cells], right) for cells in lists)
     guesses = [guess for k in range(right.size) for guess in beside.of_one(k, right, [])]
     assert all(np.isfinite(guess.value) and guess.words() for guess in guesses)
     assert all(len(line_of(line).cells) in (0, right.size) for line in asks.beside)
@@ -142,3 +143,11 @@ def test_a_solution_opens_the_lines_on_the_way_one_by_one() -> None:
     first, second = str(task.solution()), str(task.solution())
     assert "$v_m = 0.4/2$" in first and "15/8" not in first
     assert r"$v = 15/8 \cdot v_m = 0.375$ m/s" in second
+
+
+@EVERY_NUMBER
+@pytest.mark.parametrize("number", [float("inf"), float("-inf"), float("nan"), "infinite", 0.0, 1e300, 1e-300])
+def test_no_number_is_an_error(task: Task, number: Any) -> None:
+    count = np.size(task.asks.value)
+    told = task.check(number if count == 1 else [number] * count)
+    assert told.message and not told.is_right
