@@ -262,7 +262,10 @@ class Worked:
         """The given values that the formula does not take."""
         there = {self._value(leaf) for leaf in leaves_of(self._tree)}
         names = [name for name, value in self.known.items() if LETTER.fullmatch(name) and value not in there]
-        return [*map(self._claim.read, names), *(number_node(value) for value in self.stated if value not in there)]
+        return [
+            *map(self._claim.read, names),
+            *(number_node(value) for value in {*map(abs, self.stated)} if value not in there),
+        ]
 
     @cached_property
     def _claim(self) -> Claim:

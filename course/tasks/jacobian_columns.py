@@ -292,7 +292,8 @@ LESSON = Lesson(
                     "no fourth row as in a homogeneous vector: three linear rows and three angular ones",
                     own=True,
                 ),
-                Wrong([6, 8, 8, 1], "the base is no joint: one column a joint, seven", own=True),
+                Wrong([6, 8, 7, 1], "the base is no joint: one column a joint, seven", own=True),
+                Wrong([6, 7, 8, 1], "the base has no rate: one entry a joint, seven", own=True),
                 Wrong([6, 7, 1, 7], "q̇ is a column here, not a row", own=True),
                 Wrong([12, 7, 7, 1], "six rows in all: three linear, three angular", own=True),
                 Wrong([6, 1, 7, 1], "one column would be one joint: there is one a joint", own=True),
@@ -508,6 +509,7 @@ LESSON = Lesson(
                 (0, 0, 1),
                 labels=("x", "y", "z"),
                 beside=(
+                    "x_0 = [1, 0, 0]",
                     "y_0 = [0, 1, 0]",
                     r"x_1 = [\cos 40^\circ, \sin 40^\circ, 0]",
                     r"y_1 = [-\sin 40^\circ, \cos 40^\circ, 0]",

@@ -183,6 +183,7 @@ LESSON = Lesson(
                 Wrong([5, 4, 6], "six rows has a Jacobian: a table has one a joint", own=True),
                 Wrong([5, 3, 4], "a joint may slide as well as turn: the ram counts", own=True),
                 Wrong([6, 5, 5], "the tool is a part of the last link, not a link of its own", own=True),
+                Wrong([5, 5, 4], "five links are joined by four joints", own=True),
                 Wrong([5, 4, 3], "the ram has a row as well, although it does not turn", own=True),
                 Wrong([6, 4, 4], "the tool is a part of the last link: the base and one link a joint", own=True),
             ),

@@ -565,6 +565,7 @@ LESSON = Lesson(
                 Wrong([6, 5], "the linear part has three rows: no rank is larger", own=True),
                 Wrong([3, 0], "a determinant of zero takes away one direction, not all", own=True),
                 Wrong([4, 2], "J_v has three rows: no rank is larger", own=True),
+                Wrong([0, 2], "turning, rising and going out move the end in three directions", own=True),
                 Wrong([1, 2], "turning, rising and going out move the end in three directions", own=True),
             ),
         ),
