@@ -82,8 +82,11 @@ class Asked:
         yield from self.doubled() if self.others else ()
         is_of_others = self.worked is None or bool(self.worked.letters)
         mirrored = (*self._mirrored(),) if self.unit == "rad" else ()
-        yield from (*self._of_the_others(), *mirrored) if is_of_others else (*mirrored, *self._of_the_others())
-        yield from self._of_the_text()
+        of_others = (
+            (*self._of_the_others(),) if self.right else ()
+        )  # beside zero there is no size by which chance is told
+        yield from (*of_others, *mirrored) if is_of_others else (*mirrored, *of_others)
+        yield from self._of_the_text() if self.right else ()
         yield from self._of_parts(far)
         yield from self._with_a_value()
         yield from digits_astray(given, self.right)
@@ -241,6 +244,10 @@ class Asked:
         for value in stated if self.unit != "rad" and len(self.stated) <= _MOST_STATED else ():
             if not value.is_integer():
                 yield Guess(value, partial(written, _ELSEWHERE, value=value))
+
+    def alone(self, given: float) -> Iterator[Guess]:
+        """Yield the given values, with the sign of the number that is given."""
+        return self._alone(self.known, given)
 
     def _with_a_value(self) -> Iterator[Guess]:
         """Yield a lone number with a given value more or less, where few are given."""

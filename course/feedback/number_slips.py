@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
-from itertools import combinations
+from itertools import combinations, product
 
 import numpy as np
 
@@ -24,6 +24,7 @@ _TOLERANCE = 1e-6
 _LARGEST_FACTOR = 10
 _LARGEST_PART = 5  # above and below the line of a share
 _MOST_TRUE = 0.1  # of all numbers, those that are told a sum that they are: true where it is chance, too
+_ROUND = np.radians(range(-180, 180, 5)).tolist()
 _FOR = noted("this is for {values}")
 _ALL = 1.0  # of them, where all that is told was written down by a task's author
 _MOST_ASTRAY = 2  # things too many or too few: a larger number would be the answer itself
@@ -108,6 +109,7 @@ def number_slip(
         or _of_another_value(given, right, worked, way.angles)
         or ("" if any(_carried(asked[k], own[labels[k]], own) for k in wrong) else _reordered(given, right, labels))
         or _reordered_with_signs(given, right, asked)
+        or _of_any_angle(given, right, worked, way.angles)
         or _turned(given, right, labels)
         or _exchanged({k: float(given[k]) for k in wrong}, worked)
     ):
@@ -145,6 +147,19 @@ def _of_another_value(
             made[k] = each.with_values(values)
         if not near(made, right) and np.isfinite(made).all() and all(map(nearly, given.tolist(), made.tolist())):
             return words()
+    return ""
+
+
+def _of_any_angle(
+    given: np.ndarray, right: np.ndarray, worked: Mapping[int, Worked], angles: Mapping[str, float]
+) -> str:
+    """Return at which angle, a multiple of five degrees, several numbers are what they are, to three digits."""
+    for name, value in product(angles, _ROUND) if np.count_nonzero(wrong_numbers(given, right)) > 1 else ():
+        made = right.copy()
+        for k, each in worked.items():
+            made[k] = each.with_values({name: value})
+        if near(given, made):
+            return _for_value(name, value, True)()
     return ""
 
 
@@ -328,6 +343,7 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
         or explained(given, right, asked.doubled())
         or _of_another(given, asked)
         or explained(given, right, asked.identities(), _MOST_TRUE)
+        or explained(given, right, asked.alone(given), _ALL)
         or _factor_of_one(given, asked)
         or _of_reach(given, asked)
         or _by_size(asked, given, is_only)

@@ -86,7 +86,9 @@ def test_what_stands_beside_is_something_else(task: Task) -> None:
         (ARM, [0, 0.55, -0.1], "this is for θ_2 = 0°"),
         (ARM, [0.55, 0, -0.1], "this is for θ_1 = 0°, θ_2 = 0°"),
         (ARM, [0.1156, 0.2682, -0.1], "an angle in degrees is taken as radians"),
+        (ARM, [0.1768, 0.4768, -0.1], "this is for θ_2 = -45°"),
         (ARM, [0, -0.3, 0], "this is -a y_0"),
+        (ARM, [0, 0.6, 0], "this is −2 · -a y_0"),
         (ARM, [0.25, 0.3, 0], "z is not 0: d is missing"),
         (ARM, [0, 0.3, -0.1], "b cos(θ_1 + θ_2) is missing"),
         (ARM, [0.3, 0.25, -0.1], "are exchanged"),
@@ -118,6 +120,7 @@ def test_a_slip_on_the_way_is_told(asks: Any, answer: Any, words: str) -> None:
     [
         (ARM, [0.25, 0.3, -0.1], "this is"),
         (ARM, [0.2, 0.31, -0.1], "this is for"),
+        (ARM, [0.18, 0.47, -0.1], "this is for"),
         (ARM, [0.12, 0.25, -0.1], "radians"),
         (PEAK, 0.41, "15"),
         (FACTORS, [6, 4], "2 · 3"),
