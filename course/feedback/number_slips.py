@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
-from itertools import combinations, product
+from itertools import combinations
 
 import numpy as np
 
@@ -24,7 +24,7 @@ _TOLERANCE = 1e-6
 _LARGEST_FACTOR = 10
 _LARGEST_PART = 5  # above and below the line of a share
 _MOST_TRUE = 0.1  # of all numbers, those that are told a sum that they are: true where it is chance, too
-_ROUND = np.radians(range(-180, 180, 5)).tolist()
+_ROUND = np.radians(np.arange(-180.0, 180.0, 5.0))
 _FOR = noted("this is for {values}")
 _ALL = 1.0  # of them, where all that is told was written down by a task's author
 _MOST_ASTRAY = 2  # things too many or too few: a larger number would be the answer itself
@@ -154,12 +154,13 @@ def _of_any_angle(
     given: np.ndarray, right: np.ndarray, worked: Mapping[int, Worked], angles: Mapping[str, float]
 ) -> str:
     """Return at which angle, a multiple of five degrees, several numbers are what they are, to three digits."""
-    for name, value in product(angles, _ROUND) if np.count_nonzero(wrong_numbers(given, right)) > 1 else ():
-        made = right.copy()
+    for name in angles if np.count_nonzero(wrong_numbers(given, right)) > 1 else ():
+        made = np.tile(right, (len(_ROUND), 1))
         for k, each in worked.items():
-            made[k] = each.with_values({name: value})
-        if near(given, made):
-            return _for_value(name, value, True)()
+            made[:, k] = each.over(name, _ROUND)
+        found = _ROUND[np.isclose(given, made, rtol=_NEAR, atol=_TOLERANCE).all(axis=1)]
+        if found.size:
+            return _for_value(name, float(found[0]), True)()
     return ""
 
 

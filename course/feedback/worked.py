@@ -58,6 +58,12 @@ class Worked:
         """Return what the formula gives with other values of some letters."""
         return replace(self, known={**self.known, **known}).value
 
+    def over(self, name: str, values: np.ndarray) -> np.ndarray:
+        """Return what the formula gives for each of many values of a letter."""
+        known = {each: np.full(len(values), value) for each, value in self.known.items()}
+        found = self._claim.evaluated_over({**known, name: values})(self._tree)
+        return np.full(len(values), np.nan) if found is None else np.broadcast_to(found, values.shape)
+
     def share_of(self, name: str) -> float:
         """Return how much less the formula gives where a letter is zero."""
         return self.value - self.with_values({name: 0.0})
