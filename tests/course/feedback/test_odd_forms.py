@@ -59,7 +59,7 @@ RAM = Quantity({"dh": "modified", "rows": [{"alpha": 0, "a": 0, "d": 0, "theta":
         (Number(2.0, "rad/s"), r"\dot\theta = 2", r"\dot\theta = 4"),
         (Number(2.0, "rad/s"), "θ' = 2 rad/s", "θ' = 4 rad/s"),
         (Number(8.0), "2 × 2 × 2 = 8", "2 × 2 = 4"),
-        (Number((0.6435, -0.9273), "rad"), ["atan2(0.3, 0.4)", "atan2(0.3,0.4) - pi/2"], ["atan2(0.4, 0.3)", "atan2(0.3,0.4) - pi/2"]),
+        (Number((0.6435011087932844, -0.9272952180016122), "rad"), ["atan2(0.3, 0.4)", "atan2(0.3,0.4) - pi/2"], ["atan2(0.4, 0.3)", "atan2(0.3,0.4) - pi/2"]),
         (Number(500.0, "m"), "500 000 mm", "5 000 m"),
         (Number((2.153, 0.0), "m"), "2 153 mm ; 0", "1 532 mm ; 0"),
         (AXES, "z4 & z5", "z4 & z6"),
