@@ -41,6 +41,7 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "section": lambda state: setattr(state, "section", "A title"),
     "exercise": lambda state: setattr(state, "exercise", "Exercise 1"),
     "apart": lambda state: setattr(state, "apart", 1),
+    "own_shorthands": lambda state: setattr(state, "own_shorthands", frozenset({("cos", 2)})),
     "other_sizes": lambda state: state.other_sizes.update(J=say(Kind.NO_EQUATION)),
     "subject": lambda state: setattr(state, "subject", Name("a")),
     "definitions": lambda state: state.definitions.update(a=Definition(float)),
