@@ -59,7 +59,7 @@ _SUPPOSED = re.compile(
     r"|\b(?:solv(?:e|ing)|solutions? (?:of|to)|roots? of|we (?:look|search) for|we (?:must|have to|need to|want to) (?:solve|find|have)|find [^.;]{0,60}such that|such that|so as to have"
     r"|satisfying|résou(?:dre|dons)|solutions? de|on (?:cherche|veut)|telle?s? que|vérifiant))\s*[:,]?\s*\Z"
     r"|\A\s*(?:(?:but|and|now|then|mais|et|or)[ ,]+)?(?:(?:if|when|whenever|si|quand|lorsque?)(?! (?:we|one|you|i|on|nous|l['’]on)\b(?! (?:assum|suppos|neglect|ignor|lock|fix|block|weld|had\b|bloqu|fig|soud|néglig|admet)))"
-    r"|assuming|supposing|provided|unless|except|as long as|in the absence of|en supposant|à moins que|sauf|tant que)\b[^;:]*,\s*(?:then|alors|we (?:get|have|find|obtain)|on (?:a|obtient|trouve))?\s*:?\s*\Z",
+    r"|assuming|supposing|provided|unless|except|as long as|in the absence of|en supposant|à moins que|sauf|tant que)\b[^;:$`]*,\s*(?:then|alors|we (?:get|have|find|obtain)|on (?:a|obtient|trouve))?\s*:?\s*\Z",
     re.IGNORECASE,
 )
 _CASE = re.compile(
