@@ -42,7 +42,7 @@ class DHTableCheck:
         if self.names.arm is None:
             return replace(self.unchecked, findings=(say(Kind.NO_ARM_FOR_TABLE),))
         if not cells:
-            return replace(self.unchecked, findings=(say(Kind.NO_ROWS),))
+            return replace(self.unchecked, findings=(say(Kind.TABLE_WITHOUT_ROWS),))
         found = self._find_reading(self.names.arm, cells)
         if not found.is_right and not any(r.fits_frames for r in self._readings(found.claim, CONVENTIONS)):
             wrong = WrongEntries(found, self.table.rows)
