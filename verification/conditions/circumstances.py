@@ -238,10 +238,21 @@ class Circumstances:
         where = [each for chain in bounds for each in comparisons_of(chain)]
         sides, sampled = (outcome.true.node, outcome.printed.node), self.checker.sampled()
         with self.checker.exact.budget.paused():
-            from armproof.verification.equations.sampled_relations import hold_everywhere, holds_where
+            from armproof.verification.equations.sampled_relations import (
+                fails_where,
+                hold_everywhere,
+                holds_somewhere,
+                holds_where,
+            )
+        if where and not (where := [each for each in where if holds_somewhere(self.checker, sampled, each)]):
+            return outcome  # |cos θ_3| > 1: there is no solution
         if where and hold_everywhere(self.checker, sampled, where):  # θ_2 ∈ [0, 2π)
             return outcome
         count = holds_where(self.checker, sampled, sides, outcome.pair, where)
+        fails = partial(fails_where, self.checker, sampled, sides, outcome.pair)
+        is_false = not count and where and outcome.verdict is Verdict.REFUTED
+        if is_false and (fails(where) or all(fails([each]) for each in where)):
+            return outcome  # wherever the text means: sin θ_3 > 0, or < 0
         if not count:
             return outcome.left_open(say(Kind.BOUND_IN_TEXT))
         found = (say(Kind.HOLDS_WHERE_SAID, count=count),)

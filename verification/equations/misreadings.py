@@ -14,6 +14,7 @@ from armproof.verification.equations.alignment import is_constant, is_near
 from armproof.verification.equations.given_values import keys_alone
 from armproof.verification.equations.other_screws import of_other_screws
 from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.rigid import is_rotation
 from armproof.verification.equations.sides import Member
 from armproof.verification.equations.unit_vectors import holds_for_unit_vector
 from armproof.verification.findings import Finding, Kind, say
@@ -262,6 +263,8 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
     met = sorted((key, line) for key, line in state.consulted if key in state.definitions)
     elsewhere = [] if erratum else met  # what is said to be an error is meant of them
     if other := [each for each in elsewhere if not encloses(state.definitions[each[0]].section, state.section)]:
+        if _breaks_rotation(outcome):
+            return None
         return say(Kind.DEFINED_ELSEWHERE, name=other[0][0], line=other[0][1])
     elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for b in below)
     first, *others = [letters_held(member, names) for member in chain.members]
@@ -283,6 +286,16 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
     else:
         bound = all(found == first for found in others)
     return None if bound else say(Kind.NO_ARM_TO_COMPARE)
+
+
+def _breaks_rotation(outcome: Outcome) -> bool:
+    """Whether one entry alone parts a printed matrix from a rotation, and makes it none: no other rotation is meant."""
+    pair = outcome.pair
+    if pair is None or pair.true.shape != (3, 3):
+        return False
+    wrong = [place for place, true, printed in pair.entries() if not is_zero(true - printed)]
+    sides = sorted(is_rotation(side) for side in (pair.true, pair.printed)) if len(wrong) == 1 else []
+    return sides == [False, True]
 
 
 def _gives_letter(outcome: Outcome, names: Names) -> bool:
