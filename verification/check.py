@@ -301,7 +301,7 @@ class DocumentChecker:
 
             equations = settle_orders(equations)
         if self._has_definitions(equations):
-            equations = settle_used(settle_definitions(equations, self._tells, self._may_slip))
+            equations = settle_used(settle_definitions(equations, self._tells))
         if self.inferred.arm is not None or self.inferred.problem is not None:
             equations, tables = settle_data(self.inferred, equations, tables)
         if self._has_definitions(equations):  # what was refuted by an arm that nothing confirms may have used them
@@ -472,6 +472,8 @@ class DocumentChecker:
             return replace(judged, outcomes=tuple(found))
         with suppress(TooComplex), self.ring.budget.of(SECONDS_TO_EXPLAIN):
             for place, outcome in enumerate(outcomes):
+                may_slip = frozenset(filter(self._may_slip, outcome.uses))
+                found[place] = replace(found[place], may_slip=may_slip)
                 found[place] = replace(found[place], slip_before=self._slip_before(outcome, judged, display))
         return replace(judged, outcomes=tuple(found))
 

@@ -59,6 +59,7 @@ def single_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
     yield from _squares(root, letters)
     yield from on_all(root, _dropped_terms)
     yield from _added_factors(root, letters)
+    yield from on_all(root, _exchanged_arguments)
 
 
 def plain_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
@@ -159,6 +160,11 @@ def _functions(node: n.Node) -> Iterator[Change]:
         other = "sin" if node.function == "cos" else "cos"
         finding = say(Kind.SINE_FOR_COSINE if node.function == "sin" else Kind.COSINE_FOR_SINE)
         yield replace(node, function=other, head=SWAPPED.get(bare_head(node), f"\\{other}")), "function", finding
+
+
+def _exchanged_arguments(node: n.Node) -> Iterator[Change]:
+    if isinstance(node, n.Call) and node.function == "atan2" and len(node.arguments) == 2:
+        yield replace(node, arguments=node.arguments[::-1]), "function", say(Kind.ARGUMENTS_EXCHANGED)
 
 
 def _functions_throughout(root: n.Node) -> Iterator[Edit]:

@@ -15,7 +15,7 @@ from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.blocks import cells_of
-from armproof.verification.findings import Kind, say
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key, is_number
 from armproof.verification.latex.writer import Notation, Writer
@@ -32,10 +32,16 @@ def slip_before(
 ) -> SlipBefore | None:
     """Return that an equation holds with one slip mended in what its document says of a name in it, or None.
 
-    What is no equation of two values is decided `again`.
+    What is no equation of two values is decided `again`. A slip that an equation before needed is tried first.
     """
-    made = checker.names.state.definitions
-    for key, line in sorted(outcome.uses):
+    made, met = checker.names.state.definitions, checker.names.state.slips
+    for key, line in sorted(outcome.uses & met.keys()):
+        definition, (finding, formula) = made.get(key), met[key, line]
+        if definition is None or definition.line != line or definition.formula is None:
+            continue
+        if _holds_with(checker, key, definition, formula, outcome, again):
+            return _slip(key, definition, finding, formula)
+    for key, line in sorted(outcome.uses - met.keys()):
         definition = made.get(key)
         formula = definition.formula if definition is not None else None
         if definition is None or formula is None or names_alone(formula) or definition.line != line or line == 0:
@@ -47,8 +53,14 @@ def slip_before(
             ):  # it rests on itself, or on another one
                 continue
             if _holds_with(checker, key, definition, edit.node, outcome, again):
-                return SlipBefore(key, line, edit.finding, edit.node)
+                met[key, line] = edit.finding, edit.node
+                return _slip(key, definition, edit.finding, edit.node)
     return None
+
+
+def _slip(key: str, definition: Definition, finding: Finding, formula: n.Node) -> SlipBefore:
+    texts = (_written(definition.formula), _written(formula)) if definition.formula is not None else ("", "")
+    return SlipBefore(key, definition.line, finding, formula, False, *texts)
 
 
 def _edits(formula: n.Node, around: Iterable[n.Node], letters: Letters) -> Iterator[Edit]:

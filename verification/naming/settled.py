@@ -7,27 +7,39 @@ from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from dataclasses import replace
 
 from armproof.verification.findings import Finding, Kind, say
-from armproof.verification.verdict import HOLDS, EquationResult, Record, Role, SlipBefore, Verdict
+from armproof.verification.findings.kinds import MISPRINTS, OTHER_ANGLES
+from armproof.verification.verdict import (
+    HOLDS,
+    EquationResult,
+    Record,
+    Role,
+    SlipBefore,
+    Verdict,
+    WrongEntry,
+    worst,
+)
 
 Tells = Callable[[Record, SlipBefore], bool]
 Key = tuple[str, int]  # a name and the line of the display that defines it
 SEVERAL = 2
 
 
-def settle_definitions(
-    records: Iterable[Record], tells: Tells = lambda *_: True, may_slip: Callable[[Key], bool] = lambda _: True
-) -> tuple[Record, ...]:
+def settle_definitions(records: Iterable[Record], tells: Tells = lambda *_: True) -> tuple[Record, ...]:
     """Return the records of a document; where a line and a definition contradict each other, nobody may know which is wrong.
 
     Where more displays are wrong with a definition than right, and several are, or one is that holds if it has a slip, it may be the
     mistake: neither is decided. A display clears it that `tells` a slip: it holds without it alone. A definition that nothing
-    clears refutes a line only where one slip in that line explains it, and none in the definition, if that `may_slip`.
+    clears refutes a line only where one slip in that line explains it, and none in the definition, if that may slip.
     """
     records = tuple(records)
     claims = [record for record in records if not record.erratum]
-    wrong = contradicted(claims, tells, may_slip)
+    wrong = contradicted(claims, tells)
+    mistaken = _mistaken(claims, wrong)
+    explained = {record.line for record in claims if any(_is_due_to(each, mistaken) for each in record.outcomes)}
+    wrong = {key: lines for key, lines in wrong.items() if key in mistaken or not set(lines) <= explained}
     against = unsupported(claims) | wrong  # these are not to pass
-    return tuple(record if record.erratum else _unless_doubted(record, wrong, against) for record in records)
+    settled = [record if record.erratum else _unless_doubted(record, wrong, against) for record in records]
+    return tuple(_with_mistake(record, mistaken) for record in settled)
 
 
 def settle_used(records: Iterable[Record]) -> tuple[Record, ...]:
@@ -49,9 +61,7 @@ def used_names(results: Iterable[EquationResult]) -> frozenset[Key]:
     return frozenset(used)
 
 
-def contradicted(
-    records: Sequence[Record], tells: Tells = lambda *_: True, may_slip: Callable[[Key], bool] = lambda _: True
-) -> dict[Key, list[int]]:
+def contradicted(records: Sequence[Record], tells: Tells = lambda *_: True) -> dict[Key, list[int]]:
     """Return the definitions that displays contradict, more than agree with them, and the lines of those.
 
     One is enough where nothing agrees, and not only a slip in that line explains it: which of the two has the slip, nothing tells.
@@ -74,8 +84,57 @@ def contradicted(
     again = {key for r in records for o in r.outcomes for key in o.defines if key[1] != r.line}  # it is said again
     least = {key: 1 if key in mends else SEVERAL for key in wrong}
     doubted = {key: lines for key, lines in wrong.items() if len(lines) >= max(least[key], right[key] + 1)}
-    open_ = {key for key in defined if not right[key] and may_slip(key)}
+    open_ = {key for key in defined if not right[key]}
     return {**_said_anew(records, defined - again, right), **_unexplained(records, open_, again), **doubted}
+
+
+def _mistaken(records: Sequence[Record], wrong: Mapping[Key, list[int]]) -> dict[Key, SlipBefore]:
+    """Return the contradicted definitions with which nothing holds, and all that does not would with the same slip mended there, and with no other alone."""
+    found: dict[Key, dict[str, SlipBefore]] = {}
+    told: dict[Key, set[str]] = {}
+    cleared: set[Key] = set()
+    for record in records:
+        for each in record.outcomes:
+            if each.verdict in HOLDS:
+                cleared |= each.uses
+            slip = each.slip_before
+            if each.verdict is not Verdict.REFUTED or slip is None:
+                continue
+            key = (slip.name, slip.line)
+            cleared |= {key} if slip.has_rival or slip.change.kind not in MISPRINTS - OTHER_ANGLES else set()
+            found.setdefault(key, {})[slip.correct] = slip
+            told.setdefault(key, set()).add(record.latex)
+    return {
+        key: next(iter(slips.values()))
+        for key, slips in found.items()
+        if key in wrong and key not in cleared and len(slips) == 1 and len(told[key]) >= SEVERAL
+    }
+
+
+def _is_due_to(result: EquationResult, mistaken: Mapping[Key, SlipBefore]) -> bool:
+    slip = result.slip_before
+    return result.verdict is Verdict.REFUTED and slip is not None and (slip.name, slip.line) in mistaken
+
+
+def _with_mistake(record: Record, mistaken: Mapping[Key, SlipBefore]) -> Record:
+    """Return the record of a definition refuted where it is what is wrong."""
+    own = {
+        each.index: mistaken[key] for each in record.outcomes for key in each.defines & mistaken.keys() if len(each.defines) == 1
+    }
+    if not own or record.erratum:
+        return record
+    outcomes = tuple(
+        replace(each, verdict=Verdict.REFUTED, findings=(own[each.index].change.at(each.index), *each.findings))
+        if each.index in own and each.verdict is Verdict.UNCHECKED
+        else each
+        for each in record.outcomes
+    )
+    entries = tuple(
+        WrongEntry(index, None, None, slip.printed, slip.correct, slip.change) for index, slip in own.items()
+    )
+    findings = tuple(finding for each in outcomes if each.verdict is Verdict.REFUTED for finding in each.findings)
+    verdict = worst([each.verdict for each in outcomes])
+    return replace(record, verdict=verdict, outcomes=outcomes, entries=entries, findings=findings, corrections=None)
 
 
 def _unexplained(records: Sequence[Record], open_: Set[Key], again: Set[Key]) -> dict[Key, list[int]]:
@@ -88,7 +147,7 @@ def _unexplained(records: Sequence[Record], open_: Set[Key], again: Set[Key]) ->
         own = frozenset[Key]().union(*(each.defines for each in record.outcomes))  # k = a = b is wrong whatever k is
         for each in (outcome for outcome in record.outcomes if outcome.verdict is Verdict.REFUTED):
             if each.slip_before is not None or not _has_own_slip(record, each):
-                for key in (each.uses & open_) - own - {key for key in again if key[0] in each.alone}:
+                for key in (each.may_slip & open_) - own - {key for key in again if key[0] in each.alone}:
                     found.setdefault(key, []).append(record.line)
     return found
 

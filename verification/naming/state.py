@@ -208,6 +208,7 @@ class DocumentState:
         tells_jacobian: whether a law that holds told that J is no transpose.
         signs: the named signs.
         errors: the refuted equations.
+        slips: definitions, each with its line and what it says with the one slip mended that an equation needed.
         consulted: the definitions that evaluation has met since this was emptied, each with the line of its display.
         notation: how cosines, sums of angles, joints and lengths are written.
     """
@@ -246,6 +247,7 @@ class DocumentState:
     signs: NamedSigns = field(default_factory=NamedSigns)
     consulted: set[tuple[str, int]] = field(default_factory=set)
     errors: list[PrintedError] = field(default_factory=list)
+    slips: dict[Key, tuple[Finding, n.Node]] = field(default_factory=dict)
     notation: Notation = field(default_factory=Notation)
 
     @property
