@@ -468,14 +468,27 @@ class DocumentChecker:
         if judged.verdict is Verdict.REFUTED and self.correct:
             judged = replace(judged, corrections=self.corrector.correct(judged, statements, outcomes))
         found = [self._result(outcome, judged) for outcome in outcomes]
-        if judged.verdict is not Verdict.REFUTED or display.erratum:
+        if display.erratum:
             return replace(judged, outcomes=tuple(found))
+        if judged.verdict is not Verdict.REFUTED:
+            return self._by_slip_before(replace(judged, outcomes=tuple(found)), display, outcomes)
         with suppress(TooComplex), self.ring.budget.of(SECONDS_TO_EXPLAIN):
             for place, outcome in enumerate(outcomes):
                 may_slip = frozenset(filter(self._may_slip, outcome.uses))
                 found[place] = replace(found[place], may_slip=may_slip)
                 found[place] = replace(found[place], slip_before=self._slip_before(outcome, judged, display))
         return replace(judged, outcomes=tuple(found))
+
+    def _by_slip_before(self, record: Record, display: Display, outcomes: Sequence[Outcome]) -> Record:
+        """Return the record of a display that says a name anew, as it would be with one slip in what is said of that before."""
+        found = list(record.outcomes)
+        with suppress(TooComplex), self.ring.budget.of(SECONDS_TO_EXPLAIN):
+            for place, outcome in enumerate(outcomes):
+                if outcome.verdict is Verdict.UNCHECKED and outcome.tells(Kind.SECOND_MEANING) and outcome.uses:
+                    again = partial(self._holds_again, display, outcome.equation)
+                    slip = self.diagnostician.slip_before(record, outcome, again)
+                    found[place] = replace(found[place], slip_before=slip)
+        return replace(record, outcomes=tuple(found))
 
     def _record_of(self, record: Record, outcomes: Sequence[Outcome], extra: dict[str, float]) -> Record:
         """Return the record with the verdict of a display's outcomes, and what they say."""

@@ -208,7 +208,8 @@ def sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Findi
     points = outcome.findings[0].kind is Kind.PRODUCT_OF_SIZES  # O_0 O_2 is a vector between points, and no product
     elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for m in chain.members for b in n.walk(m))
     understood = all(held) or elementary or _are_columns(outcome)
-    if not by_convention or (explicit and not points and understood):
+    axes = outcome.findings[0].kind is Kind.SUM_WITH_SCALAR and any(_is_axis(name, names) for name in by_convention)
+    if not by_convention or (explicit and not points and not axes and understood):
         return None
     doubt = say(Kind.SIZES_OF_CONVENTION, reason=outcome.findings[0])
     names.state.other_sizes |= {name.key: doubt for name in by_convention if name in map(bare, chain.members)}
@@ -234,6 +235,12 @@ def _quantity(name: n.Name, names: Names) -> bool:
 def _is_scalar(name: n.Name, names: Names) -> bool:
     quantity = names.quantity(replace(name, dots=0))
     return quantity is not None and quantity.scalar
+
+
+def _is_axis(name: n.Name, names: Names) -> bool:
+    """Whether a name is usually an axis of a frame: x_6 beside a scalar is a coordinate."""
+    quantity = names.quantity(replace(name, dots=0))
+    return quantity is not None and not quantity.scalar and name.base in ("x", "y", "z") and not name.pre_sup
 
 
 def _is_explicit(name: n.Name) -> bool:

@@ -85,7 +85,13 @@ def contradicted(records: Sequence[Record], tells: Tells = lambda *_: True) -> d
     least = {key: 1 if key in mends else SEVERAL for key in wrong}
     doubted = {key: lines for key, lines in wrong.items() if len(lines) >= max(least[key], right[key] + 1)}
     open_ = {key for key in defined if not right[key]}
-    return {**_said_anew(records, defined - again, right), **_unexplained(records, open_, again), **doubted}
+    anew = {
+        (slip.name, slip.line): [record.line]
+        for record in records
+        for each in record.outcomes
+        if each.verdict is Verdict.UNCHECKED and (slip := each.slip_before) is not None
+    }
+    return {**anew, **_said_anew(records, defined - again, right), **_unexplained(records, open_, again), **doubted}
 
 
 def _mistaken(records: Sequence[Record], wrong: Mapping[Key, list[int]]) -> dict[Key, SlipBefore]:
@@ -94,21 +100,29 @@ def _mistaken(records: Sequence[Record], wrong: Mapping[Key, list[int]]) -> dict
     told: dict[Key, set[str]] = {}
     cleared: set[Key] = set()
     for record in records:
+        anew = (each.slip_before for each in record.outcomes if each.verdict is Verdict.UNCHECKED)
+        said_anew = {(slip.name, slip.line) for slip in anew if slip is not None}  # R = R_z(θ_1) and R = […] […] = […]
         for each in record.outcomes:
-            if each.verdict in HOLDS:
-                cleared |= each.uses
             slip = each.slip_before
-            if each.verdict is not Verdict.REFUTED or slip is None:
+            if each.verdict in HOLDS:
+                twice = {key for key in each.uses if any(one[0] == key[0] and one != key for one in each.uses)}
+                cleared |= _rested_on(each) - said_anew - twice
+            if slip is None or each.verdict not in (Verdict.REFUTED, Verdict.UNCHECKED):
                 continue
             key = (slip.name, slip.line)
             cleared |= {key} if slip.has_rival or slip.change.kind not in MISPRINTS - OTHER_ANGLES else set()
             found.setdefault(key, {})[slip.correct] = slip
             told.setdefault(key, set()).add(record.latex)
+            told[key] |= {f"{record.latex} of itself"} if key in said_anew and any(map(_holds, record.outcomes)) else set()
     return {
         key: next(iter(slips.values()))
         for key, slips in found.items()
         if key in wrong and key not in cleared and len(slips) == 1 and len(told[key]) >= SEVERAL
     }
+
+
+def _holds(result: EquationResult) -> bool:
+    return result.verdict in HOLDS
 
 
 def _is_due_to(result: EquationResult, mistaken: Mapping[Key, SlipBefore]) -> bool:
@@ -221,7 +235,10 @@ def _unless_doubted(record: Record, wrong: Mapping[Key, list[int]], against: Map
         replace(each, verdict=Verdict.UNCHECKED, findings=(doubt.at(each.index),)) if doubt is not None else each
         for each, doubt in zip(record.outcomes, doubts, strict=True)
     )
-    return record.with_outcomes(outcomes)
+    found = record.with_outcomes(outcomes)
+    if found.verdict is not Verdict.UNCHECKED:
+        return found
+    return replace(found, findings=tuple(each for o in outcomes if o.verdict is found.verdict for each in o.findings))
 
 
 def _doubt(result: EquationResult, wrong: Mapping[Key, list[int]], against: Mapping[Key, list[int]]) -> Finding | None:
@@ -229,7 +246,8 @@ def _doubt(result: EquationResult, wrong: Mapping[Key, list[int]], against: Mapp
     if own and result.verdict is Verdict.DEFINED and (result.role is Role.DEFINITION or own[0] in wrong):
         return say(Kind.CONTRADICTED, name=own[0][0], lines=against[own[0]])
     slip = result.slip_before
-    if slip is not None and result.verdict is Verdict.REFUTED and (slip.name, slip.line) in wrong:
+    is_open = result.verdict in (Verdict.REFUTED, Verdict.UNCHECKED)
+    if slip is not None and is_open and (slip.name, slip.line) in wrong:
         return say(Kind.SLIP_BEFORE, name=slip.name, line=slip.line, change=slip.change)
     used = sorted(result.uses & wrong.keys())
     if used and result.verdict is Verdict.REFUTED:
