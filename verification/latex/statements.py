@@ -156,13 +156,13 @@ def _goes_on(before: n.Node | Token, behind: n.Node | Token) -> bool:
     if isinstance(before, Token) or isinstance(behind, Token):
         return False
     last, first = _factors(before)[-1], _factors(behind)[0]
-    names = [each for each in (*_factors(before), *_factors(behind)) if not isinstance(each, n.Matrix)]
-    return all(map(_frames, names)) and (isinstance(first, n.Matrix) or bool(_frames(last) & _frames(first)))
+    names = [each for each in (*_factors(before), *_factors(behind)) if not isinstance(bare(each), n.Matrix)]
+    return all(map(_frames, names)) and (isinstance(bare(first), n.Matrix) or bool(_frames(last) & _frames(first)))
 
 
 def _frames(node: n.Node) -> set[str]:
     """Return the two frames in the scripts of a transform's name, or of its inverse."""
-    node = bare(node.base) if isinstance(node, n.Power) else bare(node)
+    node = bare(node.base) if isinstance(node, n.Power | n.Postfix) else bare(node)
     if not isinstance(node, n.Name) or node.base not in _TRANSFORMS:
         return set()
     found = [script for script in (node.pre_sup, node.pre_sub, node.sup, node.sub) if script]
@@ -250,7 +250,9 @@ def _matrix_cell(cell: Cell, span: tuple[int, int]) -> n.Node:
         return n.Name("words", text=text, span=(span_of_token(words[0])[0], span_of_token(words[-1])[1]))
     if not parts:
         raise ReadError(say(Kind.EMPTY_CELL), span[0])
-    if all(isinstance(part, n.Number) for part in parts):  # 0 \\quad 0 \\quad 0: the last row of a block of three columns
+    if all(
+        isinstance(part, n.Number) for part in parts
+    ):  # 0 \\quad 0 \\quad 0: the last row of a block of three columns
         return n.Matrix((tuple(parts),), "matrix", span=(parts[0].span[0], parts[-1].span[1]))
     second = parts[1]
     where = span_of_token(second)[0] if isinstance(second, Token) else second.span[0]

@@ -113,7 +113,9 @@ def _mistaken(records: Sequence[Record], wrong: Mapping[Key, list[int]]) -> dict
             cleared |= {key} if slip.has_rival or slip.change.kind not in MISPRINTS - OTHER_ANGLES else set()
             found.setdefault(key, {})[slip.correct] = slip
             told.setdefault(key, set()).add(record.latex)
-            told[key] |= {f"{record.latex} of itself"} if key in said_anew and any(map(_holds, record.outcomes)) else set()
+            told[key] |= (
+                {f"{record.latex} of itself"} if key in said_anew and any(map(_holds, record.outcomes)) else set()
+            )
     return {
         key: next(iter(slips.values()))
         for key, slips in found.items()
@@ -133,7 +135,10 @@ def _is_due_to(result: EquationResult, mistaken: Mapping[Key, SlipBefore]) -> bo
 def _with_mistake(record: Record, mistaken: Mapping[Key, SlipBefore]) -> Record:
     """Return the record of a definition refuted where it is what is wrong."""
     own = {
-        each.index: mistaken[key] for each in record.outcomes for key in each.defines & mistaken.keys() if len(each.defines) == 1
+        each.index: mistaken[key]
+        for each in record.outcomes
+        for key in each.defines & mistaken.keys()
+        if len(each.defines) == 1
     }
     if not own or record.erratum:
         return record

@@ -32,6 +32,9 @@ from armproof.verification.verdict import TakenArm
 
 _NUMBER = re.compile(r"(?<![\d._{])[1-9]\d*(?:\.\d+)?(?![\d.])")
 _INDEXED = re.compile(r"(?:theta|(?<![A-Za-z])[qcsCS])\s*_\s*\{?\s*(\d+)(?!\d|\s*\\times)")
+_STILL = re.compile(
+    r"\\dot\s*(?:\{\s*\\theta_\{?\d\}?\s*\}|\\theta_\{?\d\}?)\s*=\s*0(?![.\d])"
+)  # of a frame fixed behind the last joint
 
 
 def infer_arm(document: Document) -> Inference:
@@ -181,15 +184,9 @@ def _rivals(best: Reading, others: Sequence[Reading]) -> list[Reading]:
 
 
 def joints_used(displays: Iterable[Display]) -> set[int]:
-    """Return the indices of joint variables in displays, as in θ_3 or c_{23}."""
-    found = (
-        digit
-        for d in displays
-        if not d.erratum
-        for part in _INDEXED.findall(normalise_unicode(d.latex))
-        for digit in part
-    )
-    return set(map(int, found))
+    """Return the indices of joint variables in displays, as in θ_3 or c_{23}; a rate that is zero is that of none."""
+    texts = (_STILL.sub("", normalise_unicode(d.latex)) for d in displays if not d.erratum)
+    return {int(digit) for text in texts for part in _INDEXED.findall(text) for digit in part}
 
 
 def _stated(document: Document) -> tuple[str, ...]:
