@@ -484,7 +484,8 @@ class DocumentChecker:
         found = list(record.outcomes)
         with suppress(TooComplex), self.ring.budget.of(SECONDS_TO_EXPLAIN):
             for place, outcome in enumerate(outcomes):
-                if outcome.verdict is Verdict.UNCHECKED and outcome.tells(Kind.SECOND_MEANING) and outcome.uses:
+                is_open = outcome.verdict in (Verdict.UNCHECKED, Verdict.DEFINED)
+                if is_open and outcome.tells(Kind.SECOND_MEANING) and outcome.uses:
                     again = partial(self._holds_again, display, outcome.equation)
                     slip = self.diagnostician.slip_before(record, outcome, again)
                     found[place] = replace(found[place], slip_before=slip)

@@ -83,7 +83,9 @@ def _cells(formula: n.Node) -> Iterator[Edit]:
 
 def _exchanged(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
     """Yield a formula with another letter, or another sine or cosine, in the place of one, or a letter in that of its rate."""
+    around = tuple(around)
     pool = dict.fromkeys(b for node in (formula, *around) for b in n.walk(node) if _stands_alone(b))
+    pool |= dict.fromkeys(_angles_of(around)) if any(isinstance(b, n.Name) and b.base == "theta" for b in pool) else {}
     for node in filter(_stands_alone, n.walk(formula)):
         still = (
             [replace(node, dots=0, text=replace(node, dots=0).key)] if isinstance(node, n.Name) and node.dots else []
@@ -92,6 +94,14 @@ def _exchanged(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
             if other != node and _is_like(node, other):
                 finding = say(Kind.WRONG_NAME, printed=_written(node), correct=_written(other))
                 yield Edit(n.substitute(formula, node, replace(other, span=node.span)), "name", finding)
+
+
+def _angles_of(nodes: Iterable[n.Node]) -> Iterator[n.Name]:
+    """Yield the angles of which c_4 and s_4 in formulas are the cosine and the sine."""
+    for each in (below for node in nodes for below in n.walk(node) if isinstance(below, n.JointAngles)):
+        if len(each.terms) == 1:
+            index = str(each.terms[0][1])
+            yield n.Name("theta", index, text=rf"\theta_{index}")
 
 
 def _multiplied(formula: n.Node) -> Iterator[Edit]:

@@ -22,6 +22,7 @@ from armproof.verification.verdict import (
 Tells = Callable[[Record, SlipBefore], bool]
 Key = tuple[str, int]  # a name and the line of the display that defines it
 SEVERAL = 2
+OPEN = (Verdict.UNCHECKED, Verdict.DEFINED)  # what says a name anew
 
 
 def settle_definitions(records: Iterable[Record], tells: Tells = lambda *_: True) -> tuple[Record, ...]:
@@ -89,7 +90,7 @@ def contradicted(records: Sequence[Record], tells: Tells = lambda *_: True) -> d
         (slip.name, slip.line): [record.line]
         for record in records
         for each in record.outcomes
-        if each.verdict is Verdict.UNCHECKED and (slip := each.slip_before) is not None
+        if each.verdict in OPEN and (slip := each.slip_before) is not None
     }
     return {**anew, **_said_anew(records, defined - again, right), **_unexplained(records, open_, again), **doubted}
 
@@ -100,14 +101,14 @@ def _mistaken(records: Sequence[Record], wrong: Mapping[Key, list[int]]) -> dict
     told: dict[Key, set[str]] = {}
     cleared: set[Key] = set()
     for record in records:
-        anew = (each.slip_before for each in record.outcomes if each.verdict is Verdict.UNCHECKED)
+        anew = (each.slip_before for each in record.outcomes if each.verdict in OPEN)
         said_anew = {(slip.name, slip.line) for slip in anew if slip is not None}  # R = R_z(θ_1) and R = […] […] = […]
         for each in record.outcomes:
             slip = each.slip_before
             if each.verdict in HOLDS:
                 twice = {key for key in each.uses if any(one[0] == key[0] and one != key for one in each.uses)}
                 cleared |= _rested_on(each) - said_anew - twice
-            if slip is None or each.verdict not in (Verdict.REFUTED, Verdict.UNCHECKED):
+            if slip is None or each.verdict not in (Verdict.REFUTED, *OPEN):
                 continue
             key = (slip.name, slip.line)
             cleared |= {key} if slip.has_rival or slip.change.kind not in MISPRINTS - OTHER_ANGLES else set()
@@ -251,7 +252,7 @@ def _doubt(result: EquationResult, wrong: Mapping[Key, list[int]], against: Mapp
     if own and result.verdict is Verdict.DEFINED and (result.role is Role.DEFINITION or own[0] in wrong):
         return say(Kind.CONTRADICTED, name=own[0][0], lines=against[own[0]])
     slip = result.slip_before
-    is_open = result.verdict in (Verdict.REFUTED, Verdict.UNCHECKED)
+    is_open = result.verdict in (Verdict.REFUTED, *OPEN)
     if slip is not None and is_open and (slip.name, slip.line) in wrong:
         return say(Kind.SLIP_BEFORE, name=slip.name, line=slip.line, change=slip.change)
     used = sorted(result.uses & wrong.keys())

@@ -216,5 +216,5 @@ def _doubted(record: Record, other: _Other, gained: Sequence[Record], part: Infe
     if not _is_data(record, part):
         return record
     doubt = say(Kind.LINK_DISPUTED, lines=[each.line for each in gained], **change)
-    own = frozenset[int]() if part.arm.source == "table" else {other.link}
-    return record.left_open(doubt, lambda each: each.links == own)
+    is_table = part.arm.source == "table"
+    return record.left_open(doubt, lambda each: is_table or each.links == {other.link})
