@@ -568,9 +568,30 @@ class DocumentChecker:
                 slips = [*self.diagnostician.slip_as_usual(normalise_unicode(display.latex), outcome)]
         except TooComplex:
             return None
+        if not slips:
+            return self._with_slip_before(outcome, display)
         for slip in slips:
             outcome.also(say(Kind.SLIP_AS_USUAL, change=slip.finding, printed=slip.printed, correct=slip.correct))
         return outcome.as_usual if any(slip.finding.kind in MISPRINTS for slip in slips if slip.finding) else None
+
+    def _with_slip_before(self, outcome: Outcome, display: Display) -> AsUsual | None:
+        """Return what an equation would be if its names mean what they usually do, where a slip in what is said before then mends it."""
+        usual = outcome.as_usual
+        if usual is None or not outcome.uses:
+            return None
+        refuted, state = replace(usual.outcome, uses=outcome.uses), self.names.state
+        aside = {key: state.definitions.pop(key) for key in usual.meanings if key in state.definitions}
+        state.inferred |= usual.meanings
+        try:
+            with self.ring.budget.of(SECONDS_TO_EXPLAIN):
+                again = partial(self._holds_again, display, outcome.equation)
+                slip = self.diagnostician.slip_before(Record(0, "", Verdict.REFUTED), refuted, again)
+        except TooComplex:
+            return None
+        finally:
+            state.forget_usual(usual.meanings)
+            state.definitions |= aside
+        return replace(usual, outcome=refuted) if slip is not None and slip.change.kind in MISPRINTS else None
 
     def _result(self, outcome: Outcome, record: Record) -> EquationResult:
         """Return what became of one equation; why it is refuted is what the diagnosis of the display found."""
