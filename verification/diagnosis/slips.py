@@ -16,8 +16,8 @@ from typing import TypeGuard, TypeVar
 
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.conventions import is_entry
 from armproof.verification.latex.writer import SWAPPED, bare_head
+from armproof.verification.naming.conventions import is_entry
 
 Change = tuple[n.Node, str, Finding]
 Item = TypeVar("Item")
