@@ -239,7 +239,7 @@ class Circumstances:
         sides, sampled = (outcome.true.node, outcome.printed.node), self.checker.sampled()
         with self.checker.exact.budget.paused():
             from armproof.verification.equations.sampled_relations import (
-                fails_where,
+                fails_everywhere,
                 hold_everywhere,
                 holds_somewhere,
                 holds_where,
@@ -249,10 +249,9 @@ class Circumstances:
         if where and hold_everywhere(self.checker, sampled, where):  # θ_2 ∈ [0, 2π)
             return outcome
         count = holds_where(self.checker, sampled, sides, outcome.pair, where)
-        fails = partial(fails_where, self.checker, sampled, sides, outcome.pair)
-        is_false = not count and where and outcome.verdict is Verdict.REFUTED
-        if is_false and (fails(where) or all(fails([each]) for each in where)):
-            return outcome  # wherever the text means: sin θ_3 > 0, or < 0
+        is_refuted = not count and outcome.verdict is Verdict.REFUTED
+        if is_refuted and fails_everywhere(self.checker, sampled, sides, outcome.pair):
+            return outcome  # wherever the text means
         if not count:
             return outcome.left_open(say(Kind.BOUND_IN_TEXT))
         found = (say(Kind.HOLDS_WHERE_SAID, count=count),)

@@ -78,15 +78,9 @@ def holds_where(
     return count if count >= ENOUGH else 0
 
 
-def fails_where(
-    checker: ChainChecker,
-    sampled: SampledAlgebra,
-    sides: Sides,
-    exact: Pair | None,
-    where: Sequence[Comparison],
-) -> bool:
-    """Whether an equation fails at each of many configurations where comparisons hold."""
-    found = [*_right_where(checker, sampled, sides, exact, where)]
+def fails_everywhere(checker: ChainChecker, sampled: SampledAlgebra, sides: Sides, exact: Pair | None) -> bool:
+    """Whether an equation fails at each of many configurations, whatever the lengths."""
+    found = [*_right_where(checker, sampled, sides, exact, [])]
     return max((each.size for each in found if each is not None), default=0) >= ENOUGH and not any(
         each is None or each.any() for each in found
     )
