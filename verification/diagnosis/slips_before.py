@@ -53,7 +53,7 @@ def slip_before(
             ):  # it rests on itself, or on another one
                 continue
             if _holds_with(checker, key, definition, edit.node, outcome, again):
-                met[key, line] = edit.finding, edit.node
+                checker.names.state.slips[key, line] = edit.finding, edit.node
                 return _slip(key, definition, edit.finding, edit.node)
     return None
 
