@@ -168,7 +168,7 @@ def _entries(node: n.Node) -> Iterator[Change]:
     """Another entry of a rotation, in its row or its column: r_{13} for r_{33}."""
     if not isinstance(node, n.Name) or not is_entry(node) or len(node.sub) != 2:
         return
-    row, column = node.sub
+    row, column = node.sub[0], node.sub[1]
     for sub in (*(row + other for other in "123"), *(other + column for other in "123")):
         if sub != node.sub:
             changed = replace(node, sub=sub, text=f"{node.base}_{{{sub}}}")

@@ -36,11 +36,11 @@ def slip_before(
     """
     made, met = checker.names.state.definitions, checker.names.state.slips
     for key, line in sorted(outcome.uses & met.keys()):
-        definition, (finding, formula) = made.get(key), met[key, line]
+        definition, (finding, mended) = made.get(key), met[key, line]
         if definition is None or definition.line != line or definition.formula is None:
             continue
-        if _holds_with(checker, key, definition, formula, outcome, again):
-            return _slip(key, definition, finding, formula)
+        if _holds_with(checker, key, definition, mended, outcome, again):
+            return _slip(key, definition, finding, mended)
     for key, line in sorted(outcome.uses - met.keys()):
         definition = made.get(key)
         formula = definition.formula if definition is not None else None

@@ -106,7 +106,7 @@ def _right_where(
             yield None
             return
         worst = errors.scaled[..., at]
-        yield (worst <= TOLERANCE).all(axis=tuple(range(worst.ndim - 1)))
+        yield np.asarray((worst <= TOLERANCE).all(axis=tuple(range(worst.ndim - 1))))
 
 
 def _arms(checker: ChainChecker, sampled: SampledAlgebra) -> Iterator[SampledAlgebra]:

@@ -87,10 +87,10 @@ def contradicted(records: Sequence[Record], tells: Tells = lambda *_: True) -> d
     doubted = {key: lines for key, lines in wrong.items() if len(lines) >= max(least[key], right[key] + 1)}
     open_ = {key for key in defined if not right[key]}
     anew = {
-        (slip.name, slip.line): [record.line]
+        (each.slip_before.name, each.slip_before.line): [record.line]
         for record in records
         for each in record.outcomes
-        if each.verdict in OPEN and (slip := each.slip_before) is not None
+        if each.verdict in OPEN and each.slip_before is not None
     }
     return {**anew, **_said_anew(records, defined - again, right), **_unexplained(records, open_, again), **doubted}
 
