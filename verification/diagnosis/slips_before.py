@@ -64,10 +64,10 @@ def _slip(key: str, definition: Definition, finding: Finding, formula: n.Node) -
 
 
 def _edits(formula: n.Node, around: Iterable[n.Node], letters: Letters) -> Iterator[Edit]:
-    """Yield a definition with a slip, of the letters and the sines that stand in it and around it; nobody turns all signs of a sum, or an angle."""
+    """Yield a definition with a slip, of the letters and the sines that stand in it and around it; nobody turns all signs of a sum."""
     found = chain(_cells(formula), _exchanged(formula, around), single_edits(formula, letters), _multiplied(formula))
-    is_whole = (isinstance(formula, n.Sum) and len(formula.terms) > 1) or _is_arc(formula)
-    return (each for each in found if not (is_whole and each.finding == say(Kind.WRONG_SIGN)))
+    is_sum = isinstance(formula, n.Sum) and len(formula.terms) > 1
+    return (each for each in found if not (is_sum and each.finding == say(Kind.WRONG_SIGN)))
 
 
 def _cells(formula: n.Node) -> Iterator[Edit]:
@@ -166,11 +166,8 @@ def _holds_with(
 
 def _has_branches(node: n.Node) -> bool:
     """Whether an equation holds on one branch of what stands in it: ±, or an angle by its sine or cosine."""
-    return n.has_branches(node) or any(map(_is_arc, n.walk(node)))
-
-
-def _is_arc(node: n.Node) -> bool:
-    return isinstance(node, n.Call) and node.function in ("acos", "asin", "atan", "atan2")
+    arcs = (b for b in n.walk(node) if isinstance(b, n.Call) and b.function in ("acos", "asin", "atan", "atan2"))
+    return n.has_branches(node) or any(arcs)
 
 
 def _equal(one: Matrix, other: Matrix) -> bool:

@@ -15,10 +15,9 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.rigid import is_rotation
 from armproof.verification.equations.sides import Members
 from armproof.verification.findings import Finding, Kind, say
-from armproof.verification.findings.kinds import MISPRINTS, OTHER_ANGLES
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key
-from armproof.verification.verdict import HOLDS, EquationResult, Record, Role, TakenArm, Verdict, WrongEntry, worst
+from armproof.verification.verdict import HOLDS, EquationResult, Record, Role, TakenArm, Verdict, worst
 
 
 @dataclass(frozen=True)
@@ -281,11 +280,6 @@ def _is_of_any_arm(result: EquationResult) -> bool:
     return any(each.kind in slips for each in result.findings)
 
 
-def _is_misprint(entry: WrongEntry) -> bool:
-    """Whether a sign, an index or a length alone is wrong in a formula."""
-    return entry.finding is not None and entry.finding.kind in MISPRINTS - OTHER_ANGLES
-
-
 @dataclass(frozen=True)
 class _Settled:
     """The records of a document whose arm was taken from a part of it.
@@ -370,8 +364,7 @@ class _Settled:
         is_pinned = self.taken.source == "closed form" and not (self.taken.mended or self.taken.told_by)
         alone = all(len(self.against.get(link, ())) < 2 for link in links)
         is_numbered = FRAMES not in links - self.confirmed or all(each.finding is not None for each in wrong)
-        is_one = len(wrong) == 1 and (bool(wrong[0].row) or _is_misprint(wrong[0]))
-        return is_pinned and alone and is_numbered and is_one
+        return is_pinned and alone and is_numbered and [bool(each.row) for each in wrong] == [True]
 
     def _data(self, index: int, links: frozenset[int] = frozenset()) -> EquationResult:
         lines = sorted(frozenset[int]().union(*(self.against.get(link, ()) for link in links - self.confirmed)))
