@@ -322,7 +322,7 @@ class DocumentChecker:
 
             equations = settle_orders(equations)
         if self._has_definitions(equations):
-            equations = settle_used(settle_definitions(equations, self._tells, self._may_slip))
+            equations = settle_used(settle_definitions(equations, self._tells))
         if self.inferred.arm is not None or self.inferred.problem is not None:
             equations, tables = settle_data(self.inferred, equations, tables)
         if self._has_definitions(equations):  # what was refuted by an arm that nothing confirms may have used them
@@ -509,12 +509,28 @@ class DocumentChecker:
         if judged.verdict is Verdict.REFUTED and self.correct:
             judged = replace(judged, corrections=self.corrector.correct(judged, statements, outcomes))
         found = [self._result(outcome, judged) for outcome in outcomes]
-        if judged.verdict is not Verdict.REFUTED or display.erratum:
+        if display.erratum:
             return replace(judged, outcomes=tuple(found))
+        if judged.verdict is not Verdict.REFUTED:
+            return self._by_slip_before(replace(judged, outcomes=tuple(found)), display, outcomes)
         with suppress(TooComplex), self.ring.budget.of(SECONDS_TO_EXPLAIN):
             for place, outcome in enumerate(outcomes):
+                may_slip = frozenset(filter(self._may_slip, outcome.uses))
+                found[place] = replace(found[place], may_slip=may_slip)
                 found[place] = replace(found[place], slip_before=self._slip_before(outcome, judged, display))
         return replace(judged, outcomes=tuple(found))
+
+    def _by_slip_before(self, record: Record, display: Display, outcomes: Sequence[Outcome]) -> Record:
+        """Return the record of a display that says a name anew, as it would be with one slip in what is said of that before."""
+        found = list(record.outcomes)
+        with suppress(TooComplex), self.ring.budget.of(SECONDS_TO_EXPLAIN):
+            for place, outcome in enumerate(outcomes):
+                is_open = outcome.verdict in (Verdict.UNCHECKED, Verdict.DEFINED)
+                if is_open and outcome.tells(Kind.SECOND_MEANING) and outcome.uses:
+                    again = partial(self._holds_again, display, outcome.equation)
+                    slip = self.diagnostician.slip_before(record, outcome, again)
+                    found[place] = replace(found[place], slip_before=slip)
+        return replace(record, outcomes=tuple(found))
 
     def _record_of(self, record: Record, outcomes: Sequence[Outcome], extra: dict[str, float]) -> Record:
         """Return the record with the verdict of a display's outcomes, and what they say."""
@@ -593,9 +609,30 @@ class DocumentChecker:
                 slips = [*self.diagnostician.slip_as_usual(normalise_unicode(display.latex), outcome)]
         except TooComplex:
             return None
+        if not slips:
+            return self._with_slip_before(outcome, display)
         for slip in slips:
             outcome.also(say(Kind.SLIP_AS_USUAL, change=slip.finding, printed=slip.printed, correct=slip.correct))
         return outcome.as_usual if any(slip.finding.kind in MISPRINTS for slip in slips if slip.finding) else None
+
+    def _with_slip_before(self, outcome: Outcome, display: Display) -> AsUsual | None:
+        """Return what an equation would be if its names mean what they usually do, where a slip in what is said before then mends it."""
+        usual = outcome.as_usual
+        if usual is None or not outcome.uses:
+            return None
+        refuted, state = replace(usual.outcome, uses=outcome.uses), self.names.state
+        aside = {key: state.definitions.pop(key) for key in usual.meanings if key in state.definitions}
+        state.inferred |= usual.meanings
+        try:
+            with self.ring.budget.of(SECONDS_TO_EXPLAIN):
+                again = partial(self._holds_again, display, outcome.equation)
+                slip = self.diagnostician.slip_before(Record(0, "", Verdict.REFUTED), refuted, again)
+        except TooComplex:
+            return None
+        finally:
+            state.forget_usual(usual.meanings)
+            state.definitions |= aside
+        return replace(usual, outcome=refuted) if slip is not None and slip.change.kind in MISPRINTS else None
 
     def _result(self, outcome: Outcome, record: Record) -> EquationResult:
         """Return what became of one equation; why it is refuted is what the diagnosis of the display found."""

@@ -61,7 +61,7 @@ def worst(verdicts: list[Verdict]) -> Verdict:
 class SlipBefore:
     """The one change of what a display before says of a name, with which an equation that is refuted would hold, and what it then says.
 
-    It has a rival where one slip in the equation itself would mend that, too.
+    It has a rival where one slip in the equation itself would mend that, too. `printed` and `correct` are the two formulas.
     """
 
     name: str
@@ -69,6 +69,8 @@ class SlipBefore:
     change: Finding
     formula: object
     has_rival: bool = False
+    printed: str = ""
+    correct: str = ""
 
 
 @dataclass(frozen=True)
@@ -89,6 +91,7 @@ class EquationResult:
         alone: the names that stand alone on a side.
         slip_before: with which slip in a definition before it holds, where it is refuted.
         order: of the arguments of atan2, with which it holds.
+        may_slip: of what it rests on, where it is refuted, the definitions that claim something: (x, y) = F does not.
     """
 
     index: int
@@ -106,6 +109,7 @@ class EquationResult:
     alone: frozenset[str] = frozenset()
     slip_before: SlipBefore | None = None
     order: str = ""
+    may_slip: frozenset[tuple[str, int]] = frozenset()
 
     @property
     def is_remark(self) -> bool:

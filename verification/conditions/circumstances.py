@@ -288,10 +288,20 @@ class Circumstances:
         where = [each for chain in bounds for each in comparisons_of(chain)]
         sides, sampled = (outcome.true.node, outcome.printed.node), self.checker.sampled()
         with self.checker.exact.budget.paused():
-            from armproof.verification.equations.sampled_relations import hold_everywhere, holds_where
+            from armproof.verification.equations.sampled_relations import (
+                fails_everywhere,
+                hold_everywhere,
+                holds_somewhere,
+                holds_where,
+            )
+        if where and not (where := [each for each in where if holds_somewhere(self.checker, sampled, each)]):
+            return outcome  # |cos θ_3| > 1: there is no solution
         if where and hold_everywhere(self.checker, sampled, where):  # θ_2 ∈ [0, 2π)
             return outcome
         count = holds_where(self.checker, sampled, sides, outcome.pair, where)
+        is_refuted = not count and outcome.verdict is Verdict.REFUTED
+        if is_refuted and fails_everywhere(self.checker, sampled, sides, outcome.pair):
+            return outcome  # wherever the text means
         if not count:
             return outcome.left_open(say(Kind.BOUND_IN_TEXT))
         found = (say(Kind.HOLDS_WHERE_SAID, count=count),)

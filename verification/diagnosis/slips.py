@@ -17,6 +17,7 @@ from typing import TypeGuard, TypeVar
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.writer import SWAPPED, bare_head
+from armproof.verification.naming.conventions import is_entry
 
 Change = tuple[n.Node, str, Finding]
 Item = TypeVar("Item")
@@ -59,6 +60,8 @@ def single_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
     yield from _squares(root, letters)
     yield from on_all(root, _dropped_terms)
     yield from _added_factors(root, letters)
+    yield from on_all(root, _exchanged_arguments)
+    yield from on_all(root, _entries)
 
 
 def plain_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
@@ -159,6 +162,22 @@ def _functions(node: n.Node) -> Iterator[Change]:
         other = "sin" if node.function == "cos" else "cos"
         finding = say(Kind.SINE_FOR_COSINE if node.function == "sin" else Kind.COSINE_FOR_SINE)
         yield replace(node, function=other, head=SWAPPED.get(bare_head(node), f"\\{other}")), "function", finding
+
+
+def _entries(node: n.Node) -> Iterator[Change]:
+    """Another entry of a rotation, in its row or its column: r_{13} for r_{33}."""
+    if not isinstance(node, n.Name) or not is_entry(node) or len(node.sub) != 2:
+        return
+    row, column = node.sub[0], node.sub[1]
+    for sub in (*(row + other for other in "123"), *(other + column for other in "123")):
+        if sub != node.sub:
+            changed = replace(node, sub=sub, text=f"{node.base}_{{{sub}}}")
+            yield changed, "index", say(Kind.WRONG_NAME, printed=_show(node), correct=_show(changed))
+
+
+def _exchanged_arguments(node: n.Node) -> Iterator[Change]:
+    if isinstance(node, n.Call) and node.function == "atan2" and len(node.arguments) == 2:
+        yield replace(node, arguments=node.arguments[::-1]), "function", say(Kind.ARGUMENTS_EXCHANGED)
 
 
 def _functions_throughout(root: n.Node) -> Iterator[Edit]:

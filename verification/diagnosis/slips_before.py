@@ -15,7 +15,7 @@ from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.blocks import cells_of
-from armproof.verification.findings import Kind, say
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key, is_number
 from armproof.verification.latex.writer import Notation, Writer
@@ -32,10 +32,16 @@ def slip_before(
 ) -> SlipBefore | None:
     """Return that an equation holds with one slip mended in what its document says of a name in it, or None.
 
-    What is no equation of two values is decided `again`.
+    What is no equation of two values is decided `again`. A slip that an equation before needed is tried first.
     """
-    made = checker.names.state.definitions
-    for key, line in sorted(outcome.uses):
+    made, met = checker.names.state.definitions, checker.names.state.slips
+    for key, line in sorted(outcome.uses & met.keys()):
+        definition, (finding, mended) = made.get(key), met[key, line]
+        if definition is None or definition.line != line or definition.formula is None:
+            continue
+        if _holds_with(checker, key, definition, mended, outcome, again):
+            return _slip(key, definition, finding, mended)
+    for key, line in sorted(outcome.uses - met.keys()):
         definition = made.get(key)
         formula = definition.formula if definition is not None else None
         if definition is None or formula is None or names_alone(formula) or definition.line != line or line == 0:
@@ -47,8 +53,14 @@ def slip_before(
             ):  # it rests on itself, or on another one
                 continue
             if _holds_with(checker, key, definition, edit.node, outcome, again):
-                return SlipBefore(key, line, edit.finding, edit.node)
+                checker.names.state.slips[key, line] = edit.finding, edit.node
+                return _slip(key, definition, edit.finding, edit.node)
     return None
+
+
+def _slip(key: str, definition: Definition, finding: Finding, formula: n.Node) -> SlipBefore:
+    texts = (_written(definition.formula), _written(formula)) if definition.formula is not None else ("", "")
+    return SlipBefore(key, definition.line, finding, formula, False, *texts)
 
 
 def _edits(formula: n.Node, around: Iterable[n.Node], letters: Letters) -> Iterator[Edit]:
@@ -126,7 +138,9 @@ def _with_an_angle(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
 
 def _exchanged(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
     """Yield a formula with another letter, or another sine or cosine, in the place of one, or a letter in that of its rate."""
+    around = tuple(around)
     pool = dict.fromkeys(b for node in (formula, *around) for b in n.walk(node) if _stands_alone(b))
+    pool |= dict.fromkeys(_angles_of(around)) if any(isinstance(b, n.Name) and b.base == "theta" for b in pool) else {}
     for node in filter(_stands_alone, n.walk(formula)):
         still = (
             [replace(node, dots=0, text=replace(node, dots=0).key)] if isinstance(node, n.Name) and node.dots else []
@@ -135,6 +149,14 @@ def _exchanged(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
             if other != node and _is_like(node, other):
                 finding = say(Kind.WRONG_NAME, printed=_written(node), correct=_written(other))
                 yield Edit(n.substitute(formula, node, replace(other, span=node.span)), "name", finding)
+
+
+def _angles_of(nodes: Iterable[n.Node]) -> Iterator[n.Name]:
+    """Yield the angles of which c_4 and s_4 in formulas are the cosine and the sine."""
+    for each in (below for node in nodes for below in n.walk(node) if isinstance(below, n.JointAngles)):
+        if len(each.terms) == 1:
+            index = str(each.terms[0][1])
+            yield n.Name("theta", index, text=rf"\theta_{index}")
 
 
 def _multiplied(formula: n.Node) -> Iterator[Edit]:

@@ -144,7 +144,7 @@ class Claims:
         outcomes = [self.unless_doubted(outcome, _defined_beside(outcome, own, line)) for outcome in outcomes]
         if by_table := self.names.state.from_table():
             doubt = say(Kind.ENTRY_BY_INDEX, name=by_table[0])
-            outcomes = [each.unless_refuted(doubt) for each in outcomes]
+            outcomes = [each.unless_slip(doubt) for each in outcomes]
         if (
             text := self.names.state.from_text()
         ):  # it may speak of one case: only a slip in what follows from it is refuted

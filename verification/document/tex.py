@@ -49,6 +49,8 @@ _TOKEN = re.compile(
     r"|(?P<bracket>\\\[)|(?P<macro>\\[A-Za-z]+)|\\.|(?P<dollars>\$\$?)",
     re.DOTALL,
 )
+_MATRIX = re.compile(r"\\begin\s*\{(?:array|[bpvBV]?matrix)\*?\}")
+_MATRIX_IN_CELL = re.compile(r"\$[^$]*=[^$]*\\begin\s*\{(?:array|[bpvBV]?matrix)\*?\}[^$]*\$")  # A_1 = […] & A_2 = […]
 _ERRATUM = re.compile(
     r"\s*(?:\[(?:[^\]]*[={\s])?\W*errat(?:um|a)\b|(?:\\(?:textbf|textit|emph|textsc|bfseries|itshape|bf|it|noindent|paragraph)(?![A-Za-z])[\s*{]*|\{)*errat(?:um|a)\b)",
     re.IGNORECASE,
@@ -159,6 +161,7 @@ class _Scanner:
         self.exercises, self.exercise_names = 0, dict[str, str]()  # by the number that the author gives each
         self.regions: list[_Region] = []
         self.tables: list[Table] = []
+        self.layout = 0  # where the tabular ends that arranges matrices in its cells
         self.spans: list[tuple[int, int, Display | None]] = []  # of displays and tabulars, once they are read
 
     def line(self, offset: int) -> int:
@@ -190,7 +193,7 @@ class _Scanner:
                 position = token.end() if close < 0 else close + 1
             elif (opened := self._opened(token)) is not None:
                 begin, end, after = opened
-                if token.group() not in ("$", "\\("):
+                if token.group() not in ("$", "\\(") or self._is_set_apart(begin, end):
                     paragraph = (
                         self.visible[max(self.start, token.start() - 400) : token.start()].rstrip().rsplit("\n\n")[-1]
                     )
@@ -279,7 +282,7 @@ class _Scanner:
         return begin, end, found.end() if found else end
 
     def _display(self, token: re.Match[str], begin: int, end: int) -> Display:
-        opening = token.group().strip()
+        opening = "\\(" if token.group() == INLINE else token.group().strip()
         if _WITH_ARGUMENT.fullmatch(token.group("begin") or ""):
             argument = _ARGUMENTS.match(self.visible, begin)
             begin = argument.end() if argument else begin
@@ -310,6 +313,9 @@ class _Scanner:
             if end >= 0:
                 erratum = marked or any(region.erratum for region in self.regions)
                 table = read_tabular(self.visible[token.end() : end], token.end(), self.place)
+                if _MATRIX_IN_CELL.search(self.visible, token.end(), end):
+                    self.layout = end
+                    return self._behind_columns(token.end())
                 if table is not None:
                     line = self.line(token.start())
                     context = {"line": line, "erratum": erratum, "section": self.section, **self.where(token.start())}
@@ -324,6 +330,14 @@ class _Scanner:
             self.exercise = self._next_exercise(token.end())
             self.section = begin_section(self.section, self.exercise, EXERCISE_LEVEL)
         return token.end()
+
+    def _behind_columns(self, begin: int) -> int:
+        arguments = _ARGUMENTS.match(self.visible, begin)
+        return arguments.end() if arguments else begin
+
+    def _is_set_apart(self, begin: int, end: int) -> bool:
+        """Whether a formula is the matrix in a cell of a tabular that only arranges such."""
+        return end < self.layout and _MATRIX.search(self.visible, begin, end) is not None
 
     def _next_exercise(self, begin: int) -> str:
         """Return the name of the exercise that begins: that of an earlier one, where it goes on with the robot of that."""

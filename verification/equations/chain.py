@@ -39,6 +39,7 @@ from armproof.verification.equations.letter_matrices import (
     of_defined_rotation,
     stale,
     take_entries,
+    target_pose,
     with_small_letters,
 )
 from armproof.verification.equations.of_points import OfPoints
@@ -219,6 +220,9 @@ class ChainChecker:
         if now.define:
             if self.names.state.inferred.keys() - now.settled:
                 heed_places(self.names, members, now.settled, now.line)
+            if (target := target_pose(members, self.names)) is not None:
+                self.names.state.inferred[target[0]] = target[1]
+                return now.check(now.chain)
             if now.is_open and (found := awaited(members)) is not None:
                 return [replace(await_value(self.names, *found, now.line), equation=now.first)]
         if not any(member.known for member in members):

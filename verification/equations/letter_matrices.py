@@ -27,6 +27,7 @@ from armproof.verification.naming.quantities import numbered_frames
 from armproof.verification.verdict import Verdict
 
 _ROTATION = re.compile(r"(?:\{\}(?:\^\w+)?(?:_\w+)?)?R(?![a-z])")
+_TARGETS = frozenset(["d", "D", "des", "desired", "target", "goal", "ref"])
 FEWEST_SHOWN = 2  # equations that show of which rotation r_{ij} are
 FEWEST_LETTERS = 4  # of a matrix of letters: those of a rotation, and no column of lengths
 
@@ -36,6 +37,23 @@ def awaited(members: Sequence[Member]) -> tuple[str, n.Node] | None:
     for name, letters in _of_letters(members):
         if isinstance(name.problem, UnboundName):
             return str(bare_key(name.node)), letters.node
+    return None
+
+
+def target_pose(members: Sequence[Member], names: Names) -> tuple[str, Quantity] | None:
+    """Return the name of the pose that is to be reached, {}^0_5T_D beside a matrix of letters, and that of the arm's tool; else None."""
+    for name, _ in _of_letters(members):
+        node = n.bare(name.node)
+        if names.arm is None or not isinstance(name.problem, UnboundName) or not isinstance(node, n.Name):
+            continue
+        if node.sub not in _TARGETS or node.sup or names.is_free(node):
+            continue
+        plain = replace(node, sub="")
+        known = names.quantity(plain)
+        ends = (names.arm.frames[0], names.arm.frames[-1])
+        for each in (known,) if known is not None else conventional(plain, names.arm, names.transforms):
+            if each.kind == "pose" and (each.reference, each.frame) == ends and each.rows is None:
+                return node.key, each
     return None
 
 

@@ -14,6 +14,7 @@ from armproof.verification.equations.alignment import is_constant, is_near
 from armproof.verification.equations.given_values import keys_alone
 from armproof.verification.equations.other_screws import of_other_screws
 from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.rigid import is_rotation
 from armproof.verification.equations.shorthands import digits_of
 from armproof.verification.equations.sides import Member
 from armproof.verification.equations.unit_vectors import holds_for_unit_vector
@@ -208,7 +209,8 @@ def sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Findi
     points = outcome.findings[0].kind is Kind.PRODUCT_OF_SIZES  # O_0 O_2 is a vector between points, and no product
     elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for m in chain.members for b in n.walk(m))
     understood = all(held) or elementary or _are_columns(outcome)
-    if not by_convention or (explicit and not points and understood):
+    axes = outcome.findings[0].kind is Kind.SUM_WITH_SCALAR and any(_is_axis(name, names) for name in by_convention)
+    if not by_convention or (explicit and not points and not axes and understood):
         return None
     doubt = say(Kind.SIZES_OF_CONVENTION, reason=outcome.findings[0])
     names.state.other_sizes |= {name.key: doubt for name in by_convention if name in map(bare, chain.members)}
@@ -234,6 +236,12 @@ def _quantity(name: n.Name, names: Names) -> bool:
 def _is_scalar(name: n.Name, names: Names) -> bool:
     quantity = names.quantity(replace(name, dots=0))
     return quantity is not None and quantity.scalar
+
+
+def _is_axis(name: n.Name, names: Names) -> bool:
+    """Whether a name is usually an axis of a frame: x_6 beside a scalar is a coordinate."""
+    quantity = names.quantity(replace(name, dots=0))
+    return quantity is not None and not quantity.scalar and name.base in ("x", "y", "z") and not name.pre_sup
 
 
 def _is_explicit(name: n.Name) -> bool:
@@ -263,6 +271,8 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
     met = sorted((key, line) for key, line in state.consulted if key in state.definitions)
     elsewhere = [] if erratum else met  # what is said to be an error is meant of them
     if other := [each for each in elsewhere if not encloses(state.definitions[each[0]].section, state.section)]:
+        if _breaks_rotation(outcome):
+            return None
         return say(Kind.DEFINED_ELSEWHERE, name=other[0][0], line=other[0][1])
     elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for b in below)
     first, *others = [letters_held(member, names) for member in chain.members]
@@ -284,6 +294,16 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
     else:
         bound = all(found == first for found in others)
     return None if bound else say(Kind.NO_ARM_TO_COMPARE)
+
+
+def _breaks_rotation(outcome: Outcome) -> bool:
+    """Whether one entry alone parts a printed matrix from a rotation, and makes it none: no other rotation is meant."""
+    pair = outcome.pair
+    if pair is None or pair.true.shape != (3, 3):
+        return False
+    wrong = [place for place, true, printed in pair.entries() if not is_zero(true - printed)]
+    sides = sorted(is_rotation(side) for side in (pair.true, pair.printed)) if len(wrong) == 1 else []
+    return sides == [False, True]
 
 
 def _gives_letter(outcome: Outcome, names: Names) -> bool:

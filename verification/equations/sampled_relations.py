@@ -71,19 +71,42 @@ def holds_where(
     Lengths without a value are drawn as well.
     """
     count = 0
+    for right in _right_where(checker, sampled, sides, exact, where):
+        if right is None or not right.all():
+            return 0
+        count = max(count, right.size)
+    return count if count >= ENOUGH else 0
+
+
+def fails_everywhere(checker: ChainChecker, sampled: SampledAlgebra, sides: Sides, exact: Pair | None) -> bool:
+    """Whether an equation fails at each of many configurations, whatever the lengths."""
+    found = [*_right_where(checker, sampled, sides, exact, [])]
+    return max((each.size for each in found if each is not None), default=0) >= ENOUGH and not any(
+        each is None or each.any() for each in found
+    )
+
+
+def _right_where(
+    checker: ChainChecker,
+    sampled: SampledAlgebra,
+    sides: Sides,
+    exact: Pair | None,
+    where: Sequence[Comparison],
+) -> Iterator[np.ndarray | None]:
+    """Yield, for each drawing of the lengths, at which of the configurations where comparisons hold an equation does; None where that cannot be told."""
     for lengths in _arms(checker, sampled):
         errors = errors_between(checker.names, lengths, *sides, exact, False)
         if errors is None:
-            return 0
+            yield None
+            return
         try:
             with np.errstate(all="ignore"):
                 at = errors.counted & errors.at_random & where_all_hold(checker, lengths, where)
         except (EvaluationError, TypeError):
-            return 0
-        if (errors.scaled[..., at] > TOLERANCE).any():
-            return 0
-        count = max(count, int(at.sum()))
-    return count if count >= ENOUGH else 0
+            yield None
+            return
+        worst = errors.scaled[..., at]
+        yield np.asarray((worst <= TOLERANCE).all(axis=tuple(range(worst.ndim - 1))))
 
 
 def _arms(checker: ChainChecker, sampled: SampledAlgebra) -> Iterator[SampledAlgebra]:
@@ -101,6 +124,14 @@ def hold_everywhere(checker: ChainChecker, sampled: SampledAlgebra, where: Seque
         return all(bool(where_all_hold(checker, each, where)[each.random].all()) for each in arms)
     except (EvaluationError, TypeError):
         return False
+
+
+def holds_somewhere(checker: ChainChecker, sampled: SampledAlgebra, bound: Comparison) -> bool:
+    """Whether a comparison holds at a configuration, or nothing tells: |cos θ_3| > 1 says where there is no solution."""
+    try:
+        return any(bool(where_all_hold(checker, each, [bound]).any()) for each in _arms(checker, sampled))
+    except (EvaluationError, TypeError):
+        return True
 
 
 def where_all_hold(checker: ChainChecker, sampled: SampledAlgebra, where: Sequence[Comparison]) -> np.ndarray:

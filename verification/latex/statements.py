@@ -9,10 +9,12 @@ from lark import Token
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.tokens import span_of_token
 from armproof.verification.latex.vocabulary import LAYOUTS, SPOKEN
 
 ARROWS = ("⇒", "⇔", "⇐")
+_TRANSFORMS = frozenset("TRAH")
 Cell = list  # of Node and Token, in the order of the line
 PREVIOUS = n.Name("=", text="")  # stands for the subject of the display before: a display may begin with "="
 
@@ -102,6 +104,7 @@ def build_statements(rows: list[list[Cell]]) -> list[n.Statement]:
             parts = parts[parts.index(first) + 1 :]
         elif not (found.members and len(found.relations) == len(found.members)):
             found.close()
+        parts = _with_spaced_factors(parts)
         joined = _joined_cells(row)
         for part in parts:
             if isinstance(part, n.Node):
@@ -118,6 +121,52 @@ def build_statements(rows: list[list[Cell]]) -> list[n.Statement]:
                 found.close()
     found.close()
     return found.done
+
+
+def _with_spaced_factors(parts: list) -> list:
+    """Return the parts of a line with transforms that only wide spaces part as one product: {}^0_2T = \\quad {}^0_1T \\quad {}^1_2T."""
+    found: list = []
+    for place, part in enumerate(parts):
+        behind = next((each for each in parts[place + 1 :] if not _is_space(each)), None)
+        before = next((k for k in reversed(range(len(found))) if not _is_space(found[k])), None)
+        if before is None or not _is_space(found[-1]) or not _goes_on(found[before], part):
+            found.append(part)
+            continue
+        is_left = isinstance(behind, Token) and behind.type == "REL"
+        stated = _holds(found[:before], "REL")
+        if stated == is_left or (is_left and isinstance(found[before], n.Name)):
+            found.append(part)
+            continue
+        factors = (*_factors(found[before]), *_factors(part))
+        span = (found[before].span[0], part.span[1])
+        found[before:] = [n.Product(factors, ("",) * (len(factors) - 1), span=span)]
+    return found
+
+
+def _is_space(part: n.Node | Token) -> bool:
+    return isinstance(part, Token) and part.type == "SEP" and part.value != ";"
+
+
+def _factors(node: n.Node) -> tuple[n.Node, ...]:
+    return node.factors if isinstance(node, n.Product) and not any(node.operators) else (node,)
+
+
+def _goes_on(before: n.Node | Token, behind: n.Node | Token) -> bool:
+    """Whether two expressions are transforms of which the second begins in a frame of the first."""
+    if isinstance(before, Token) or isinstance(behind, Token):
+        return False
+    last, first = _factors(before)[-1], _factors(behind)[0]
+    names = [each for each in (*_factors(before), *_factors(behind)) if not isinstance(bare(each), n.Matrix)]
+    return all(map(_frames, names)) and (isinstance(bare(first), n.Matrix) or bool(_frames(last) & _frames(first)))
+
+
+def _frames(node: n.Node) -> set[str]:
+    """Return the two frames in the scripts of a transform's name, or of its inverse."""
+    node = bare(node.base) if isinstance(node, n.Power | n.Postfix) else bare(node)
+    if not isinstance(node, n.Name) or node.base not in _TRANSFORMS:
+        return set()
+    found = [script for script in (node.pre_sup, node.pre_sub, node.sup, node.sub) if script]
+    return set(found) if len(found) == 2 else set()
 
 
 def _joined_cells(row: list[Cell]) -> list[n.Node]:
@@ -201,6 +250,10 @@ def _matrix_cell(cell: Cell, span: tuple[int, int]) -> n.Node:
         return n.Name("words", text=text, span=(span_of_token(words[0])[0], span_of_token(words[-1])[1]))
     if not parts:
         raise ReadError(say(Kind.EMPTY_CELL), span[0])
+    if all(
+        isinstance(part, n.Number) for part in parts
+    ):  # 0 \\quad 0 \\quad 0: the last row of a block of three columns
+        return n.Matrix((tuple(parts),), "matrix", span=(parts[0].span[0], parts[-1].span[1]))
     second = parts[1]
     where = span_of_token(second)[0] if isinstance(second, Token) else second.span[0]
     raise ReadError(say(Kind.SEVERAL_IN_CELL), where)

@@ -7,27 +7,40 @@ from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from dataclasses import replace
 
 from armproof.verification.findings import Finding, Kind, say
-from armproof.verification.verdict import HOLDS, EquationResult, Record, Role, SlipBefore, Verdict
+from armproof.verification.findings.kinds import MISPRINTS, OTHER_ANGLES
+from armproof.verification.verdict import (
+    HOLDS,
+    EquationResult,
+    Record,
+    Role,
+    SlipBefore,
+    Verdict,
+    WrongEntry,
+    worst,
+)
 
 Tells = Callable[[Record, SlipBefore], bool]
 Key = tuple[str, int]  # a name and the line of the display that defines it
 SEVERAL = 2
+OPEN = (Verdict.UNCHECKED, Verdict.DEFINED)  # what says a name anew
 
 
-def settle_definitions(
-    records: Iterable[Record], tells: Tells = lambda *_: True, may_slip: Callable[[Key], bool] = lambda _: True
-) -> tuple[Record, ...]:
+def settle_definitions(records: Iterable[Record], tells: Tells = lambda *_: True) -> tuple[Record, ...]:
     """Return the records of a document; where a line and a definition contradict each other, nobody may know which is wrong.
 
     Where more displays are wrong with a definition than right, and several are, or one is that holds if it has a slip, it may be the
     mistake: neither is decided. A display clears it that `tells` a slip: it holds without it alone. A definition that nothing
-    clears refutes a line only where one slip in that line explains it, and none in the definition, if that `may_slip`.
+    clears refutes a line only where one slip in that line explains it, and none in the definition, if that may slip.
     """
     records = tuple(records)
     claims = [record for record in records if not record.erratum]
-    wrong = contradicted(claims, tells, may_slip)
+    wrong = contradicted(claims, tells)
+    mistaken = _mistaken(claims, wrong)
+    explained = {record.line for record in claims if any(_is_due_to(each, mistaken) for each in record.outcomes)}
+    wrong = {key: lines for key, lines in wrong.items() if key in mistaken or not set(lines) <= explained}
     against = unsupported(claims) | wrong  # these are not to pass
-    return tuple(record if record.erratum else _unless_doubted(record, wrong, against) for record in records)
+    settled = [record if record.erratum else _unless_doubted(record, wrong, against) for record in records]
+    return tuple(_with_mistake(record, mistaken) for record in settled)
 
 
 def settle_used(records: Iterable[Record]) -> tuple[Record, ...]:
@@ -49,9 +62,7 @@ def used_names(results: Iterable[EquationResult]) -> frozenset[Key]:
     return frozenset(used)
 
 
-def contradicted(
-    records: Sequence[Record], tells: Tells = lambda *_: True, may_slip: Callable[[Key], bool] = lambda _: True
-) -> dict[Key, list[int]]:
+def contradicted(records: Sequence[Record], tells: Tells = lambda *_: True) -> dict[Key, list[int]]:
     """Return the definitions that displays contradict, more than agree with them, and the lines of those.
 
     One is enough where nothing agrees, and not only a slip in that line explains it: which of the two has the slip, nothing tells.
@@ -74,8 +85,76 @@ def contradicted(
     again = {key for r in records for o in r.outcomes for key in o.defines if key[1] != r.line}  # it is said again
     least = {key: 1 if key in mends else SEVERAL for key in wrong}
     doubted = {key: lines for key, lines in wrong.items() if len(lines) >= max(least[key], right[key] + 1)}
-    open_ = {key for key in defined if not right[key] and may_slip(key)}
-    return {**_said_anew(records, defined - again, right), **_unexplained(records, open_, again), **doubted}
+    open_ = {key for key in defined if not right[key]}
+    anew = {
+        (each.slip_before.name, each.slip_before.line): [record.line]
+        for record in records
+        for each in record.outcomes
+        if each.verdict in OPEN and each.slip_before is not None
+    }
+    return {**anew, **_said_anew(records, defined - again, right), **_unexplained(records, open_, again), **doubted}
+
+
+def _mistaken(records: Sequence[Record], wrong: Mapping[Key, list[int]]) -> dict[Key, SlipBefore]:
+    """Return the contradicted definitions with which nothing holds, and all that does not would with the same slip mended there, and with no other alone."""
+    found: dict[Key, dict[str, SlipBefore]] = {}
+    told: dict[Key, set[str]] = {}
+    cleared: set[Key] = set()
+    for record in records:
+        anew = (each.slip_before for each in record.outcomes if each.verdict in OPEN)
+        said_anew = {(slip.name, slip.line) for slip in anew if slip is not None}  # R = R_z(θ_1) and R = […] […] = […]
+        for each in record.outcomes:
+            slip = each.slip_before
+            if each.verdict in HOLDS:
+                twice = {key for key in each.uses if any(one[0] == key[0] and one != key for one in each.uses)}
+                cleared |= _rested_on(each) - said_anew - twice
+            if slip is None or each.verdict not in (Verdict.REFUTED, *OPEN):
+                continue
+            key = (slip.name, slip.line)
+            cleared |= {key} if slip.has_rival or slip.change.kind not in MISPRINTS - OTHER_ANGLES else set()
+            found.setdefault(key, {})[slip.correct] = slip
+            told.setdefault(key, set()).add(record.latex)
+            told[key] |= (
+                {f"{record.latex} of itself"} if key in said_anew and any(map(_holds, record.outcomes)) else set()
+            )
+    return {
+        key: next(iter(slips.values()))
+        for key, slips in found.items()
+        if key in wrong and key not in cleared and len(slips) == 1 and len(told[key]) >= SEVERAL
+    }
+
+
+def _holds(result: EquationResult) -> bool:
+    return result.verdict in HOLDS
+
+
+def _is_due_to(result: EquationResult, mistaken: Mapping[Key, SlipBefore]) -> bool:
+    slip = result.slip_before
+    return result.verdict is Verdict.REFUTED and slip is not None and (slip.name, slip.line) in mistaken
+
+
+def _with_mistake(record: Record, mistaken: Mapping[Key, SlipBefore]) -> Record:
+    """Return the record of a definition refuted where it is what is wrong."""
+    own = {
+        each.index: mistaken[key]
+        for each in record.outcomes
+        for key in each.defines & mistaken.keys()
+        if len(each.defines) == 1
+    }
+    if not own or record.erratum:
+        return record
+    outcomes = tuple(
+        replace(each, verdict=Verdict.REFUTED, findings=(own[each.index].change.at(each.index), *each.findings))
+        if each.index in own and each.verdict is Verdict.UNCHECKED
+        else each
+        for each in record.outcomes
+    )
+    entries = tuple(
+        WrongEntry(index, None, None, slip.printed, slip.correct, slip.change) for index, slip in own.items()
+    )
+    findings = tuple(finding for each in outcomes if each.verdict is Verdict.REFUTED for finding in each.findings)
+    verdict = worst([each.verdict for each in outcomes])
+    return replace(record, verdict=verdict, outcomes=outcomes, entries=entries, findings=findings, corrections=None)
 
 
 def _unexplained(records: Sequence[Record], open_: Set[Key], again: Set[Key]) -> dict[Key, list[int]]:
@@ -88,7 +167,7 @@ def _unexplained(records: Sequence[Record], open_: Set[Key], again: Set[Key]) ->
         own = frozenset[Key]().union(*(each.defines for each in record.outcomes))  # k = a = b is wrong whatever k is
         for each in (outcome for outcome in record.outcomes if outcome.verdict is Verdict.REFUTED):
             if each.slip_before is not None or not _has_own_slip(record, each):
-                for key in (each.uses & open_) - own - {key for key in again if key[0] in each.alone}:
+                for key in (each.may_slip & open_) - own - {key for key in again if key[0] in each.alone}:
                     found.setdefault(key, []).append(record.line)
     return found
 
@@ -162,7 +241,10 @@ def _unless_doubted(record: Record, wrong: Mapping[Key, list[int]], against: Map
         replace(each, verdict=Verdict.UNCHECKED, findings=(doubt.at(each.index),)) if doubt is not None else each
         for each, doubt in zip(record.outcomes, doubts, strict=True)
     )
-    return record.with_outcomes(outcomes)
+    found = record.with_outcomes(outcomes)
+    if found.verdict is not Verdict.UNCHECKED:
+        return found
+    return replace(found, findings=tuple(each for o in outcomes if o.verdict is found.verdict for each in o.findings))
 
 
 def _doubt(result: EquationResult, wrong: Mapping[Key, list[int]], against: Mapping[Key, list[int]]) -> Finding | None:
@@ -170,7 +252,8 @@ def _doubt(result: EquationResult, wrong: Mapping[Key, list[int]], against: Mapp
     if own and result.verdict is Verdict.DEFINED and (result.role is Role.DEFINITION or own[0] in wrong):
         return say(Kind.CONTRADICTED, name=own[0][0], lines=against[own[0]])
     slip = result.slip_before
-    if slip is not None and result.verdict is Verdict.REFUTED and (slip.name, slip.line) in wrong:
+    is_open = result.verdict in (Verdict.REFUTED, *OPEN)
+    if slip is not None and is_open and (slip.name, slip.line) in wrong:
         return say(Kind.SLIP_BEFORE, name=slip.name, line=slip.line, change=slip.change)
     used = sorted(result.uses & wrong.keys())
     if used and result.verdict is Verdict.REFUTED:

@@ -26,6 +26,9 @@ _COUNTS = {word: count for count, word in enumerate(("two", "three", "four", "fi
 _OF_LINKS = re.compile(
     rf"\b(\d|{'|'.join(_COUNTS)})[- ]*(?:links?|dofs?|r|joints?|axis|axes|segments?|degrees?[ -]of[ -]freedom)\b", re.I
 )
+_STEP = re.compile(
+    r"\W*(?:step|paso|passo|[eé]tape|schritt)\W*\d", re.I
+)  # of the solution for one arm: "Step 3: solve the 2R arm"
 EXERCISE = re.compile(rf"\W*(?:{_KINDS}){_NUMBER}", re.I)
 WITH_ITS_ARM = re.compile(rf"\W*(?:{_OF_ITS_OWN}){_NUMBER}", re.I)
 
@@ -42,7 +45,7 @@ def undecided(doubt: Finding) -> Callable[[Any], Value]:
 def links_told(section: str) -> int | None:
     """Return how many links or joints the arm of a section has, as its heading, or one around it, says: "For 2 Link"."""
     for heading in (section, *sections_around(section)):
-        if found := _OF_LINKS.search(heading):
+        if not _STEP.match(heading) and (found := _OF_LINKS.search(heading)):
             return _COUNTS.get(found[1].lower()) or int(found[1])
     return None
 
@@ -210,6 +213,7 @@ class DocumentState:
         tells_jacobian: whether a law that holds told that J is no transpose.
         signs: the named signs.
         errors: the refuted equations.
+        slips: definitions, each with its line and what it says with the one slip mended that an equation needed.
         consulted: the definitions that evaluation has met since this was emptied, each with the line of its display.
         notation: how cosines, sums of angles, joints and lengths are written.
     """
@@ -249,6 +253,7 @@ class DocumentState:
     signs: NamedSigns = field(default_factory=NamedSigns)
     consulted: set[tuple[str, int]] = field(default_factory=set)
     errors: list[PrintedError] = field(default_factory=list)
+    slips: dict[Key, tuple[Finding, n.Node]] = field(default_factory=dict)
     notation: Notation = field(default_factory=Notation)
 
     @property
@@ -290,8 +295,8 @@ class DocumentState:
         return sorted(key for key, each in self._met() if each.in_text)
 
     def from_table(self) -> list[str]:
-        """Return the names consulted that stand for numbers of the DH table by their indices alone."""
-        return sorted(key for key, each in self._met() if each.by_table)
+        """Return the names consulted that stand for numbers of the DH table by their indices alone, and with which nothing has held."""
+        return sorted(key for key, each in self._met() if each.by_table and (key, each.line) not in self.held)
 
     def doubted(self) -> list[Key]:
         """Return the names consulted whose definitions may be mistakes, each with its line."""

@@ -122,7 +122,8 @@ def test_what_was_consulted_tells_where_its_meaning_comes_from() -> None:
 def result(
     verdict: Verdict, defines: set = frozenset(), uses: set = frozenset(), role: Role = Role.DEFINITION
 ) -> EquationResult:  # type: ignore[assignment]
-    return EquationResult(1, role, verdict, defines=frozenset(defines), uses=frozenset(uses))
+    found = frozenset(uses)
+    return EquationResult(1, role, verdict, defines=frozenset(defines), uses=found, may_slip=found)
 
 
 def test_a_name_counts_where_a_claim_rests_on_it_through_others_too() -> None:

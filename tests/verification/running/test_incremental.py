@@ -66,6 +66,7 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "rounded": lambda state: state.rounded.update(a=2),
     "shown": lambda state: state.shown.update(J=JacobianRows((1, 2))),
     "signs": lambda state: state.signs.values.update(sigma=1),
+    "slips": lambda state: state.slips.update({("a", 1): (say(Kind.WRONG_SIGN), Name("a"))}),
     "errors": lambda state: state.errors.append(PrintedError(1, "a", Name("a"), {(1, 1): "b"})),
     "compares_lengths": lambda state: setattr(state, "compares_lengths", True),
     "tells_jacobian": lambda state: setattr(state, "tells_jacobian", True),

@@ -5,16 +5,22 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import Any
 
 from armproof.models.errors import ArmproofError
+from armproof.verification.algebra.ring import Ring
+from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, say
+from armproof.verification.naming.reading import read_names
 from armproof.verification.tables.arms.support import Inference
+from armproof.verification.tables.arms.values import entries_by_place
 from armproof.verification.tables.arms.witnesses import weigh
-from armproof.verification.verdict import HOLDS, DocumentResult, Record, Verdict
+from armproof.verification.verdict import HOLDS, DocumentResult, Record, Role, Verdict
 
 FEWEST = 2  # displays that hold with another length, where one alone may hold the slip itself, unless the arm lacks that length
 MOST = 100  # other arms that are weighed
+TELLING = 2  # displays that hold, which may tell which index of a transform is the reference
 _NAME = re.compile(r"[A-Za-z]\w*")
 
 Check = Callable[[Inference], DocumentResult]
@@ -45,11 +51,12 @@ def unless_disputed(part: Inference, result: DocumentResult, check: Check) -> Do
     lost = [each for each in result.equations if _is_lost(each, part)]
     own, letters = _own_letters(part), _letters(part, lost)
     is_foreign = letters != own
-    if len(lost) < FEWEST - is_foreign or not (is_foreign or any(each.verdict is Verdict.REFUTED for each in lost)):
+    if len(lost) < FEWEST - is_foreign or not (is_foreign or any(map(_differs, lost))):
         return result
-    if (other := _best(part, lost, sorted(letters))) is None:
+    if (other := _best(part, lost, result, sorted(letters))) is None:
         return result
-    there = check(replace(part, document=replace(part.document, front=dict(other.front), tables=())))
+    tables = part.document.tables if _numbers(part) else ()  # which say what a_2 is
+    there = check(replace(part, document=replace(part.document, front=dict(other.front), tables=tables)))
     verdicts = {each.place: each.verdict for each in there.equations}
     gained = [each for each in lost if verdicts[each.place] in HOLDS]
     held = [verdicts[each.place] for each in result.equations if each.verdict in HOLDS and not _is_data(each, part)]
@@ -81,24 +88,45 @@ def _is_lost(record: Record, part: Inference) -> bool:
     return (is_open or record.verdict is Verdict.REFUTED) and not (record.erratum or _is_data(record, part))
 
 
-def _best(part: Inference, lost: Sequence[Record], letters: Sequence[str]) -> _Other | None:
-    """Return the arm with another length under which most of these displays hold, and more than under any second one."""
-    places = {each.place for each in lost}
-    displays = tuple(each for each in part.document.displays if each.place in places)
+def _differs(record: Record) -> bool:
+    """Whether a display is refuted, or would be if anything else told that the arm's source is right."""
+    return record.verdict is Verdict.REFUTED or record.says(Kind.OTHER_THAN_SOURCE)
+
+
+def _best(part: Inference, lost: Sequence[Record], result: DocumentResult, letters: Sequence[str]) -> _Other | None:
+    """Return the arm with another entry under which most of the displays that are lost hold, and more than under any second one."""
+    assert part.arm is not None
+    places = {each.place for each in lost} | {each.place for each in result.equations if _defines(each)}
+    holds = [each.place for each in result.equations if each.verdict in HOLDS and any(o.links for o in each.outcomes)]
+    places |= {*holds[:TELLING]}
     others = {str(other.front["arm"]["rows"]): other for other in _others(part, letters)}
-    fronts = [other.front for other in others.values()][:MOST]
-    if any(each.says(Kind.WHICH_INDEX) for each in lost):  # what is lost may be what would tell
+    likely = sorted(others.values(), key=lambda other: other.column in ("a", "d"))  # of lengths there are many
+    fronts = [other.front for other in likely][:MOST]
+    if "transforms" not in part.document.front:  # what is lost may be what would tell
+        fronts = fronts[: MOST // 2]
         fronts = [{**front, "transforms": which} for front in fronts for which in ("upper", "lower")]
     try:
-        readings = weigh(replace(part.document, displays=displays), fronts) if fronts else []
+        readings = weigh(part.document, fronts, numbers=_numbers(part), only=places) if fronts else []
     except ArmproofError:
         return None
     held = [each for each in readings if each.held == readings[0].held]
     ways = {str(each.front["arm"]["rows"]): each.front for each in held}
     best = [replace(others[rows], front=front) for rows, front in ways.items()]
-    best = [other for other in best if readings[0].held >= _fewest(other, _own_letters(part))]
+    is_one = len(best) == 1 and readings[0].held > 0  # a check of all displays tells how many hold
+    best = [other for other in best if is_one or readings[0].held >= _fewest(other, _own_letters(part))]
     numbers = [other for other in best if other.printed.isdigit() and other.printed != "0"]  # of lines in parallel
     return next(iter(numbers if len(best) > 1 else best), None)
+
+
+def _defines(record: Record) -> bool:
+    return all(each.role is Role.DEFINITION for each in record.outcomes) and bool(record.outcomes)
+
+
+def _numbers(part: Inference) -> dict[str, Fraction]:
+    """Return the numbers in the rows of a table for which a_2 and d_3 stand."""
+    assert part.arm is not None
+    names = read_names(None, {})
+    return dict(entries_by_place(part.document, part.arm, names, ExactAlgebra(Ring(), None)))
 
 
 def _fewest(other: _Other, own: Collection[str]) -> int:
@@ -188,5 +216,5 @@ def _doubted(record: Record, other: _Other, gained: Sequence[Record], part: Infe
     if not _is_data(record, part):
         return record
     doubt = say(Kind.LINK_DISPUTED, lines=[each.line for each in gained], **change)
-    own = frozenset[int]() if part.arm.source == "table" else {other.link}
-    return record.left_open(doubt, lambda each: each.links == own)
+    is_table = part.arm.source == "table"
+    return record.left_open(doubt, lambda each: is_table or each.links == {other.link})

@@ -21,7 +21,7 @@ from armproof.verification.tables.arms.code_letters import in_letters_of
 from armproof.verification.tables.arms.general_link import shown_convention
 from armproof.verification.tables.arms.last_turn import with_last_turn
 from armproof.verification.tables.arms.laws import candidate_of_law, with_point_of_law
-from armproof.verification.tables.arms.matrices import candidates_of_matrices
+from armproof.verification.tables.arms.matrices import candidates_of_matrices, poses_that_are_links
 from armproof.verification.tables.arms.rows import candidates
 from armproof.verification.tables.arms.support import Inference
 from armproof.verification.tables.arms.variables import in_variables, told_variables
@@ -32,6 +32,9 @@ from armproof.verification.verdict import TakenArm
 
 _NUMBER = re.compile(r"(?<![\d._{])[1-9]\d*(?:\.\d+)?(?![\d.])")
 _INDEXED = re.compile(r"(?:theta|(?<![A-Za-z])[qcsCS])\s*_\s*\{?\s*(\d+)(?!\d|\s*\\times)")
+_STILL = re.compile(
+    r"\\dot\s*(?:\{\s*\\theta_\{?\d\}?\s*\}|\\theta_\{?\d\}?)\s*=\s*0(?![.\d])"
+)  # of a frame fixed behind the last joint
 
 
 def infer_arm(document: Document) -> Inference:
@@ -81,9 +84,19 @@ def _of_tables(document: Document) -> Inference:
     for table in dh_tables(document):
         found = arms_of(document, table)
         if not isinstance(found, Finding):
-            return _settle(document, found)
+            return _settle(document, _with_links(found, document))
         problem = problem if problem[0] is not None else (found, table.line)
     return Inference(document, None, *problem)
+
+
+def _with_links(found: list[Candidate], document: Document) -> list[Candidate]:
+    """Return the arms of a table, in which T_2 is the link that its matrix shows it to be."""
+    named = poses_that_are_links(document, plain_names(document))
+    own = [{key: each for key, each in named.items() if int(each["pose"]) <= len(arm.joints)} for arm in found]
+    return [
+        arm if arm.frames or arm.first else replace(arm, quantities={**links, **arm.quantities})
+        for arm, links in zip(found, own, strict=True)
+    ]
 
 
 def arms_of(document: Document, table: Table) -> list[Candidate] | Finding:
@@ -171,15 +184,9 @@ def _rivals(best: Reading, others: Sequence[Reading]) -> list[Reading]:
 
 
 def joints_used(displays: Iterable[Display]) -> set[int]:
-    """Return the indices of joint variables in displays, as in θ_3 or c_{23}."""
-    found = (
-        digit
-        for d in displays
-        if not (d.erratum or d.denied)
-        for part in _INDEXED.findall(normalise_unicode(d.latex))
-        for digit in part
-    )
-    return set(map(int, found))
+    """Return the indices of joint variables in displays, as in θ_3 or c_{23}; a rate that is zero is that of none."""
+    texts = (_STILL.sub("", normalise_unicode(d.latex)) for d in displays if not (d.erratum or d.denied))
+    return {int(digit) for text in texts for part in _INDEXED.findall(text) for digit in part}
 
 
 def _stated(document: Document) -> tuple[str, ...]:

@@ -114,6 +114,19 @@ def candidates_of_matrices(document: Document, names: Names) -> list[Candidate]:
         return [each for each in found if each.first == first - 1 or "" in each.joints]
 
 
+def poses_that_are_links(document: Document, names: Names) -> dict[str, dict[str, str]]:
+    """Return the names that are usually poses, T_2, where the matrices that a document prints for them are those of links."""
+    algebra = ExactAlgebra(Ring(), None)
+    with algebra.budget.of(SECONDS):
+        found = [each for each in _links(document, names, algebra) if each.is_spelt_as_pose and each.index]
+        behind = [each for each in found if each.index > 1]
+        turns = [len(_angles_of(each)) < 2 for each in behind]
+        slips = len(behind) // 3  # a slip in one of three
+        if not behind or sum(turns) < len(turns) - slips or 2 * sum(map(_is_link, behind)) < len(behind):
+            return {}
+    return {each.name.key: {"pose": str(each.index), "in": str(each.index - 1)} for each in found}
+
+
 def _by_own_index(found: Candidate, chain: Sequence[_Link], document: Document) -> Candidate:
     """Return an arm with the joint that one matrix alone names by another number, where the document writes its own: θ_1, d_1, d_3."""
     parted = [joint.rpartition("_") for joint in found.joints]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import groupby, pairwise
 
@@ -74,12 +74,22 @@ def _up_to_other_joints(document: Document) -> Iterator[Document]:
         start = _of_other_joints(document, found) or _behind_other_joints(document, found)
         start = start or (_of_other_points(document, names) if found.source == "closed form" else None)
     else:
-        start = None if tables else _of_other_law(document)
+        start = None if tables else _of_other_law(document) or _of_section_alone(document, names)
     if start is None:
         yield document
         return
     yield _between(document, (-1, 0), start)
     yield from _up_to_other_joints(_between(document, start, (10**9, 0)))
+
+
+def _of_section_alone(document: Document, names: Names) -> Place | None:
+    """Return where the section begins, or ends, whose displays alone have a closed form: what other sections call x hides it."""
+    runs = [tuple(run) for _, run in groupby(document.displays, key=lambda each: each.section)]
+    for place, run in enumerate(runs) if len(runs) > 1 else ():
+        if candidate_of_closed_form(replace(document, displays=run, tables=()), names) is not None:
+            edge = runs[place] if place else runs[1]
+            return _place(edge[0])
+    return None
 
 
 def _of_other_joints(document: Document, found: Candidate) -> Place | None:
@@ -213,9 +223,12 @@ def _sources(document: Document) -> Iterator[_Source]:
     links = first_links(document, names)
     if first is None and not links:
         yield from _of_sections(document)
-    for table in dh_tables(document):
-        if isinstance(found := arms_of(document, table), list):
-            yield _Source(_place(table), table.section, found[0])
+    of_tables = [
+        (table, found[0]) for table in dh_tables(document) if isinstance(found := arms_of(document, table), list)
+    ]
+    for table, arm in of_tables:
+        yield _Source(_place(table), table.section, arm)
+    yield from _of_other_lengths(document, [arm for _, arm in of_tables], names)
     for display, found_links in links:
         yield _Source(_place(display), display.section, links=found_links)
 
@@ -246,6 +259,28 @@ def _of_sections(document: Document) -> Iterator[_Source]:
             if _POINT.search(shown) is None and (before is None or _moves(source.arm) != _moves(before)):
                 before = source.arm
                 yield source
+
+
+def _of_other_lengths(document: Document, arms: Sequence[Candidate], names: Names) -> Iterator[_Source]:
+    """Yield the closed forms of sections behind the first table whose lengths are none of any table's, as chapters have that go on with another arm."""
+    known = frozenset[str]().union(*(_lengths(arm) for arm in arms))
+    begin = min(((arm.cell or 0, arm.line) for arm in arms), default=None)
+    if begin is None or not all(map(_lengths, arms)):
+        return
+    taken = {table.section for table in dh_tables(document)} | {
+        shown.section for shown, _ in first_links(document, names)
+    }
+    for _, run in groupby(document.displays, key=lambda each: each.section):
+        part = replace(document, displays=tuple(run), tables=())
+        if part.displays[0].section in taken or _place(part.displays[0]) < begin:
+            continue
+        for source in _of_closed_form(part, names):
+            if source.arm is not None and (own := _lengths(source.arm)) and own.isdisjoint(known):
+                yield source
+
+
+def _lengths(arm: Candidate) -> frozenset[str]:
+    return _letters(arm) - {*arm.joints, "pi"}
 
 
 def _of_closed_form(part: Document, names: Names) -> Iterator[_Source]:

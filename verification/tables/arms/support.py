@@ -312,7 +312,7 @@ class _Settled:
     def table(self, record: Record) -> Record:
         """Return the record of a table: data, or another table, which is not refuted by this one."""
         if _is_data(self.taken, record):
-            data = self._data(1)
+            data = self._data(1, frozenset(self.against) - {FRAMES, 0})
             return Record(
                 record.line, record.latex, data.verdict, record.erratum, data.findings, (data,), cell=record.cell,
                 section=record.section, file=record.file,

@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from fractions import Fraction
+from operator import methodcaller
+from types import MappingProxyType
 from typing import Any
 
 from armproof.models.arm import Arm
@@ -73,12 +76,14 @@ class Reading:
 class _Trial:
     """A document read in one way, its displays taken one by one."""
 
-    def __init__(self, document: Document, front: Mapping[str, Any], arm: Arm) -> None:
+    def __init__(self, document: Document, front: Mapping[str, Any], arm: Arm, numbers: Mapping[str, Fraction]) -> None:
         self.front, self.name = front, arm.name
         names = read_names(arm, front)
         names.reader.spelling = spelling_of(document, names.reader.words)
         self.checker = ChainChecker(names, ExactAlgebra(Ring(), arm), no_samples)
         self.checker.confirm, self.checker.route.weighs = False, True
+        for key, number in numbers.items():
+            names.define(key, methodcaller("rational", number), by_table=True)
         self.held = self.failed = self.entries = self.near = 0
         self.joints: set[str] = set()
 
@@ -120,14 +125,18 @@ class _Trial:
 
 
 def weigh(
-    document: Document, fronts: Sequence[Mapping[str, Any]], apart: Collection[tuple[int | None, int]] = ()
+    document: Document,
+    fronts: Sequence[Mapping[str, Any]],
+    apart: Collection[tuple[int | None, int]] = (),
+    numbers: Mapping[str, Fraction] = MappingProxyType({}),
+    only: Collection[tuple[int | None, int]] = (),
 ) -> list[Reading]:
     """Return the readings that an arm can be built of, the one under which most holds first; raises where there is none.
 
-    What stands at the places `apart` is no evidence. What is read is judged by its equations alone: labels often belong to another convention than the table beside them.
+    What stands at the places `apart` is no evidence; `numbers` are those that names stand for by their indices. Where `only` names places, what stands elsewhere only tells how the document is spelt. What is read is judged by its equations alone: labels often belong to another convention than the table beside them.
     """
-    trials = list(_trials(document, fronts))
-    for display in document.displays:
+    trials = list(_trials(document, fronts, numbers))
+    for display in (each for each in document.displays if not only or each.place in only):
         if sum(trial.checker.exact.budget.asked for trial in trials) > WORK_IN_ALL:
             break
         if display.closed and not (display.erratum or display.denied) and "=" in display.latex:
@@ -139,12 +148,14 @@ def weigh(
     return sorted((trial.reading for trial in trials), key=lambda one: one.counts)
 
 
-def _trials(document: Document, fronts: Sequence[Mapping[str, Any]]) -> Iterator[_Trial]:
+def _trials(
+    document: Document, fronts: Sequence[Mapping[str, Any]], numbers: Mapping[str, Fraction]
+) -> Iterator[_Trial]:
     problem: ArmproofError | None = None
     found = False
     for front in fronts:
         try:
-            trial = _Trial(document, front, load_arm(front["arm"], document.path.parent))
+            trial = _Trial(document, front, load_arm(front["arm"], document.path.parent), numbers)
         except ArmproofError as error:
             problem = problem or error
             continue

@@ -248,7 +248,7 @@ NUMBERS = PLAIN.replace("$l_1$", "0.3").replace("$l_2$", "0.2")
 
 
 @pytest.mark.parametrize(
-    ("height", "verdict"), [("a_1 s_1 + a_2 s_{12}", "proved"), ("a_1 s_1 - a_2 s_{12}", "unchecked")]
+    ("height", "verdict"), [("a_1 s_1 + a_2 s_{12}", "proved"), ("a_1 s_1 - a_2 s_{12}", "refuted")]
 )
 def test_a_letter_with_the_number_of_a_row_is_the_entry_of_a_table_of_numbers(height: str, verdict: str) -> None:
     shown = (link(1, FIRST) + link(2, SECOND)).replace("l_1", "0.3").replace("l_2", "0.2")

@@ -1,0 +1,38 @@
+"""One entry of a DH table against the rest of its document: it is named, and neither side is refuted."""
+
+from __future__ import annotations
+
+import pytest
+
+from armproof.verification.check import verify_text
+
+HEAD = "| i | $\\theta_i$ | $d_i$ | $a_i$ | $\\alpha_i$ |\n|---|---|---|---|---|\n"
+ROWS = "| 1 | $\\theta_1$ | 35 | 0 | $\\pi/2$ |\n| 2 | $\\theta_2$ | 0 | 107.5 | 0 |\n| 3 | $\\theta_3$ | 0 | 54.5 | 0 |\n\n"
+FORMULAS = (
+    "$$ P_z = d_1 + a_2 \\sin\\theta_2 + a_3 \\sin(\\theta_2 + \\theta_3) $$\n\n"
+    "$$ P_x = \\cos\\theta_1 (a_2 \\cos\\theta_2 + a_3 \\cos(\\theta_2 + \\theta_3)) $$\n\n"
+    "$$ P_x^2 + P_y^2 + (P_z - d_1)^2 = a_2^2 + a_3^2 + 2 a_2 a_3 \\cos\\theta_3 $$\n\n"
+    "$$ P_y = \\sin\\theta_1 (a_2 \\cos\\theta_2 + a_3 \\cos(\\theta_2 + \\theta_3)) $$\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("printed", "slip"),
+    [("35 | 0 | $\\pi/2$", "35 | 0 | $-\\pi/2$"), ("107.5 | 0 |", "107.5 | 90° |")],
+)
+def test_an_entry_of_a_table_of_numbers_is_named_with_the_lines_that_hold_without_it(printed: str, slip: str) -> None:
+    right, wrong = (verify_text(HEAD + rows + FORMULAS) for rows in (ROWS, ROWS.replace(printed, slip)))
+    assert {record.verdict.value for record in right.equations} == {"proved"}
+    assert "refuted" not in {record.verdict.value for record in wrong.equations}
+    [table] = wrong.tables
+    assert table.verdict == "unchecked" and [finding.kind for finding in table.findings] == ["link_disputed"]
+
+
+def test_a_table_that_its_only_link_matrix_contradicts_does_not_pass() -> None:
+    head = "| i | $\\alpha_{i-1}$ | $a_{i-1}$ | $d_i$ | $\\theta_i$ |\n|---|---|---|---|---|\n"
+    rows = "| 1 | 0 | 0 | 0 | $\\theta_1$ |\n| 2 | 90° | $a_1$ | 0 | $\\theta_2$ |\n\n"
+    first = "\\begin{bmatrix} c_1 & -s_1 & 0 & 0 \\\\ s_1 & c_1 & 0 & 0 \\\\ 0 & 0 & 1 & 0 \\\\ 0 & 0 & 0 & 1 \\end{bmatrix}"
+    second = "\\begin{bmatrix} c_2 & -s_2 & 0 & a_1 \\\\ 0 & 0 & 1 & 0 \\\\ -s_2 & -c_2 & 0 & 0 \\\\ 0 & 0 & 0 & 1 \\end{bmatrix}"
+    found = verify_text(f"{head}{rows}$$ {{}}^0_1T = {first} $$\n\n$$ {{}}^1_2T = {second} $$\n")
+    [table] = found.tables
+    assert table.verdict == "unchecked" and "refuted" not in {record.verdict.value for record in found.equations}
