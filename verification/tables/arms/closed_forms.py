@@ -115,7 +115,7 @@ def candidate_of_closed_form(document: Document, names: Names) -> Candidate | No
 
 
 def point_given_anew(document: Document, names: Names) -> Display | None:
-    """Return the first display that gives a point of a chain, p_2, other coordinates than one before it."""
+    """Return the first display that gives a point, p_2 or the tool, other coordinates than one before it."""
     algebra = ExactAlgebra(Ring(), None)
     met: dict[str, Scalar] = {}
     with algebra.budget.of(SECONDS):
@@ -123,7 +123,7 @@ def point_given_anew(document: Document, names: Names) -> Display | None:
             given = [
                 (key, value)
                 for _, key, value in _coordinates(display, names, algebra, {}, _COORDINATE)
-                if key[2:].isdigit()
+                if key[2:].isdigit() or key in ("x", "y")
             ]
             if any(key in met and not _equal(met[key], value) for key, value in given):
                 return display
