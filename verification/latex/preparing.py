@@ -48,7 +48,9 @@ _LOST_BREAK = re.compile(
 _BROKEN = re.compile(  # a sum goes on: a - \\\\ b
     r"(?<=[\w)}])(?P<sign>\s*[-+]\s*)(?P<break>\\\\(?:\[[^\]]{0,20}\])?)(?=\s*(?:[\w({]|\\(?!\\|begin|end|hline)))"
 )
-_APPLIED = re.compile(r"(?<![A-Za-z\\])J\{(?P<to>\s*(?:\\theta|\\Theta|[qQ])\s*)\}")  # J{\theta}: a macro of one argument, or parentheses
+_APPLIED = re.compile(
+    r"(?<![A-Za-z\\])J\{(?P<to>\s*(?:\\theta|\\Theta|[qQ])\s*)\}"
+)  # J{\theta}: a macro of one argument, or parentheses
 _OF_PANDOC = re.compile(r"(?<=[A-Za-z}])~(?P<below>\d{1,3}|[ijkn])~(?:\^(?P<above>[\dijkn])\^)?")  # H~0~^4^
 _NUMBERED = re.compile(r"\A\s*\d{1,2}\.\s+(?=[\\A-Za-z])")  # 1. θ_1 = 0: an item of a list, and no factor
 _DELIMITED = re.compile(

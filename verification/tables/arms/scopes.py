@@ -213,10 +213,11 @@ def _sources(document: Document) -> Iterator[_Source]:
     links = first_links(document, names)
     if first is None and not links:
         yield from _of_sections(document)
-    for table in dh_tables(document):
+    tables = [*dh_tables(document)]
+    for table in tables:
         if isinstance(found := arms_of(document, table), list):
             yield _Source(_place(table), table.section, found[0])
-            yield from _behind_table(document, table, found[0])
+            yield from _behind_table(document, table, found[0]) if table is tables[-1] else ()
     for display, found_links in links:
         yield _Source(_place(display), display.section, links=found_links)
 
