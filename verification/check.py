@@ -453,7 +453,8 @@ class DocumentChecker:
         self.names.state.inferred |= meanings
         told = self._told(record, display, statements, usual, extra)
         self.names.state.forget_usual(meanings)
-        return replace(found, if_shown=IfShown(told, meanings))
+        of_another = any(slip.of_another for slip in slips if slip is not None)
+        return replace(found, if_shown=IfShown(told, meanings, of_another))
 
     def _told(
         self,
@@ -554,7 +555,8 @@ class DocumentChecker:
             return None
         for slip in slips:
             outcome.also(say(Kind.SLIP_AS_USUAL, change=slip.finding, printed=slip.printed, correct=slip.correct))
-        return outcome.as_usual if any(slip.finding.kind in MISPRINTS for slip in slips if slip.finding) else None
+        told = {*MISPRINTS, Kind.MISSING_TERM} if outcome.as_usual.of_another else MISPRINTS
+        return outcome.as_usual if any(slip.finding.kind in told for slip in slips if slip.finding) else None
 
     def _result(self, outcome: Outcome, record: Record) -> EquationResult:
         """Return what became of one equation; why it is refuted is what the diagnosis of the display found."""

@@ -199,10 +199,11 @@ class Discrepancy:
 
 @dataclass(frozen=True)
 class IfShown:
-    """The record of a display while its names mean what they usually do, and these meanings."""
+    """The record of a display while its names mean what they usually do, and these meanings; whether it is of another point as it stands."""
 
     record: Record
     meanings: Mapping[str, object]
+    of_another: bool = False
 
 
 @dataclass(frozen=True)

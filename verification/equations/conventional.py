@@ -376,7 +376,10 @@ class Conventions:
         """Return what an equation that gives a name another value would be, if the name meant what it usually does."""
         name = _plain(outcome.printed.node) if outcome.printed is not None else None
         tried = self.doubts.tried.get(name.key) if name is not None else None
-        if name is None or tried is None or outcome.true is None or self._is_of_other(outcome.true):
+        if name is None or tried is None or outcome.true is None:
+            return None
+        of_other = self._is_of_other(outcome.true)
+        if of_other and (name.base not in "xyzXYZ" or name.sub or name.sup):
             return None
         meanings = {name.key: self.doubts.open[name.key]}
         self.names.state.inferred |= meanings
@@ -384,7 +387,7 @@ class Conventions:
             found = self.equality.compare(tried, outcome.true, outcome.equation, has_branches(outcome.true.node))
         finally:
             self.names.state.forget_usual(meanings)
-        return AsUsual(found, meanings) if found.verdict is Verdict.REFUTED else None
+        return AsUsual(found, meanings, of_other) if found.verdict is Verdict.REFUTED else None
 
     def _is_of_other(self, member: Member) -> bool:
         """Whether a value is a point, a rotation or a pose of the arm, or a coordinate of one of its points."""

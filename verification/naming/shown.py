@@ -22,12 +22,25 @@ def settle_usual(records: Iterable[Record]) -> tuple[Record, ...]:
 def _settled(record: Record, others: Iterable[Record]) -> Record:
     if record.if_shown is None:
         return record
+    others = tuple(others)
+    if record.if_shown.of_another and not _is_alone(record.if_shown.meanings, record, others):
+        return replace(record, if_shown=None)
     around = [each for each in others if each.section == record.section or not _of_other_angles(record.if_shown.record)]
     held = [each for one in (record, *around) for each in one.outcomes if each.verdict in HOLDS]
     shown = [each.usual for each in held]
     if all(_is_shown(key, quantity, shown) for key, quantity in record.if_shown.meanings.items()):
         return record.if_shown.record
     return replace(record, if_shown=None)
+
+
+def _is_alone(meanings: Mapping[str, object], record: Record, others: Iterable[Record]) -> bool:
+    """Whether the other coordinates in a section are those of the point, none that of another point: the elbow's have its x beside its y."""
+    here = [each for each in others if each.section == record.section]
+    open_ = {_point(quantity) for each in here if each.if_shown for quantity in each.if_shown.meanings.values()}
+    held = [usual for each in (record, *here) for one in each.outcomes if one.verdict in HOLDS for usual in [one.usual]]
+    points = {_point(quantity) for usual in held for quantity in usual.values()}
+    own = {_point(quantity) for quantity in meanings.values()}
+    return len(meanings) == 1 and open_.isdisjoint(own) and own <= points
 
 
 def _of_other_angles(record: Record) -> bool:

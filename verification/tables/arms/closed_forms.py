@@ -154,8 +154,15 @@ def _mended(found: Found, algebra: ExactAlgebra) -> Iterator[tuple[dict[str, Sca
         ).normal()
         is_mirrored = (by_other + values[axis]).normal().is_zero()  # y may point down
         is_of_same = symbols_in([values[axis]]) <= symbols_in([by_other])
-        if is_of_same and not is_mirrored and is_near(Pair(as_matrix(by_other), as_matrix(values[axis]))):
+        is_slip = is_near(Pair(as_matrix(by_other), as_matrix(values[axis]))) or _lacks_one_link(values[axis], by_other)
+        if is_of_same and not is_mirrored and is_slip:
             yield {**values, axis: by_other}, {each: given for each, given in found.items() if each != axis}
+
+
+def _lacks_one_link(value: Scalar, whole: Scalar) -> bool:
+    """Whether a coordinate is another without the term of one link: y = l_1 s_1 of l_1 s_1 + l_2 s_12."""
+    lacking = (whole - value).normal()
+    return not value.is_zero() and _goes_on_from(whole, value) and len(symbols_in([lacking]) - angles_in(lacking)) == 1
 
 
 def _meanings(document: Document, names: Names, algebra: ExactAlgebra) -> dict[str, Scalar]:
