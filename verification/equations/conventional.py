@@ -159,7 +159,9 @@ class Conventions:
         if not added or not (bound.known or isinstance(bound.problem, OutsideAlgebra)):
             self.names.state.forget_usual(added)
             return member
-        self.doubts.weak |= {key for key in added if self.names.state.inferred[key].frame != self._base}  # {}^0v_0 = 0
+        inferred = self.names.state.inferred
+        open_ = {key for key in added if inferred[key].frame != self._base}  # {}^0v_0 = 0
+        self.doubts.weak |= {key for key in open_ if self._usual(key) != inferred[key]}
         return bound
 
     def infer_tool(self, nodes: Iterable[n.Node]) -> set[str]:
@@ -207,6 +209,8 @@ class Conventions:
             return member
         if name is None:
             return self._with_entries(member, known)
+        if name.key in self.names.state.inferred and _is_rate(member.node):  # of the other side: ṗ = ∂p/∂q q̇
+            return self.members.evaluate(member.node)
         near, usual, candidates = None, self._usual(name.key), self._candidates(member.node, name)
         if at_numbers := _is_at_numbers(member.node):  # at one configuration many points agree, and more nearly
             candidates = (usual,) if usual is not None else candidates[:1]
@@ -229,11 +233,11 @@ class Conventions:
                         return tried
                     if there is Verdict.REFUTED and is_usual(name) and is_constant(pair.printed):
                         self.doubts.open.setdefault(name.key, quantity)
-                if pair is not None and is_usual(name) and not is_constant(pair.printed):
+                is_shown = quantity == usual and _is_rate(member.node)  # y has no other rate than its own
+                if pair is not None and (is_usual(name) or is_shown) and not is_constant(pair.printed):
                     if self.doubts.open.setdefault(name.key, quantity) == quantity:
                         self.doubts.tried[name.key] = tried
                     may_be_near = quantity == usual or not (at_numbers or quantity.kind == "angle")
-                    is_shown = quantity == usual and _is_rate(member.node)  # y has no other rate than its own
                     near = near or (quantity if is_shown or (may_be_near and is_near(pair)) else None)
         for quantity in self._that_values_tell(member.node, name) if near is None else ():
             tried = self._tried(member.node, name, quantity)
