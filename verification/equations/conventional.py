@@ -192,7 +192,10 @@ class Conventions:
 
     def _column_beside_rate(self, product: n.Product) -> Iterator[tuple[n.Name, Quantity]]:
         """Yield the open J_i that stands beside the rate of joint i, and no other, with the column that it is."""
-        names = [factor for factor in map(bare, product.factors) if isinstance(factor, n.Name)]
+        factors = [
+            f.arguments[0] if isinstance(f, n.Call) and f.function == "name" else f for f in map(bare, product.factors)
+        ]
+        names = [factor for factor in factors if isinstance(factor, n.Name)]
         rates = {self.names.known_symbol(replace(each, dots=0).key) for each in names if each.dots == 1}
         for name in (each for each in names if each.base == "J" and self.names.is_open(each)):
             found = column_of_jacobian(name, self.names)

@@ -51,6 +51,9 @@ _BROKEN = re.compile(  # a sum goes on: a - \\\\ b
 _APPLIED = re.compile(
     r"(?<![A-Za-z\\])J\{(?P<to>\s*(?:\\theta|\\Theta|[qQ])\s*)\}"
 )  # J{\theta}: a macro of one argument, or parentheses
+_RATES_BELOW = re.compile(  # = J(θ) \\ \dot θ: the factor stands in the last line, which states nothing by itself
+    r"(?<=J)(?P<of>\s*\(\s*(?:\\theta|\\Theta|[qQ])\s*\))(?P<break>\s*\\\\\s*)(?=\\dot[^=&]*\Z)"
+)
 _OF_PANDOC = re.compile(r"(?<=[A-Za-z}])~(?P<below>\d{1,3}|[ijkn])~(?:\^(?P<above>[\dijkn])\^)?")  # H~0~^4^
 _NUMBERED = re.compile(r"\A\s*\d{1,2}\.\s+(?=[\\A-Za-z])")  # 1. θ_1 = 0: an item of a list, and no factor
 _DELIMITED = re.compile(
@@ -70,6 +73,7 @@ def prepared(text: str) -> str:
     if "&" in text:
         text = _LOST_BREAK.sub(lambda found: found["line"] + "\\\\" + found["end"][1:], text)
     text = _APPLIED.sub(lambda found: f"J({found['to']})", text)
+    text = _RATES_BELOW.sub(lambda found: found["of"] + _blank(found["break"]), text)
     text = _BROKEN.sub(lambda found: found["sign"] + _blank(found["break"]), text)
     text = _REMARK.sub(_said_beside, _OF_PANDOC.sub(_scripts, text)) if "(" in text or "~" in text else text
     text = _without_boxes(text) if _BOX.search(text) or _BARS.search(text) else text
