@@ -161,7 +161,8 @@ class Conventions:
             return member
         inferred = self.names.state.inferred
         open_ = {key for key in added if inferred[key].frame != self._base}  # {}^0v_0 = 0
-        self.doubts.weak |= {key for key in open_ if self._usual(key) != inferred[key]}
+        shown = {key: {each for (name, _), each in self.names.state.usual.items() if name == key} for key in open_}
+        self.doubts.weak |= {key for key in open_ if shown[key] != {inferred[key]}}
         return bound
 
     def infer_tool(self, nodes: Iterable[n.Node]) -> set[str]:
@@ -184,6 +185,20 @@ class Conventions:
         """
         products = (each for node in nodes for each in n.walk(node) if isinstance(each, n.Product))
         columns = {name.key: found for each in products for name, found in self._column_beside_rate(each)}
+        rows = (
+            below.rows[0]
+            for node in nodes
+            for below in n.walk(node)
+            if isinstance(below, n.Matrix) and len(below.rows) == 1
+        )
+        for cells in rows:  # [J_1 J_2] q̇
+            names = [
+                name
+                for name in map(_plain, cells)
+                if name is not None and name.base == "J" and self.names.is_open(name)
+            ]
+            found = {name.key: column for name in names if (column := column_of_jacobian(name, self.names)) is not None}
+            columns |= found if len(found) == len(cells) == len(self.names.joints) else {}
         if len({found.columns for found in columns.values()}) < len(self.names.joints):
             return set()
         for key, found in columns.items():
