@@ -39,6 +39,7 @@ class Role(StrEnum):
 _ACCEPTS = (Kind.ACCEPTED, Kind.ACCEPTED_WITHOUT_REASON, Kind.ACCEPTS_NOTHING, Kind.ACCEPTS_NO_DISPLAY)
 HOLDS = (Verdict.PROVED, Verdict.CONFIRMED)
 DECIDED = (*HOLDS, Verdict.REFUTED)
+AXES = -3  # beside the links of an arm that an equation tells of: x of its tool, -4 y, -5 z
 
 
 # A display carries the worst verdict of its equations; one that only defines a name yields to one that was checked.

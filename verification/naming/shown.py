@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.findings import OTHER_ANGLES
-from armproof.verification.verdict import HOLDS, Record, Verdict
+from armproof.verification.verdict import AXES, HOLDS, Record, Verdict
 
 _COORDINATE = re.compile(r"(?<![A-Za-z])(?:[xyz]|[XYZ])(?![A-Za-z])")
 
@@ -34,13 +34,16 @@ def _settled(record: Record, others: Iterable[Record]) -> Record:
 
 
 def _is_alone(meanings: Mapping[str, object], record: Record, others: Iterable[Record]) -> bool:
-    """Whether the other coordinates in a section are those of the point, none that of another point: the elbow's have its x beside its y."""
+    """Whether another equation tells of this coordinate of the point, and none beside it is of another one: the elbow's have its x beside its y."""
     here = [each for each in others if each.section == record.section]
     open_ = {_point(quantity) for each in here if each.if_shown for quantity in each.if_shown.meanings.values()}
-    held = [usual for each in (record, *here) for one in each.outcomes if one.verdict in HOLDS for usual in [one.usual]]
-    points = {_point(quantity) for usual in held for quantity in usual.values()}
+    held = [one for each in (record, *here) for one in each.outcomes if one.verdict in HOLDS]
+    points = {_point(quantity) for one in held for quantity in one.usual.values()}
     own = {_point(quantity) for quantity in meanings.values()}
-    return len(meanings) == 1 and open_.isdisjoint(own) and own <= points
+    rows = {row for quantity in meanings.values() if isinstance(quantity, Quantity) for row in quantity.rows or ()}
+    told = {link for each in others for one in each.outcomes if one.verdict in HOLDS for link in one.links}
+    is_told = all(AXES + 1 - row in told for row in rows)
+    return len(meanings) == 1 and is_told and open_.isdisjoint(own) and own <= points
 
 
 def _of_other_angles(record: Record) -> bool:

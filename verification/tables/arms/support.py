@@ -17,7 +17,7 @@ from armproof.verification.equations.sides import Members
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key
-from armproof.verification.verdict import HOLDS, EquationResult, Record, Role, TakenArm, Verdict, worst
+from armproof.verification.verdict import AXES, HOLDS, EquationResult, Record, Role, TakenArm, Verdict, worst
 
 
 @dataclass(frozen=True)
@@ -36,8 +36,7 @@ class Inference:
 
 # beside its links: where a chain's frames lie, which of its joints comes first, and how the joint before an inner one turns
 FRAMES, ORDER, TOLD = 0, -1, -2
-# which coordinates of a closed form it tells of, x first, and of which what they hold without a joint
-AXES, HEIGHTS = -3, -6
+HEIGHTS = -6  # of which coordinates an equation tells what they hold without a joint, x first
 _MOVES = ("jacobian", "velocity", "determinant")
 
 
