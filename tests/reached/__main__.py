@@ -21,30 +21,30 @@ def search(seed: int, minutes: float) -> int:
     from tests.reached import outcomes
 
     outcomes.note()  # before anything of the trusted base is imported
-    from tests.reached.documents import Reached, load, said_of, write
+    from tests.reached.documents import Reached, load, write
     from tests.reached.search import Search, fewest
 
     begun = Search.begun(seed)
     known = begun.counts.copy()
     begun.run(60 * minutes)
     chosen = fewest(begun.found, known)
-    write([*load(), *(Reached(text, said_of(text)) for text in chosen)])
+    write([*load(), *(Reached(document, document.said()) for document in chosen)])
     print(f"{len(chosen)} documents more; outcomes: {len(begun.counts)}")
-    for failure, text in begun.failed:
-        print(f"{failure}\n{text}")
+    for failure, document in begun.failed:
+        print(f"{failure}\n{document.text}")
     return 1 if begun.failed else 0
 
 
 def compare(update: bool) -> int:
     """Print the documents of which another thing is said than is on record; write the record anew if asked."""
-    from tests.reached.documents import Reached, load, said_of, write
+    from tests.reached.documents import Reached, load, write
 
-    changed = [document for document in load() if not document.is_said_as_ever]
-    for document in changed:
-        print(f"===== {document.name}\n{document.text}said: {said_of(document.text)}on record: {document.said}")
+    changed = [each for each in load() if not each.is_said_as_ever]
+    for each in changed:
+        print(f"===== {each.name}\n{each.document.text}said: {each.document.said()}on record: {each.said}")
     print(f"of {len(changed)} of {len(load())} documents another thing is said than is on record")
     if update:
-        write([Reached(document.text, said_of(document.text)) for document in load()])
+        write([Reached(each.document, each.document.said()) for each in load()])
     return 1 if changed and not update else 0
 
 

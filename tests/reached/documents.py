@@ -8,52 +8,63 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
+from armproof.models.errors import ArmproofError
 from armproof.verification.check import verify_text
 from tests.labelled.judging import said_of_document
 from tests.labelled.pages import HEAD
 
 HERE = Path(__file__).parent / "documents.txt"
+MARKDOWN = "md"
 HEADER = (
     "# Documents found by search, each with what we say of it; see search.py. Written by `python -m tests.reached`.\n"
 )
 
 
 @dataclass(frozen=True)
+class Text:
+    """The text of a document, and its format."""
+
+    text: str
+    format: str = MARKDOWN
+
+    @property
+    def can_stand(self) -> bool:
+        """Whether it can stand in the file, between its headings."""
+        return self.text.endswith("\n") and "\r" not in self.text and HEAD.search(self.text) is None
+
+    def said(self) -> str:
+        """Return what we say of it, or why it cannot be checked."""
+        try:
+            return said_of_document(verify_text(self.text, self.format))
+        except ArmproofError as error:
+            return " ".join(f"{type(error).__name__}: {error}".split()) + "\n"
+
+
+@dataclass(frozen=True)
 class Reached:
     """A document, and what is on record of it."""
 
-    text: str
+    document: Text
     said: str
 
     @property
     def name(self) -> str:
-        """A short name that does not change when others come or go."""
-        return hashlib.sha1(self.text.encode(), usedforsecurity=False).hexdigest()[:8]
+        """A short name that does not change when others come or go, with the format of what is no Markdown."""
+        name = hashlib.sha1(self.document.text.encode(), usedforsecurity=False).hexdigest()[:8]
+        return name if self.document.format == MARKDOWN else f"{name} {self.document.format}"
 
     @property
     def is_said_as_ever(self) -> bool:
         """Whether we say of it what is on record."""
-        return said_of(self.text) == self.said
-
-
-def can_stand(text: str) -> bool:
-    """Whether a document can stand in the file, between its headings."""
-    return text.endswith("\n") and "\r" not in text and HEAD.search(text) is None
-
-
-def said_of(text: str) -> str:
-    """Return what we say of a document; an exception of its front matter in words."""
-    try:
-        return said_of_document(verify_text(text))
-    except Exception as error:
-        return f"{type(error).__name__}\n"
+        return self.document.said() == self.said
 
 
 @lru_cache
 def load() -> tuple[Reached, ...]:
     """Return the documents in their order."""
     _, *parts = HEAD.split(HERE.read_text("utf-8"))
-    return tuple(Reached(text, said) for text, said in zip(parts[1::4], parts[3::4], strict=True))
+    named = zip(parts[::4], parts[1::4], parts[3::4], strict=True)
+    return tuple(Reached(Text(text, name.partition(" ")[2] or MARKDOWN), said) for name, text, said in named)
 
 
 def write(documents: Iterable[Reached]) -> None:
@@ -63,5 +74,5 @@ def write(documents: Iterable[Reached]) -> None:
 
 
 def _sections(documents: Iterable[Reached]) -> Iterator[str]:
-    for document in documents:
-        yield f"===== {document.name}\n{document.text}===== said of {document.name}\n{document.said}"
+    for each in documents:
+        yield f"===== {each.name}\n{each.document.text}===== said of {each.name}\n{each.said}"

@@ -98,8 +98,16 @@ class _Noting(ast.NodeTransformer):
 
 
 def _test(place: str, value: object) -> object:
-    NOTED.add((place, bool(value)))
+    NOTED.add((place, _truth(value)))
     return value
+
+
+def _truth(value: object) -> bool | None:
+    """Return whether a value counts as true; None for an array of NumPy, which says it of each entry."""
+    try:
+        return bool(value)
+    except ValueError:
+        return None
 
 
 def _returned(place: str, value: object) -> object:
@@ -111,7 +119,7 @@ def _returned(place: str, value: object) -> object:
 
 def _order(place: str, order: str, left: object, right: object) -> object:
     value = ORDERS[order](left, right)
-    NOTED.add((place, bool(value), bool(left == right)))
+    NOTED.add((place, _truth(value), _truth(left == right)))
     return value
 
 

@@ -8,7 +8,7 @@ import sys
 import pytest
 
 from tests.mutation.source.trusted import ROOT
-from tests.reached.documents import Reached, can_stand, load
+from tests.reached.documents import Reached, Text, load
 
 GROUP = 50
 GROUPS = [load()[at : at + GROUP] for at in range(0, len(load()), GROUP)]
@@ -16,19 +16,19 @@ GROUPS = [load()[at : at + GROUP] for at in range(0, len(load()), GROUP)]
 
 @pytest.mark.parametrize("group", GROUPS, ids=lambda group: group[0].name)
 def test_what_is_said_is_what_is_on_record(group: tuple[Reached, ...]):
-    changed = [document.text for document in group if not document.is_said_as_ever]
+    changed = [each.document.text for each in group if not each.is_said_as_ever]
     assert not changed, "\n".join(["look at each, then: python -m tests.reached --update", *changed])
 
 
 def test_another_verdict_is_noticed():
-    first = next(document for document in load() if "unchecked" in document.said)
+    first = next(each for each in load() if "unchecked" in each.said)
     assert first.is_said_as_ever
-    assert not Reached(first.text, first.said.replace("unchecked", "proved")).is_said_as_ever
+    assert not Reached(first.document, first.said.replace("unchecked", "proved")).is_said_as_ever
 
 
 def test_what_would_be_taken_for_a_heading_cannot_stand_on_record():
-    assert all(can_stand(document.text) for document in load())
-    assert not any(map(can_stand, ("$$ 1 = 1 $$", "===== a\n$$ 1 = 1 $$\n", "$$ 1 = 1 $$\r\n")))
+    assert all(each.document.can_stand for each in load())
+    assert not any(Text(text).can_stand for text in ("$$ 1 = 1 $$", "===== a\n$$ 1 = 1 $$\n", "$$ 1 = 1 $$\r\n"))
 
 
 def test_what_is_not_asked_for_is_noted_too():

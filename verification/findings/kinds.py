@@ -634,6 +634,8 @@ class Kind(MessageKind):
     ROW_OPEN_BUT = "row_open_but", "row {number}: {parameter}: {problem}; the entry holds if it means ${meaning}$: bind it under 'symbols'"
     ROW_WITHOUT_FRAME = "row_without_frame", "row {number} has no frame on the arm to be checked against"
     JOINTS_WITHOUT_ROW = "joints_without_row", "{rows} rows for an arm of {joints} joints: none for `{without}`"
+    NO_ROWS = "no_rows", "a table without rows says nothing of the arm"
+    EMPTY_ROW = "empty_row", "row {number} is empty: left to be filled in"
     ROWS_BEYOND_ARM = "rows_beyond_arm", "{rows} rows for an arm of {joints} joints, which has no frame for row {beyond}"
     ROWS_IN_ORDER = "rows_in_order", "the labels name no frames of the arm: the rows are taken in order"
     LENGTHS_IN_NUMBERS = "lengths_in_numbers", "lengths in numbers are compared with those of the model"

@@ -26,6 +26,11 @@ class Row:
     frames: Frames | None
     cells: Mapping[int, Cell]
 
+    @property
+    def is_empty(self) -> bool:
+        """Whether nothing stands in the row: it is left to be filled in."""
+        return all(cell.kind == "blank" for cell in self.cells.values())
+
 
 @dataclass
 class RowVerdict:

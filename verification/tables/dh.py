@@ -41,6 +41,8 @@ class DHTableCheck:
             return replace(self.unchecked, verdict=Verdict.DEFINED, findings=(say(Kind.GENERAL_LINK),))
         if self.names.arm is None:
             return replace(self.unchecked, findings=(say(Kind.NO_ARM_FOR_TABLE),))
+        if not cells:
+            return replace(self.unchecked, findings=(say(Kind.NO_ROWS),))
         found = self._find_reading(self.names.arm, cells)
         if not found.is_right and not any(r.fits_frames for r in self._readings(found.claim, CONVENTIONS)):
             wrong = WrongEntries(found, self.table.rows)
@@ -167,6 +169,9 @@ class DHTableCheck:
         said = []
         for verdict in found.verdicts:
             row = verdict.row.number
+            if verdict.row.is_empty:
+                said.append(say(Kind.EMPTY_ROW, number=row))
+                continue
             for parameter, problem in verdict.problems.items():
                 right = found.right_value(verdict, parameter)
                 terms = {"number": row, "parameter": letter(found, parameter), "problem": problem}

@@ -145,6 +145,8 @@ class TableReading:
         column = self.reading.columns[parameter]
         cell = verdict.row.cells[column]
         if cell.kind == "blank":
+            if (empty := next((row for row in self.rows if row.is_empty), None)) is not None:
+                raise EvaluationError(say(Kind.EMPTY_ROW, number=empty.number))
             self._note(say(Kind.EMPTY_AS_ZERO))
             return [self.claim.algebra.ring.zero]
         if cell.kind == "variable":

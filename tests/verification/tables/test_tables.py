@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from armproof.models.catalogue import arm_names, load_arm
-from armproof.verification.check import DocumentChecker, check_document, verify
+from armproof.verification.check import DocumentChecker, check_document, verify, verify_text
 from armproof.verification.document import Display, Document, Table
 from armproof.verification.findings import Kind
 from armproof.verification.tables import check_array_table, check_table
@@ -619,3 +619,24 @@ def test_an_array_of_one_row_and_its_head_is_a_table() -> None:
     array = read_array(Display(1, r"\begin{array}{cc} i & \alpha_i \\ 1 & 0 \end{array}"))
     assert array is not None and [len(row) for row in array.spans] == [2, 2]
     assert read_array(Display(1, r"\begin{array}{cc} i & \alpha_i \end{array}")) is None
+
+
+@pytest.mark.parametrize("arm", ["arm: planar_2r\n", ""], ids=["named", "inferred"])
+@pytest.mark.parametrize(
+    ("rows", "kind"),
+    [("", Kind.NO_ROWS), ("|1|||||\n|2|||||\n", Kind.EMPTY_ROW), ("|1||||$\\theta_1$|\n|2|||||\n", Kind.EMPTY_ROW)],
+)
+def test_a_table_that_is_left_to_be_filled_in_claims_nothing(arm: str, rows: str, kind: Kind) -> None:
+    head = f"---\n{arm}---\n" if arm else ""
+    (record,) = verify_text(
+        f"{head}| i | $a_i$ | $\\alpha_i$ | $d_i$ | $\\theta_i$ |\n|---|---|---|---|---|\n{rows}"
+    ).tables
+    assert record.verdict == Verdict.UNCHECKED
+    assert kind in {finding.kind for finding in record.findings} or not arm
+
+
+def test_an_empty_entry_among_others_is_a_zero() -> None:
+    rows = "|1|$l_1$|||$\\theta_1$|\n|2|||0|$\\theta_2$|\n"
+    text = f"---\narm: planar_2r\n---\n| i | $a_i$ | $\\alpha_i$ | $d_i$ | $\\theta_i$ |\n|---|---|---|---|---|\n{rows}"
+    assert verify_text(text).tables[0].verdict == Verdict.REFUTED
+    assert verify_text(text.replace("|2||", "|2|$l_2$|")).tables[0].verdict == Verdict.PROVED

@@ -46,6 +46,9 @@ def candidates(table: Table, columns: Columns, names: Names, in_metres: bool = T
     if not in_metres:
         columns = replace(columns, headers=tuple(replace(each, unit=_of_angle(each.unit)) for each in columns.headers))
     rows = [_read_row(names, table, columns, number, in_metres) for number in range(1, len(table.rows) + 1)]
+    for row in rows:
+        if all(cell.kind == "blank" for cell in row.cells.values()):
+            raise EvaluationError(say(Kind.EMPTY_ROW, number=row.number))
     rows = _with_fixed_tool(rows, columns.theta)
     labels = [row.label for row in rows]
     letters = [node for row in rows for cell in row.cells.values() for node in _names_in(cell) if node.key != "pi"]
@@ -72,8 +75,8 @@ def candidates(table: Table, columns: Columns, names: Names, in_metres: bool = T
 
 def _with_fixed_tool(rows: list[_Row], theta: int) -> list[_Row]:
     """Return the rows, the last one without a joint where it alone gives its angle a number: θ_7 = 0."""
-    *others, last = [_is_given(row.cells[theta]) for row in rows]
-    return [*rows[:-1], replace(rows[-1], kind="fixed")] if last and others and not any(others) else rows
+    *others, last = [False, *(_is_given(row.cells[theta]) for row in rows)]
+    return [*rows[:-1], replace(rows[-1], kind="fixed")] if last and len(rows) > 1 and not any(others) else rows
 
 
 def _is_given(cell: Cell) -> bool:
