@@ -185,25 +185,21 @@ class Conventions:
         """
         products = (each for node in nodes for each in n.walk(node) if isinstance(each, n.Product))
         columns = {name.key: found for each in products for name, found in self._column_beside_rate(each)}
-        rows = (
-            below.rows[0]
-            for node in nodes
-            for below in n.walk(node)
-            if isinstance(below, n.Matrix) and len(below.rows) == 1
-        )
-        for cells in rows:  # [J_1 J_2] q̇
-            names = [
-                name
-                for name in map(_plain, cells)
-                if name is not None and name.base == "J" and self.names.is_open(name)
-            ]
-            found = {name.key: column for name in names if (column := column_of_jacobian(name, self.names)) is not None}
-            columns |= found if len(found) == len(cells) == len(self.names.joints) else {}
+        columns |= {name.key: found for node in nodes for name, found in self._columns_in_a_row(node)}
         if len({found.columns for found in columns.values()}) < len(self.names.joints):
             return set()
         for key, found in columns.items():
             self.names.state.infer_usual(key, found)
         return set(columns)
+
+    def _columns_in_a_row(self, node: n.Node) -> Iterator[tuple[n.Name, Quantity]]:
+        r"""Yield the open J_i of [J_1 \dots J_n], one a joint, with the columns that they are."""
+        for below in n.walk(node):
+            cells = below.rows[0] if isinstance(below, n.Matrix) and len(below.rows) == 1 else ()
+            names = [name for name in map(_plain, cells) if name is not None and name.base == "J"]
+            own = [(name, column_of_jacobian(name, self.names)) for name in names if self.names.is_open(name)]
+            if len(own) == len(cells) == len(self.names.joints):
+                yield from ((name, column) for name, column in own if column is not None)
 
     def _column_beside_rate(self, product: n.Product) -> Iterator[tuple[n.Name, Quantity]]:
         """Yield the open J_i that stands beside the rate of joint i, and no other, with the column that it is."""

@@ -49,17 +49,13 @@ class Readings:
 
     def _is_determinant_of_block(self, quantity: Quantity, value: Value) -> bool:
         """Whether what J_{11} or J_{22} is equated to is the determinant of that block of a Jacobian in four: det is left out."""
-        place = {(1,): range(3), (2,): range(3, 6)}.get(quantity.rows or ())
+        rows, columns = quantity.rows or (), quantity.columns or ()
         whole = self.members.exact.jacobian(quantity.frame, quantity.reference)
-        if (
-            not isinstance(value, Scalar)
-            or place is None
-            or quantity.rows != quantity.columns
-            or place[-1] >= whole.shape[1]
-        ):
+        if not isinstance(value, Scalar) or rows != columns or rows not in ((1,), (2,)) or 3 * rows[0] > whole.shape[1]:
             return False
-        determinant = whole.block(place, place).determinant()
-        is_entry = (value - whole.rows[quantity.rows[0] - 1][quantity.columns[0] - 1]).is_zero()
+        place = range(3 * rows[0] - 3, 3 * rows[0])
+        determinant, entry = whole.block(place, place).determinant(), whole.rows[rows[0] - 1][rows[0] - 1]
+        is_entry = (value - entry).is_zero()
         return not is_entry and any((value - sign * determinant).is_zero() for sign in (1, -1))
 
     def printed_rotation(self, chain: n.Chain) -> Quantity | None:
