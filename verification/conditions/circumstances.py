@@ -210,10 +210,6 @@ class Circumstances:
         if outcome.true is None or outcome.printed is None or outcome.states_values:
             return outcome
         if any(self._follows(each, outcome) for each in self._told(told)):
-            if self._is_written_there(told, outcome):
-                return replace(
-                    outcome, verdict=Verdict.CONFIRMED, findings=(say(Kind.HOLDS_THERE),), wrong=[], samples=1
-                )
             return outcome.left_open(say(Kind.HOLDS_AS_TOLD))
         if self.names.arm is None and told.conditions and any(map(bare_key, outcome.nodes)):
             return outcome.left_open(say(Kind.OTHER_AS_TOLD))  # what a name is, or is there: either may hold the slip
@@ -222,19 +218,6 @@ class Circumstances:
         if told.bounds and any(map(_has_a_sign, (outcome.true.node, outcome.printed.node))):
             return self._within(told.bounds, outcome)
         return outcome
-
-    def _is_written_there(self, told: Told, outcome: Outcome) -> bool:
-        """Whether what is printed for a name is that at values of the text, and holds none of what has them: J = […] for θ_3 = 0."""
-        assert outcome.true is not None and outcome.printed is not None
-        values = [self.given.values_of(each) for each in told.conditions]
-        is_named = not isinstance(bare(outcome.true.node), n.Sum | n.Product | n.Quotient)
-        if not is_named:
-            return False
-        below = [*n.walk(outcome.printed.node)]
-        used = {self.names.known_symbol(each.key) for each in below if isinstance(each, n.Name)}
-        used |= {self.names.joint_angle(k) for each in below if isinstance(each, n.JointAngles) for _, k in each.terms}
-        kept = [each for each, value in zip(told.conditions, values, strict=True) if value and used.isdisjoint(value)]
-        return bool(kept) and self._under(kept, outcome) in HOLDS
 
     def within_bounds(self, outcome: Outcome) -> Outcome:
         """Leave open what holds on a branch alone, unless that is where the text before it says: θ_2 ∈ (0, π)."""
@@ -346,17 +329,13 @@ class Circumstances:
 
     def _follows(self, conditions: Sequence[n.Chain], outcome: Outcome) -> bool:
         """Whether an equation holds, or nobody can tell, under conditions."""
-        return self._under(conditions, outcome) is not Verdict.REFUTED
-
-    def _under(self, conditions: Sequence[n.Chain], outcome: Outcome) -> Verdict:
-        """Return what an equation is under conditions."""
         with self.checker.exact.budget.paused():  # few documents need it: the import is none of its time
             from armproof.verification.conditions.judgement import check_implication
 
         assert outcome.true is not None and outcome.printed is not None
         claim = n.Chain((outcome.true.node, outcome.printed.node), ("=",))
         implication = Implication("⇒", [[*conditions]], [[claim]])
-        return check_implication(self.checker, implication, outcome.equation)[0].verdict
+        return check_implication(self.checker, implication, outcome.equation)[0].verdict is not Verdict.REFUTED
 
     def _stands_still(self, outcome: Outcome) -> bool:
         """Whether one side moves with joints that the other side does not hold."""
