@@ -5,16 +5,20 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import is_function
+from armproof.course.feedback.derivation import Derivation, Line
+from armproof.course.feedback.guesses import nearly
 from armproof.course.feedback.number_guesses import OF_ANGLES
-from armproof.course.feedback.number_slips import near, number_slip, numbers_in_text, values_in, wrong_numbers
+from armproof.course.feedback.number_slips import number_slip, numbers_in_text, values_in, wrong_numbers
 from armproof.course.feedback.numbers import numbers_in
 from armproof.course.feedback.outcome import Feedback, Outcome
+from armproof.course.feedback.steps import Steps
 from armproof.models.errors import ArmproofError, counted, written
 from armproof.models.language import look_up, separator
 from armproof.verification.latex.greek import NAMES
@@ -122,8 +126,9 @@ class Number:
         labels: what each of them is.
         stated: numbers that the text gives.
         known: lengths that are given, by their letters (m): one may be missing in an answer, or stand for it.
-        ways: how each number follows from what is given, LaTeX in those letters, numbers of the text, and other numbers that are
-            asked; "" where there is nothing to reckon.
+        steps: how the numbers follow from what is given, lines of LaTeX as in `Steps`; one a number at least, "" where there is
+            nothing to reckon.
+        beside: what students give instead, lines of LaTeX as in `Beside`.
     """
 
     value: float | tuple[float, ...]
@@ -131,20 +136,34 @@ class Number:
     labels: tuple[str, ...] = ()
     known: Mapping[str, float] = field(default_factory=dict)
     stated: tuple[float, ...] = ()
-    ways: tuple[str, ...] = ()
+    steps: tuple[str, ...] = ()
+    beside: tuple[str, ...] = ()
+
+    @cached_property
+    def way(self) -> Steps:
+        """How the numbers follow from what is given."""
+        return Steps(self.steps, int(np.size(self.value)))
+
+    @property
+    def is_of_counts(self) -> bool:
+        """Whether whole numbers without a unit are asked."""
+        return self.unit == "–" and all(float(value).is_integer() for value in np.atleast_1d(self.value).tolist())
+
+    @property
+    def derivation(self) -> Derivation:
+        """The lines on the way to the numbers, which a solution opens one by one before it gives them."""
+        return Derivation(tuple(Line("", latex) for latex in self.way.shown))
 
     def told_in(self, text: str) -> Number:
         """Return the question with the lengths that its text gives to letters."""
         known = {**values_in(text), **self.known} if self.unit in ("m", "m/s") else self.known
-        is_of_counts = self.unit == "–" and all(
-            float(value).is_integer() for value in np.atleast_1d(self.value).tolist()
-        )
-        return replace(self, known=known, stated=() if is_of_counts else numbers_in_text(text))
+        known = {**known, **self.way.given}
+        return replace(self, known=known, stated=() if self.is_of_counts else numbers_in_text(text))
 
     def is_like(self, given: np.ndarray, wrong: np.ndarray) -> bool:
         """Whether an answer is a known wrong one, which may have been rounded."""
         return given.shape == wrong.shape and (
-            near(given, wrong) or all(map(_to_its_digits, given.tolist(), wrong.tolist()))
+            all(map(nearly, given.tolist(), wrong.tolist())) or all(map(_to_its_digits, given.tolist(), wrong.tolist()))
         )
 
     def judge(self, answer: Any) -> Feedback:
@@ -167,6 +186,8 @@ class Number:
                 len(right), given=len(given),
             )  # fmt: skip
             return Feedback(Outcome.WRONG, size)
+        if not np.isfinite(given).all():
+            return Feedback(Outcome.WRONG, look_up("not infinite: what is asked is a number"))
         wrong = ~(np.abs(given - right) <= _TOLERANCE * (1 + np.abs(right)))
         if not wrong.any():
             return Feedback(Outcome.PROVED, "")
@@ -181,7 +202,8 @@ class Number:
             for k in np.flatnonzero(_listed(given, right, wrong)).tolist()
         ]
         labels = [self._label(k) for k in range(right.size)]
-        slip = number_slip(given, right, labels, self.known, self.unit, self.stated, self.ways)
+        with np.errstate(all="ignore"):
+            slip = number_slip(given, right, labels, self.known, self.unit, self.stated, self.way, self.beside)
         if slip and len(told) == 1:
             return Feedback(Outcome.WRONG, written("{said}: {slip}", said=told[0], slip=slip))
         return Feedback(Outcome.WRONG, separator(told).join(told) + (look_up("; ") + slip if slip else ""))
@@ -195,7 +217,7 @@ class Number:
     def shown(self) -> str:
         """Return the right numbers, each with what it is and how it follows from what is given, Markdown."""
         right = np.atleast_1d(np.array(self.value, dtype=float)).tolist()
-        ways = (*self.ways, *[""] * len(right))
+        ways = (*self.way.last, *[""] * len(right))
         values = [_followed(way, value, self.unit) for value, way in zip(right, ways, strict=False)]
         if len(right) == 1:
             return values[0]

@@ -14,7 +14,7 @@ from armproof.verification.verdict import Record
 
 @dataclass(frozen=True)
 class Line:
-    """One line of a derivation: what is done, in a few words, and the equation that it gives, LaTeX."""
+    """One line of a derivation: what is done, in a few words or none, and the equation that it gives, LaTeX."""
 
     words: str
     latex: str
@@ -36,7 +36,10 @@ class Derivation:
 
     def opened(self, count: int) -> str:
         """Return the first lines as Markdown."""
-        return "\n\n".join(f"{k}. {line.words}\n\n$$ {line.latex} $$" for k, line in enumerate(self.lines[:count], 1))
+        shown = (
+            f"{line.words}\n\n$$ {line.latex} $$" if line.words else f"${line.latex}$" for line in self.lines[:count]
+        )
+        return "\n\n".join(f"{k}. {line}" for k, line in enumerate(shown, 1))
 
     def records(self) -> tuple[Record, ...]:
         """Return the verdict on each line: a line that is not proved is none to be shown."""

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from decimal import Decimal
 from itertools import pairwise
-from math import floor, log10
+from math import floor, isfinite, log10
 
 from armproof.models.errors import written
 from armproof.models.language import look_up, noted
@@ -51,32 +51,40 @@ def explained(given: float, right: float, guesses: Iterable[Guess], share: float
     A number of few digits meets one of many guesses by chance. So no more are tried than would explain this share of all
     numbers with as many digits, two at least, up to twice the right one: one of forty.
     """
+    if not isfinite(given):
+        return ""
     step, largest = min(_unit(given, right), _unit(given, given)), 2 * max(abs(right), abs(given))
     tried: set[int] = set()
     for guess in guesses:
         if not _SMALL < abs(guess.value) <= largest or abs(guess.value - right) <= step / 2:
             continue  # who makes this mistake has the right number all the same
-        if (is_exact := guess.is_exact or _is_short(guess.value)) and not _has_digits(guess.value, step):
+        if (is_exact := guess.is_exact or is_short(guess.value)) and not _has_digits(guess.value, step):
             continue
         tried.add(round(guess.value / step))
         if len(tried) > max(_LEAST, share * 2 * largest / step):
             return ""
-        if abs(guess.value - given) <= (
-            _SMALL if is_exact else min(_unit(given, given) / 2, _ROUNDED * abs(given)) + _SMALL
-        ):
+        if nearly(given, guess.value, is_exact):
             return guess.words()
     return ""
 
 
+def nearly(given: float, value: float, is_exact: bool = False) -> bool:
+    """Whether a number is a value, to the digits that it has."""
+    return (
+        isfinite(given)
+        and abs(value - given) <= (0 if is_exact else min(_unit(given, given) / 2, _ROUNDED * abs(given))) + _SMALL
+    )
+
+
 def _unit(given: float, beside: float) -> float:
     """Return the unit of a number's last digit; of two digits, at least, of a number beside it that is not zero."""
-    digits = log10(abs(beside or given))
+    digits = log10(abs(beside or given) or 1)
     coarsest: float = 10.0 ** (floor(digits) - 1)
     finest: float = 10.0 ** floor(digits + _FINEST)
     return max(min(10.0 ** -_decimals(given), coarsest), finest)
 
 
-def _is_short(value: float) -> bool:
+def is_short(value: float) -> bool:
     """Whether a number ends after few decimals, so that nobody rounds it."""
     return abs(round(value, _SHORT) - value) < _SMALL
 

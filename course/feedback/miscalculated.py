@@ -20,6 +20,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 
 _QUARTER, _HALF = (n.Number(Fraction(degrees), str(degrees)) for degrees in (90, 180))
+_ONE = n.Number(Fraction(1), "1")
 _DECIMALS = 6
 _MOST_TERMS = 6  # of a sum of which two are left out
 _NONE = Letters()
@@ -49,6 +50,9 @@ def _otherwise(node: n.Node) -> Iterator[n.Node]:
     elif isinstance(node, n.Quotient):
         yield replace(node, numerator=node.denominator, denominator=node.numerator)
         yield n.Product((node.numerator, node.denominator), ("⋅",))
+        yield node.numerator
+        yield replace(node, numerator=_ONE)
+        yield replace(node, numerator=_ONE, denominator=n.Group(n.Product((node.numerator, node.denominator), ("⋅",))))
         yield from _as_far_as_the_first_term(node)
     elif is_trigonometric(node):
         yield from _other_angles(node)

@@ -10,7 +10,7 @@ from itertools import combinations, permutations
 
 import numpy as np
 
-from armproof.course.feedback.guesses import Guess, alone, digits_astray, digits_exchanged, instead, shortened
+from armproof.course.feedback.guesses import Guess, alone, digits_astray, digits_exchanged, instead, is_short, shortened
 from armproof.course.feedback.worked import Worked
 from armproof.models.errors import written
 from armproof.models.language import look_up, noted, number_text
@@ -27,7 +27,9 @@ _TWO_LETTERS = 2
 _FEW_LETTERS = 4
 _NOTHING = 1e-9
 _ALONG = 0.01  # the sine of twice an angle that stands along an axis, to two digits
+TWICE, HALF = noted("this is twice what is asked"), noted("this is half of what is asked")
 _MISSING, _TOO_MUCH = noted("{name} is missing"), noted("{name} does not belong in it")
+_ELSEWHERE = noted("{value:g} is given for something else")
 _TWICE = noted("{name} is counted twice")
 _TWO = {"+": operator.add, "·": operator.mul, "/": operator.truediv, "-": operator.sub}
 
@@ -42,6 +44,7 @@ class Asked:
         known: given values by their letters.
         stated: numbers that the task's text gives.
         worked: how it follows from them; None where that is not known.
+        beside: what others give instead.
     """
 
     right: float
@@ -51,6 +54,7 @@ class Asked:
     known: Mapping[str, float] = field(default_factory=dict)
     stated: tuple[float, ...] = ()
     worked: Worked | None = None
+    beside: tuple[Guess, ...] = ()
 
     def guesses(self, given: float) -> Iterator[Guess]:
         """Yield what mistakes would give, the usual ones first."""
@@ -58,10 +62,12 @@ class Asked:
         yield from self._as_it_stands()
         yield from self._alone(own, given)
         if self.worked is not None and len(own) == _TWO_LETTERS:
-            yield from (Guess(value, partial(instead, name), is_exact=True) for name, value in _pairs(own).items())
+            pairs = {**_pairs(own), **_bent(own)} if self.worked.is_short else _sums(own)
+            yield from (Guess(value, partial(instead, name), is_exact="√" not in name) for name, value in pairs.items())
         yield from shortened(given, self.right)
         yield from digits_exchanged(given, self.right)
         yield from self._of_parts(own)
+        yield from self._alone(far, given)
         if is_soon := self.worked is None or len(self.stated) <= _FEW_STATED:
             yield from self._copied()
         if self.worked is not None:
@@ -71,13 +77,18 @@ class Asked:
         yield from self._another()
         yield from self._turned() if self.unit == "rad" else ()
         if self.worked is not None:
+            yield from self._of_parts(far) if self.worked.is_short else ()
             yield from self.worked.confusions()
         yield from self.doubled() if self.others else ()
-        yield from self._of_the_others()
-        yield from self._mirrored() if self.unit == "rad" else ()
-        yield from self._of_the_text()
-        yield from self._alone(far, given)
+        is_of_others = self.worked is None or bool(self.worked.letters)
+        mirrored = (*self._mirrored(),) if self.unit == "rad" else ()
+        of_others = (
+            (*self._of_the_others(),) if self.right else ()
+        )  # beside zero there is no size by which chance is told
+        yield from (*of_others, *mirrored) if is_of_others else (*mirrored, *of_others)
+        yield from self._of_the_text() if self.right else ()
         yield from self._of_parts(far)
+        yield from self._with_a_value()
         yield from digits_astray(given, self.right)
         if self.worked is not None:
             yield from self._in_degrees() if not self.worked.is_short else ()
@@ -132,6 +143,7 @@ class Asked:
                 yield Guess(float(getattr(np, name)(right)), told)
         if self.unit == "rad/s":
             yield Guess(right / (2 * np.pi), lambda: look_up("in turns a second? Radians a second are asked for"))
+            yield Guess(right * 30 / np.pi, lambda: look_up("in turns a minute? Radians a second are asked for"))
             yield Guess(right * 2 * np.pi, lambda: look_up("a factor 2π is too much: the rate is in radians already"))
         if right and self.unit not in (*OF_ANGLES, "m") and self.worked is None:  # else its quotient is turned there
             yield Guess(1 / right, lambda: look_up("numerator and denominator are exchanged"))
@@ -172,6 +184,7 @@ class Asked:
         """Yield the other numbers that are asked."""
         for label, value in self.others.items():
             yield Guess(value, partial(instead, label))
+            yield Guess(-value, partial(instead, f"−{label}"))
 
     def _turned(self) -> Iterator[Guess]:
         """Yield an angle whole and half turns away, and in other units."""
@@ -180,6 +193,8 @@ class Asked:
             yield Guess(
                 right + turn, lambda: look_up("this is the angle and a whole turn: give the one between −π and π")
             )
+        for turn in (np.pi / 2, -np.pi / 2):
+            yield Guess(right + turn, lambda: look_up("a quarter of a turn off"))
         for turn in (np.pi, -np.pi):
             yield Guess(right + turn, lambda: look_up("half a turn off: the wrong one of two opposite quadrants"))
         yield Guess(right / np.pi, lambda: look_up("a factor π is missing"))
@@ -202,13 +217,20 @@ class Asked:
             )
 
     def doubled(self) -> Iterator[Guess]:
-        """Yield the double and the half."""
-        for value in (2 * self.right, self.right / 2):
-            yield Guess(value, partial(written, noted("wrong by a factor of {factor}"), factor=2))
+        """Yield the double, the half and the square, and what a turn more makes of a number that is no angle."""
+        yield Guess(2 * self.right, lambda: look_up(TWICE))
+        yield Guess(self.right / 2, lambda: look_up(HALF))
+        if self.worked is None or not self.worked.is_short:
+            yield Guess(self.right**2, lambda: look_up(_SQUARE))
+        if self.unit not in OF_ANGLES:
+            yield Guess(2 * np.pi * self.right, lambda: look_up("a factor 2π is too much"))
 
     def _of_the_others(self) -> Iterator[Guess]:
         """Yield the squares of the other numbers, and the sums and differences of two."""
         others = {label: value for label, value in self.others.items() if value}
+        for label, value in others.items() if not is_short(self.right) else ():
+            yield Guess(self.right + value, partial(written, _TOO_MUCH, name=label))
+            yield Guess(self.right - value, partial(written, _TOO_MUCH, name=label))
         for label, value in others.items():
             yield Guess(value**2, partial(written, noted("this is the square of {other}"), other=label))
         if len(others) > 1:
@@ -218,9 +240,27 @@ class Asked:
 
     def _copied(self) -> Iterator[Guess]:
         """Yield the numbers of the text, where they are few; a whole one may count, and what is in metres makes no angle."""
-        for value in self.stated if self.unit != "rad" and len(self.stated) <= _MOST_STATED else ():
+        stated = self.stated if self.right else {*self.stated, *(-value for value in self.stated)}
+        for value in stated if self.unit != "rad" and len(self.stated) <= _MOST_STATED else ():
             if not value.is_integer():
-                yield Guess(value, partial(written, noted("{value:g} is given for something else"), value=value))
+                yield Guess(value, partial(written, _ELSEWHERE, value=value))
+
+    def alone(self, given: float) -> Iterator[Guess]:
+        """Yield the given values, with the sign of the number that is given."""
+        return self._alone(self.known, given)
+
+    def _with_a_value(self) -> Iterator[Guess]:
+        """Yield a lone number with a given value more or less, where few are given."""
+        if self.worked is None or self.others or len(self.stated) > _TWO_LETTERS:
+            return
+        for value in self.stated:
+            for sign, part in (("+", value), ("-", -value)):
+                yield Guess(self.right + part, partial(self._with_more, sign, number_text(value, "g")), is_exact=True)
+
+    def whole_ones(self) -> Iterator[Guess]:
+        """Yield the whole numbers of the text, of which one may stand where zero belongs."""
+        for value in filter(float.is_integer, self.stated):
+            yield Guess(value, partial(written, _ELSEWHERE, value=value))
 
     def _of_the_text(self) -> Iterator[Guess]:
         """Yield two or three numbers of the text put together."""
@@ -234,11 +274,9 @@ class Asked:
             yield Guess(_TWO[sign](one, other), partial(_reckoned, one, sign, other))
 
     def _of_powers(self) -> Iterator[Guess]:
-        """Yield the square and the root of the number, unless it follows without any."""
-        if self.worked is not None and not self.worked.has_powers:
-            return
+        """Yield the square of a sum, and the root of a number that follows with a power."""
         yield Guess(self.right**2, lambda: look_up(_SQUARE))
-        if self.right > 0:
+        if self.right > 0 and (self.worked is None or self.worked.has_powers):
             yield Guess(float(np.sqrt(self.right)), lambda: look_up("this is the root: its square is asked"))
 
 
@@ -255,7 +293,18 @@ def _with_function(words: str, function: str) -> str:
     return written(words, function=look_up(function))
 
 
+def _sums(known: Mapping[str, float]) -> dict[str, float]:
+    """Return the sums of two given values."""
+    return {f"{one} + {other}": known[one] + known[other] for one, other in combinations(known, 2)}
+
+
+def _bent(known: Mapping[str, float]) -> dict[str, float]:
+    """Return the hypotenuse of two given values, and their product."""
+    one, other = known
+    a, b = known.values()
+    return {f"√({one}² + {other}²)": float(np.hypot(a, b)), f"{one} · {other}": a * b}
+
+
 def _pairs(known: Mapping[str, float]) -> dict[str, float]:
     """Return the sums of two given values, and their doubles."""
-    sums = {f"{one} + {other}": known[one] + known[other] for one, other in combinations(known, 2)}
-    return {**sums, **{f"2 {name}": 2 * value for name, value in known.items()}}
+    return {**_sums(known), **{f"2 {name}": 2 * value for name, value in known.items()}}

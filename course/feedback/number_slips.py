@@ -3,32 +3,38 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 from itertools import combinations
 
 import numpy as np
 
-from armproof.course.feedback.guesses import explained, instead
-from armproof.course.feedback.number_guesses import OF_ANGLES, Asked
-from armproof.course.feedback.worked import LETTER, Worked
+from armproof.course.feedback.guesses import explained, instead, nearly
+from armproof.course.feedback.number_guesses import HALF, OF_ANGLES, TWICE, Asked
+from armproof.course.feedback.steps import NO_STEPS, Beside, Steps
+from armproof.course.feedback.worked import IN_RADIANS, LETTER, Worked
 from armproof.models.errors import counted, written
 from armproof.models.language import look_up, noted, number_text, separator
 from armproof.verification.latex.greek import NAMES
+from armproof.verification.latex.plain import plain_text
+from armproof.verification.latex.writer import symbol_as_latex
 
 _TOLERANCE = 1e-6
 _LARGEST_FACTOR = 10
 _LARGEST_PART = 5  # above and below the line of a share
 _MOST_TRUE = 0.1  # of all numbers, those that are told a sum that they are: true where it is chance, too
+_ROUND = np.radians(np.arange(-180.0, 180.0, 5.0))
+_FOR = noted("this is for {values}")
+_ALL = 1.0  # of them, where all that is told was written down by a task's author
 _MOST_ASTRAY = 2  # things too many or too few: a larger number would be the answer itself
 _POWERS_OF_TEN = (100, 1000)
 _TENS = (_LARGEST_FACTOR, *_POWERS_OF_TEN)
 _LONE_FACTORS = (2, 3, 4, *_TENS)  # of one number: seven comes by chance
 _NEAR = 2e-3  # of numbers that were rounded, where the mistake is sought
 _NEAR_SHORT = 1e-4  # of one that has many digits, where the right one has few
-_USUAL_ANGLE = 15  # degrees: of a direction that is taken for another
-_NEAR_ANGLE = 0.02  # of it
+_USUAL_ANGLE = 5  # degrees: of a direction that is taken for another
+_NEAR_ANGLE = 0.06  # of it
 _NEAR_LENGTH = 0.004  # of coordinates that were rounded to three digits
 _ABOUT = 0.04  # of a double or a half that was rounded
 _NOT_ZERO = {
@@ -41,6 +47,9 @@ _NOT_ZERO = {
 _SIGN = r"[A-Za-z](?:_\{?\w+\}?)?"
 _GIVEN = re.compile(rf"(?<![\w\\])(?<!dot )({_SIGN}(?: [-+] {_SIGN})*) = (\d+(?:\.\d+)?)(?![\w.^]|\s*\\?°)")
 _NUMBER = re.compile(r"(?<![\w.\\^{}_])(?:(?<=[\[, ])-)?\d+(?:\.\d+)?(?![\w.°^}]|\s*\\?°)")
+_COUNTED = re.compile(
+    r"(?:ax[ie]s|axe|joint|articulation|frame|repère|row|ligne|column|colonne|link|corps|document)\s*$", re.I
+)
 _CLOSE = ((0.01, noted("a hundredth")), (0.1, noted("a tenth: a slip in the reckoning?")))
 
 near = partial(np.allclose, rtol=_NEAR, atol=_TOLERANCE)
@@ -53,7 +62,9 @@ def values_in(text: str) -> dict[str, float]:
 
 def numbers_in_text(text: str) -> tuple[float, ...]:
     """Return the numbers that a task's text gives, each once, with its sign: not zero, no indices, exponents or degrees."""
-    found = dict.fromkeys(float(number) for number in _NUMBER.findall(text))
+    found = dict.fromkeys(
+        float(number[0]) for number in _NUMBER.finditer(text) if not _COUNTED.search(text[: number.start()])
+    )
     return tuple(number for number in found if number)
 
 
@@ -64,7 +75,8 @@ def number_slip(
     known: Mapping[str, float],
     unit: str = "–",
     stated: Sequence[float] = (),
-    ways: Sequence[str] = (),
+    way: Steps = NO_STEPS,
+    beside: Sequence[str] = (),
 ) -> str:
     """Return the usual mistake behind wrong numbers, of all of them or of each; empty where none is recognised.
 
@@ -73,26 +85,93 @@ def number_slip(
         known: given values, which may be missing in a number, or stand for it.
         stated: numbers that the task's text gives.
         unit: of the numbers; without one, whole numbers are numbers of things, of which none is "not zero".
-        ways: how each number follows from what is given, LaTeX; "" of one of which that is not said.
+        way: how the numbers follow from what is given.
+        beside: what is given instead of them, as in `Beside`.
     """
-    if whole := next(_whole(given, right, unit), "") or _turned(given, right, labels):
-        return whole
     values = dict(zip(labels, right.tolist(), strict=True))
     wrong = np.flatnonzero(wrong_numbers(given, right)).tolist()
     others = [{name: value for name, value in values.items() if name != label} for label in labels]
-    worked = {k: Worked(way, {**known, **letters_of(others[k])}, tuple(stated)) for k, way in enumerate(ways) if way}
-    if exchanged := _exchanged({k: float(given[k]) for k in wrong}, worked):
-        return exchanged
+    letters = {**known, **way.angles}
+    worked = {
+        k: Worked(latex, {**letters, **letters_of(others[k])}, tuple(stated), frozenset(way.angles))
+        for k, latex in enumerate(way.ways)
+        if latex
+    }
+    near_by = Beside(tuple(beside), {**letters, **letters_of(values)})
+    own = dict(zip(labels, given.tolist(), strict=True))
+    asked = {
+        k: Asked(float(right[k]), labels[k], unit, others[k], known, tuple(stated), worked.get(k), tuple(near_by.of_one(k, given, wrong)))
+        for k in wrong
+    }  # fmt: skip
+    if whole := (
+        near_by.of_all(given)
+        or next(_whole(given, right, unit), "")
+        or _of_another_value(given, right, worked, way.angles)
+        or ("" if any(_carried(asked[k], own[labels[k]], own) for k in wrong) else _reordered(given, right, labels))
+        or _reordered_with_signs(given, right, asked)
+        or _of_any_angle(given, right, worked, way.angles)
+        or _turned(given, right, labels)
+        or _exchanged({k: float(given[k]) for k in wrong}, worked)
+    ):
+        return whole
     of: dict[str, list[str]] = {}
     for k in wrong:
-        asked = Asked(float(right[k]), labels[k], unit, others[k], known, tuple(stated), worked.get(k))
-        words = _of_one(asked, float(given[k]), dict(zip(labels, given.tolist(), strict=True)), len(wrong) == 1)
+        words = _of_one(asked[k], float(given[k]), own, len(wrong) == 1)
         of.setdefault(words, []).append(labels[k])
     if len(wrong) == 1:
         return "".join(of)
     return look_up("; ").join(
         written("{label}: {words}", label=separator(labels).join(labels), words=words) for words, labels in of.items() if words
     )  # fmt: skip
+
+
+def _of_another_value(
+    given: np.ndarray, right: np.ndarray, worked: Mapping[int, Worked], angles: Mapping[str, float]
+) -> str:
+    """Return which other value of a letter makes all the numbers what they are: another angle, a factor that is left out."""
+    known = {name: value for each in worked.values() for name, value in each.known.items()}
+    factors = set() if all(each.is_short for each in worked.values()) else {*known} - {*angles}
+    tried: list[tuple[dict[str, float], Callable[[], str]]]
+    tried = [({name: value}, _for_value(name, value, name in angles))
+             for name in sorted({name for each in worked.values() for name in each.letters} & {*angles, *factors})
+             for value in (_other_angles(known[name]) if name in angles else (1.0,))]  # fmt: skip
+    if len(angles) > 1:
+        forgotten = ", ".join(f"{plain_text(symbol_as_latex(name))} = 0°" for name in angles)
+        tried.append((dict.fromkeys(angles, 0.0), partial(written, _FOR, values=forgotten)))
+    in_radians = {name: float(np.degrees(value)) for name, value in angles.items()}
+    taken = [*({name: value} for name, value in in_radians.items()), in_radians]
+    tried += [(values, partial(look_up, IN_RADIANS)) for values in taken]
+    for values, words in tried:
+        made = right.copy()
+        for k, each in worked.items():
+            made[k] = each.with_values(values)
+        if not near(made, right) and np.isfinite(made).all() and all(map(nearly, given.tolist(), made.tolist())):
+            return words()
+    return ""
+
+
+def _of_any_angle(
+    given: np.ndarray, right: np.ndarray, worked: Mapping[int, Worked], angles: Mapping[str, float]
+) -> str:
+    """Return at which angle, a multiple of five degrees, several numbers are what they are, to three digits."""
+    for name in angles if np.count_nonzero(wrong_numbers(given, right)) > 1 else ():
+        made = np.tile(right, (len(_ROUND), 1))
+        for k, each in worked.items():
+            made[:, k] = each.over(name, _ROUND)
+        found = _ROUND[np.isclose(given, made, rtol=_NEAR, atol=_TOLERANCE).all(axis=1)]
+        if found.size:
+            return _for_value(name, float(found[0]), True)()
+    return ""
+
+
+def _for_value(name: str, value: float, is_angle: bool) -> Callable[[], str]:
+    shown = f"{180 - (180 - np.degrees(value)) % 360:.4g}°" if is_angle else number_text(value, "g")
+    return partial(written, _FOR, values=f"{plain_text(symbol_as_latex(name))} = {shown}")
+
+
+def _other_angles(angle: float) -> tuple[float, ...]:
+    turns = (angle + sign * turn for turn in (np.pi / 2, np.pi) for sign in (1, -1))
+    return (0.0, -angle, *turns, 2 * angle, angle / 2)
 
 
 def _exchanged(given: Mapping[int, float], worked: Mapping[int, Worked]) -> str:
@@ -125,10 +204,6 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
         return
     if near(np.abs(given), np.abs(right)):
         yield look_up("the sign is wrong")
-    if near(np.sort(given), np.sort(right)):
-        yield look_up("the numbers are right, their order is not")
-    if near(np.sort(np.abs(given)), np.sort(np.abs(right))):
-        yield look_up("the numbers are right, their order and signs are not")
     if (
         right.size > 1
         and not (right.size == 3 and near(np.linalg.norm(right), 1))  # a direction
@@ -165,6 +240,27 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
             yield counted("one too many", "{number} too many", 1)
 
 
+def _reordered(given: np.ndarray, right: np.ndarray, labels: Sequence[str]) -> str:
+    """Return which two numbers are exchanged, or that they are in another order."""
+    off = np.flatnonzero(~np.isclose(given, right, rtol=_NEAR, atol=_TOLERANCE)).tolist()
+    if not off:
+        return ""
+    if len(off) == 2 and near(given[off], right[off[::-1]]):
+        one, other = (labels[k] for k in off)
+        return written("{one} and {other} are exchanged", one=one, other=other)
+    if near(np.sort(given), np.sort(right)):
+        return look_up("the numbers are right, their order is not")
+    return ""
+
+
+def _reordered_with_signs(given: np.ndarray, right: np.ndarray, asked: Mapping[int, Asked]) -> str:
+    """Return that numbers are in another order and have other signs, where that is not what slips of each make of them."""
+    if not near(np.sort(np.abs(given)), np.sort(np.abs(right))):
+        return ""
+    has_slips = all(each.worked and explained(float(given[k]), each.right, each.guesses(float(given[k]))) for k, each in asked.items())  # fmt: skip
+    return "" if has_slips else look_up("the numbers are right, their order and signs are not")
+
+
 def _turned(given: np.ndarray, right: np.ndarray, labels: Sequence[str]) -> str:
     """Return by how much coordinates are turned that are as far out as the right ones, where the angle is a usual one."""
     lengths = np.linalg.norm(given), np.linalg.norm(right)
@@ -182,7 +278,11 @@ def _by_factor(given: np.ndarray, right: np.ndarray, usual: Sequence[int] = ()) 
     """Yield by which whole factor wrong numbers are too large or too small, of some that are usual; of one number not by seven, which comes by chance."""
     for sign, words in ((1, noted("wrong by a factor of {factor}")), (-1, noted("wrong by a factor of {factor}, and in sign"))):  # fmt: skip
         factor = _common_factor(sign * given, right)
-        if factor and factor in (usual or (_LONE_FACTORS if given.size == 1 else (factor,))):
+        if not factor or factor not in (usual or (_LONE_FACTORS if given.size == 1 else (factor,))):
+            continue
+        if factor == 2 and sign > 0 and given.size == 1:
+            yield look_up(TWICE if abs(given[0]) > abs(right[0]) else HALF)
+        else:
             yield written(words, factor=factor)
 
 
@@ -226,21 +326,26 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
     """Return what is behind one wrong number; where nothing is recognised how large it is, and what would have to be given."""
     right, is_count = asked.right, asked.unit == "–"
     if is_count and (float(right).is_integer() or not right) and float(given).is_integer():
-        soon = _of_another(given, asked) if given > _MOST_ASTRAY else ""
+        soon = _counted_otherwise(given, asked) or (_of_another(given, asked) if given > _MOST_ASTRAY else "")
         return soon or _of_a_count(given, asked) or _of_another(given, asked) or _by_size(asked, given, is_only)
     if not given:
-        return look_up(_NOT_ZERO.get(asked.unit, _NOT_ZERO["–"]))
+        missing = asked.worked.missing if asked.worked is not None else ""
+        return missing or look_up(_NOT_ZERO.get(asked.unit, _NOT_ZERO["–"]))
+    if beside := explained(given, right, asked.beside, _ALL):
+        return beside
     if not right:
-        said = explained(given, right, asked.guesses(given)) if asked.worked is not None else ""
-        return said or look_up("zero belongs there")
+        said = explained(given, right, asked.guesses(given), _MOST_TRUE)
+        return said or explained(given, right, asked.whole_ones(), _ALL) or look_up("zero belongs there")
     return (
         _of_a_count(given, asked)
         or _carried(asked, given, own)
         or explained(given, right, asked.guesses(given))
-        or _factor_of_one(given, asked)
+        or next(_by_factor(np.array([given]), np.array([right]), (2, *_TENS)), "")
         or explained(given, right, asked.doubled())
         or _of_another(given, asked)
         or explained(given, right, asked.identities(), _MOST_TRUE)
+        or explained(given, right, asked.alone(given), _ALL)
+        or _factor_of_one(given, asked)
         or _of_reach(given, asked)
         or _by_size(asked, given, is_only)
     )
@@ -278,13 +383,20 @@ def _of_a_count(given: float, asked: Asked) -> str:
     if asked.unit != "–" or not all(map(float.is_integer, values)) or not max(values) > 1 or asked.right < 0:
         return ""
     if not float(given).is_integer():
-        return look_up("a whole number is asked")
+        return look_up("a whole number is asked") if asked.worked is None or not asked.worked.has_powers else ""
     if given < 0:
         return look_up("a number of things is not negative")
     more = int(given - asked.right)
     if abs(more) > _MOST_ASTRAY:
         return ""
     return counted("one too many", "{number} too many", more) if more > 0 else counted("one too few", "{number} too few", -more)  # fmt: skip
+
+
+def _counted_otherwise(given: float, asked: Asked) -> str:
+    """Return what a count is instead: what others give, a part of it, or it with a part left out."""
+    parts = asked.worked.counted_otherwise() if asked.worked is not None else ()
+    found = (guess.words() for guess in (*asked.beside, *parts) if guess.value == given != asked.right)
+    return next(found, "")
 
 
 def _of_another(given: float, asked: Asked) -> str:
@@ -297,7 +409,8 @@ def _of_another(given: float, asked: Asked) -> str:
 def _of_reach(given: float, asked: Asked) -> str:
     """Return that no sum of all given lengths is so long."""
     longest = sum(map(abs, asked.known.values()))
-    if asked.unit != "m" or not 0 < longest < abs(given):
+    is_of_lengths = asked.unit == "m" and (asked.worked is None or asked.worked.is_short)
+    if not is_of_lengths or not 0 < longest < abs(given):
         return ""
     return written(
         "even {names} is only {longest:g}: the arm does not reach that far",
@@ -318,7 +431,7 @@ def _by_size(asked: Asked, given: float, is_only: bool) -> str:
     else:
         is_count = float(right).is_integer() and float(given).is_integer()
         size = (not is_count and _share(given, right)) or (_size(given / right) if given else look_up("zero would mean that there is none"))  # fmt: skip
-    size = (asked.worked.instead(given) if asked.worked is not None else "") or size
+    size = (asked.worked.instead(given) if asked.worked is not None and is_only else "") or size
     return written("{size}; all else is right", size=size) if is_only and asked.others else size
 
 

@@ -16,7 +16,9 @@ _DECIMAL_COMMAS = re.compile(r"\s*[\[(]?\s*[-+]?\d+(?:,\d+)?(?:\s*;\s*[-+]?\d+(?
 _ONE_DECIMAL_COMMA = re.compile(r"\s*[-+]?(?:0,\d+|\d+,(?!\d{3}\s*$)\d+)\s*")  # 1,500 may be a thousand and a half
 _THOUSANDS = re.compile(r"(?<=\d)[ \xa0\u202f](?=\d{3}(?!\d))")  # 28 648
 _BLANKS = {0xA0: " ", 0x202F: " "}  # that do not break, as they stand in French
-_NAMED = re.compile(r"(?:(?<=^)|(?<=[\[(,;\s]))(?:\\?(?:sin|cos|tan)\s*)?\\?[^\W\d]\w*\s*=\s*")
+_NAMED = re.compile(
+    r"(?:(?<=^)|(?<=[\[(,;\s]))(?:\\?(?:sin|cos|tan|d?dot)\s*)?\\?[^\W\d]\w*['′]*\s*(?:=|≈|\\approx)\s*"
+)
 _SAID = re.compile(r"\s*(?P<word>[^\W\d]{3,})(?:\s*:\s*|\s+)(?P<value>[-−+]?[\dπp\\].*)")  # roll -pi/2
 _BEFORE_WORD = r"\s+(?=[^\W\d]{3,}\s)"  # roll -pi/2 pitch 0
 _SUM = re.compile(r"(?P<whole>\d+|[^\W\d_]+)\s*\((?P<parts>\d+(?:\s*\+\s*\d+)*)\)")  # 6 (3+3), six (6)
@@ -28,7 +30,7 @@ _SCALES = {
     "rad": {"rad": 1.0, "deg": np.pi / 180, "°": np.pi / 180},
     "rad/s": {"rad/s": 1.0, "deg/s": np.pi / 180, "°/s": np.pi / 180, "s^-1": 1.0, "/s": 1.0},
 }
-_WORDS = {
+_WORDS: dict[str, float] = {
     word: number
     for number, words in enumerate((
         "zero none no zéro aucun aucune", "one un une", "two deux", "three trois", "four quatre", "five cinq", "six",
@@ -36,6 +38,7 @@ _WORDS = {
     ))
     for word in words.split()
 }  # fmt: skip
+_WORDS |= dict.fromkeys(("infinite", "infinity", "infinitely many", "infini", "infinité", "∞", "inf"), float("inf"))
 _FRACTION = re.compile(r"\\[dt]?frac\s*(?:\{([^{}]*)\}|(\d))\s*(?:\{([^{}]*)\}|(\d))")
 _PLAIN = {"pi": "pi", "cdot": "*", "times": "*"}
 _IN_LATEX = re.compile(r"\\(pi|cdot|times)(?![A-Za-z])")
@@ -49,7 +52,7 @@ _ASIDE = re.compile(r"(?<=\d)\s*\([^()]*[^\W\d_]{3,}[^()]*\)\s*$")  # 6 (3 rotat
 _ABOUT = re.compile(r"^\s*(?:about|approximately|roughly|environ|≈|~)\s*", re.I)
 _ZERO_BARE = re.compile(r"(?<![\d.,])[-+]?0(?:[.,]0+)?(?=\s*(?:[,;\])]|$))")
 _TIMES = re.compile(r"(?:(?<=^)|(?<=[\[(,;\s]))[x×]\s*(?=\d)")  # ×2, ×4
-_COMMAS = re.compile(r"[^,]*?(?:(?<![\d,])\d+,\d{1,2}(?!\d)|(?<![\d,])0,\d+)[^,]*(?:\d,\d[^,]*)*")
+_COMMAS = re.compile(r"[^,]*?(?:(?<![\d,.])\d+,\d{1,2}(?![\d.])|(?<![\d,])0,\d+)[^,]*(?:\d,\d[^,]*)*")
 _BETWEEN = ("and", "et", "to", "by", "à", "row", "is", "est")  # short words that are no units
 _KNOWN = sorted(
     {unit for scales in _SCALES.values() for unit in scales} | {"kg", "N", "s", "rpm"}, key=len, reverse=True
@@ -94,7 +97,7 @@ def _of_text(text: str, unit: str, count: int) -> np.ndarray:
     if count == 1 or ";" in text:
         text = _THOUSANDS.sub("", text)
     if count == 1:
-        text = with_powers(text).strip().removeprefix("=")
+        text = re.sub(r"\s*×\s*(?=\d)", "*", with_powers(text).strip().strip("$")).removeprefix("=")
     else:
         text = _without_words(_SEPARATORS.sub(",", _AS_COLUMN.sub("", text)), count)
     if count == 1 and (worked := _worked_out(text, unit)) is not None:

@@ -141,8 +141,9 @@ class Task:
             if not (self._is_tried or self.was_tried()):
                 return Shown(written("Try an answer first: `lesson.{task}.check(…)`. Then the solution opens.", task=self.name))  # fmt: skip
             self._opened += 1
-            count, lines = self._opened, len(self.derivation.lines)
-            shown = self.derivation.opened(count)
+            derivation = self.asks.derivation if isinstance(self.asks, Number) else self.derivation
+            count, lines = self._opened, len(derivation.lines)
+            shown = derivation.opened(count)
             if count < lines:
                 more = written("Line {number} of {count}. Can you go on? If not: `lesson.{task}.solution()`.", number=count, count=lines, task=self.name)  # fmt: skip
                 return Shown(f"{shown}\n\n{more}")
@@ -240,6 +241,10 @@ class Task:
                 if wrong.any() and (wrong <= left).all() and not (wrong & _differing(given, other)).any():
                     told.append(words)
                     left = left & ~wrong
+        is_of_counts = isinstance(self.asks, Number) and self.asks.is_of_counts and right.min() >= 0 and right.max() > 1
+        if told and left.any() and is_of_counts and not np.array_equal(np.sort(given), np.sort(right)):
+            told.append(self.asks.judge(np.where(left, given, right)[0]).message)
+            left &= False
         return look_up("; ").join(told) if told and not left.any() else ""
 
     def __repr__(self) -> str:

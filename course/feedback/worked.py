@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import chain
-from types import UnionType
 
 import numpy as np
 
 from armproof.course.feedback.claim import Claim
 from armproof.course.feedback.guesses import Guess, alone, instead
 from armproof.course.feedback.miscalculated import done_otherwise, leaves_of, misread, number_node, without_degrees
-from armproof.models.errors import written
-from armproof.models.language import look_up, number_text
-from armproof.verification.diagnosis.slips import is_trigonometric
+from armproof.models.errors import counted, written
+from armproof.models.language import look_up, noted, number_text, separator
+from armproof.verification.diagnosis.slips import Letters, dropping_edits, is_trigonometric
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.plain import plain_text
@@ -31,6 +30,7 @@ _SPELLINGS = (
     (re.compile(r"(?<=cos|sin) (?=\()"), ""),
     (re.compile(r"^-\(([^()+\- ]+)\)$"), r"-\1"),
 )
+IN_RADIANS = noted("an angle in degrees is taken as radians")
 _PLACES = (2, 1)  # decimals that are left of a number on the way
 _STEPS = 12  # of the secant
 _SMALL = 1e-9
@@ -46,15 +46,23 @@ class Worked:
         latex: the formula.
         known: the values of its letters.
         stated: the numbers in it that are given, and are none of the rule's.
+        angles: the letters that are angles given in degrees.
     """
 
     latex: str
     known: Mapping[str, float]
     stated: tuple[float, ...] = ()
+    angles: frozenset[str] = frozenset()
 
     def with_values(self, known: Mapping[str, float]) -> float:
         """Return what the formula gives with other values of some letters."""
         return replace(self, known={**self.known, **known}).value
+
+    def over(self, name: str, values: np.ndarray) -> np.ndarray:
+        """Return what the formula gives for each of many values of a letter."""
+        known = {each: np.full(len(values), value) for each, value in self.known.items()}
+        found = self._claim.evaluated_over({**known, name: values})(self._tree)
+        return np.full(len(values), np.nan) if found is None else np.broadcast_to(found, values.shape)
 
     def share_of(self, name: str) -> float:
         """Return how much less the formula gives where a letter is zero."""
@@ -102,8 +110,17 @@ class Worked:
         return self._value(self._tree)
 
     def parts(self) -> Iterator[Guess]:
-        """Yield what a part of the formula gives alone, of more than one value; no angle, and no sine alone."""
+        """Yield what a part of the formula gives alone, of more than one value; no angle, and no sine alone.
+
+        A part is a term with its sign, terms that stand next to each other, a factor of more than one value.
+        """
+        total = bare(self._tree)
+        if isinstance(total, n.Sum):
+            for count in range(1, len(total.terms)):
+                for start in range(len(total.terms) - count + 1):
+                    yield self._alone(replace(total, terms=total.terms[start : start + count]))
         within = {id(below) for node in n.walk(self._tree) if is_trigonometric(node) for below in n.walk(node)}
+        within |= {id(term) for _, term in total.terms} if isinstance(total, n.Sum) else set()
         for node in n.walk(self._tree):
             if isinstance(node, n.Sum | n.Product | n.Quotient | n.Power | n.Call) and id(node) not in within:
                 yield self._alone(node)
@@ -114,13 +131,16 @@ class Worked:
     def slips(self) -> Iterator[Guess]:
         """Yield what the formula gives with one thing done otherwise, or one letter in place of another."""
         if (in_radians := without_degrees(self._tree)) is not self._tree:
-            yield Guess(self._value(in_radians), lambda: look_up("an angle in degrees is taken as radians"))
+            yield Guess(self._value(in_radians), lambda: look_up(IN_RADIANS))
+        if self.angles:
+            in_degrees = {name: float(np.degrees(self.known[name])) for name in self.angles}
+            yield Guess(self.with_values(in_degrees), lambda: look_up(IN_RADIANS))
         yield from self._told(done_otherwise(self._tree))
-        yield from self._told(self._confused(n.Name))
+        yield from self._told(self._confused([leaf for leaf in leaves_of(self._tree) if isinstance(leaf, n.Name)]))
 
     def confusions(self) -> Iterator[Guess]:
         """Yield what it gives with one given value in place of another, of those that it takes and of all that are given."""
-        return self._told(self._confused(n.Name | n.Number, self._elsewhere))
+        return self._told(self._confused(self._given, self._elsewhere))
 
     def misreadings(self) -> Iterator[Guess]:
         """Yield what it gives with one given value that is misread."""
@@ -141,14 +161,29 @@ class Worked:
             for number in misread(self._value(leaf)):
                 yield n.substitute(self._tree, leaf, number_node(number))
 
-    def _confused(self, kinds: type | UnionType, others: Iterable[n.Node] = ()) -> Iterator[n.Node]:
-        """Yield the formula with one of its values, of these kinds, or another in place of one of them."""
-        leaves = [leaf for leaf in leaves_of(self._tree) if isinstance(leaf, kinds)]
+    def _confused(self, leaves: Sequence[n.Node], others: Iterable[n.Node] = ()) -> Iterator[n.Node]:
+        """Yield the formula with one of some values, or another, in place of one of them."""
         names = {self._shown(leaf): leaf for leaf in (*leaves, *others)}
         for leaf in leaves:
             for name, other in names.items():
-                if name != self._shown(leaf):
+                if name != self._shown(leaf) and self._is_angle(leaf) == self._is_angle(other):
                     yield n.substitute(self._tree, leaf, other)
+
+    def _is_angle(self, leaf: n.Node) -> bool:
+        return isinstance(leaf, n.Name) and leaf.key in self.angles
+
+    @property
+    def missing(self) -> str:
+        """What a number leaves out that is zero: the terms that are not."""
+        total = bare(self._tree)
+        terms = total.terms if isinstance(total, n.Sum) else (("+", self._tree),)
+        shown = [self._shown(bare(term)) for _, term in terms if abs(self._value(term)) > _SMALL]
+        return counted("{terms} is missing", "{terms} are missing", len(shown), terms=separator(shown).join(shown))
+
+    def counted_otherwise(self) -> Iterator[Guess]:
+        """Yield what a count is with a part of it alone, or without one."""
+        yield from self.parts()
+        yield from self._told(edit.node for edit in dropping_edits(self._tree, Letters()))
 
     def _rounded(self) -> Iterator[n.Node]:
         """Yield the formula with one of its parts rounded, or cut off, before it is used."""
@@ -221,7 +256,11 @@ class Worked:
         return [
             leaf
             for leaf in leaves_of(self._tree)
-            if (leaf.key in self.known if isinstance(leaf, n.Name) else self._value(leaf) in stated)
+            if (
+                leaf.key in self.known and leaf.key not in self.angles
+                if isinstance(leaf, n.Name)
+                else self._value(leaf) in stated
+            )
         ]
 
     @property
@@ -229,7 +268,10 @@ class Worked:
         """The given values that the formula does not take."""
         there = {self._value(leaf) for leaf in leaves_of(self._tree)}
         names = [name for name, value in self.known.items() if LETTER.fullmatch(name) and value not in there]
-        return [*map(self._claim.read, names), *(number_node(value) for value in self.stated if value not in there)]
+        return [
+            *map(self._claim.read, names),
+            *(number_node(value) for value in {*map(abs, self.stated)} if value not in there),
+        ]
 
     @cached_property
     def _claim(self) -> Claim:

@@ -433,7 +433,7 @@ LESSON = Lesson(
             title="Limits: axes that are nearly parallel",
             text="Two axes cross in a plane. They are meant to be parallel, 0.5 m apart, but one leans by 0.001 rad towards the other. How far away"
             " do they meet, in metres? (Six digits are not needed: take $\\tan x = x$.)",
-            asks=Number(500, unit="m", ways=("0.5/0.001",)),
+            asks=Number(500, unit="m", steps=("0.5/0.001",), beside=("(0.5/2)/0.001",)),
             hints=(
                 "Draw the triangle: the distance of the axes, one axis, the leaning one.",
                 "$\\tan 0.001 = 0.5 / L$.",

@@ -173,7 +173,20 @@ LESSON = Lesson(
             title="Prediction: turn, then move",
             text="Frame $B$ starts on frame $A$. It turns by $90°$ about $z$, then moves 2 m along its **new** $x$ axis. Where is the"
             " origin of $B$? Give its three coordinates in frame $A$, in metres, as a list `[x, y, z]`.",
-            asks=Number((0, 2, 0), unit="m", labels=("x", "y", "z"), ways=(r"2 \cos 90^\circ", r"2 \sin 90^\circ")),
+            asks=Number(
+                (0, 2, 0),
+                unit="m",
+                labels=("x", "y", "z"),
+                steps=(r"\theta = 90^\circ", r"2 \cos\theta", r"2 \sin\theta", "0"),
+                beside=(
+                    "2 x_A + 2 x_B = [2, 2, 0]",
+                    "x_B = [0, 1, 0]",
+                    r"[x, y, \theta] = [0, 2, 90]",
+                    r"[x, y, \theta] = [0, 2, \pi/2]",
+                    "[x, y, 1] = [0, 2, 1]",
+                    r"2 \cdot \pi/2",
+                ),
+            ),
             hints=(
                 "Take a pen as the x axis and turn it on the table.",
                 "After the turn, in which direction of $A$ does the new $x$ axis point?",
@@ -493,7 +506,9 @@ LESSON = Lesson(
             name="freedom",
             title="Limits: sixteen entries, how many choices",
             text="A homogeneous transform has sixteen entries. How many independent numbers determine it?",
-            asks=Number(6),
+            asks=Number(
+                6, steps=("3 + 3",), beside=("4 + 4", "12 - 1", "12 - 3", "1 + 1", "16 - 2", "16 - 3", r"6 \cdot 3")
+            ),
             hints=(
                 "The last row is always the same.",
                 "Three numbers are the origin. The other nine are three unit vectors at right angles to each other.",
@@ -509,6 +524,11 @@ LESSON = Lesson(
                 ),
                 Wrong(9, "these are the entries of the rotation alone, and they are not independent", own=True),
                 Wrong(3, "three for the position, or three for the orientation; a pose has both", own=True),
+                Wrong(7, "a quaternion has four numbers, but its length is 1: three for the orientation", own=True),
+                Wrong(5, "three for the position; two would be a direction alone, a rotation takes three", own=True),
+                Wrong(4, "one angle is enough in a plane: a rotation in space takes three", own=True),
+                Wrong(15, "the whole last row is fixed, not its last entry alone", own=True),
+                Wrong(10, "sixteen less the six equations of the rotation: the last row is fixed, too", own=True),
             ),
         ),
         Task(

@@ -289,7 +289,12 @@ LESSON = Lesson(
             title="The polar arm: near the axis",
             text="The gripper of the polar arm stands $r = 0.05$ m from the axis of its revolute joint and is to move across the arm at 0.1 m/s. "
             "How fast does the revolute joint turn, in rad/s (the amount)?",
-            asks=Number(2.0, unit="rad/s", ways=("0.1/0.05",)),
+            asks=Number(
+                2.0,
+                unit="rad/s",
+                steps=("r = 0.05", "0.1/r"),
+                beside=("0.1/(2 r)", "0.1/r^2", "r/0.1^2", r"2 \pi", "0.1 r^2"),
+            ),
             hints=(
                 "Only the second row of $J_L^{-1}$ is needed.",
                 "Across the arm is the direction $(-\\sin\\theta, \\cos\\theta)$; the second row of $J_L^{-1}$ is this direction divided by $r$.",

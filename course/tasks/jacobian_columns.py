@@ -283,6 +283,20 @@ LESSON = Lesson(
                 Wrong([7, 6, 7, 1], "J is on its side: six rows, one column a joint", own=True),
                 Wrong([6, 6, 7, 1], "one column a joint: there are seven", own=True),
                 Wrong([3, 7, 7, 1], "linear and angular part: three and three rows", own=True),
+                Wrong(
+                    [7, 7, 7, 1], "J is square for six joints only: it has six rows for any number of joints", own=True
+                ),
+                Wrong([6, 7, 6, 1], "the velocity of the tool has six entries; q̇ has one a joint", own=True),
+                Wrong(
+                    [4, 7, 7, 1],
+                    "no fourth row as in a homogeneous vector: three linear rows and three angular ones",
+                    own=True,
+                ),
+                Wrong([6, 8, 7, 1], "the base is no joint: one column a joint, seven", own=True),
+                Wrong([6, 7, 8, 1], "the base has no rate: one entry a joint, seven", own=True),
+                Wrong([6, 7, 1, 7], "q̇ is a column here, not a row", own=True),
+                Wrong([12, 7, 7, 1], "six rows in all: three linear, three angular", own=True),
+                Wrong([6, 1, 7, 1], "one column would be one joint: there is one a joint", own=True),
             ),
         ),
         Task(
@@ -294,7 +308,14 @@ LESSON = Lesson(
                 (0, 0.7, 0),
                 unit="m/s",
                 labels=("v_x", "v_y", "v_z"),
-                ways=(r"-1 \cdot (-0.4) + 2 \cdot (-0.2)", r"-1 \cdot 0.3 + 2 \cdot 0.5"),
+                steps=(r"-1 \cdot (-0.4) + 2 \cdot (-0.2)", r"-1 \cdot 0.3 + 2 \cdot 0.5", "0"),
+                beside=(
+                    r"[v_x, v_y, \omega_z] = [0, 0.7, 1]",
+                    "J_{L1} = [-0.4, 0.3, 0]",
+                    "J_{L2} = [-0.2, 0.5, 0]",
+                    r"J_{L1} + J_{L2} = [-0.4 - 0.2, 0.3 + 0.5, 0]",
+                    r"2 J_{L1} - J_{L2} = [-2 \cdot 0.4 + 0.2, 2 \cdot 0.3 - 0.5, 0]",
+                ),
             ),
             hints=(
                 "Each joint adds its column times its rate.",
@@ -380,7 +401,19 @@ LESSON = Lesson(
                 (-0.8, 0.6, 0),
                 unit="m/s",
                 labels=("v_x", "v_y", "v_z"),
-                ways=(r"-2 \cdot 0.4", r"2 \cdot 0.3"),
+                steps=(r"-2 \cdot 0.4", r"2 \cdot 0.3", "0"),
+                beside=(
+                    r"2 x_0 \times{} p = [0, -2 \cdot 0.5, 2 \cdot 0.4]",
+                    r"2 y_0 \times{} p = [2 \cdot 0.5, 0, -2 \cdot 0.3]",
+                    r"z_0 \times{} p / 2 = [-0.4/2, 0.3/2, 0]",
+                    r"2^2 z_0 \times{} p = [-2^2 \cdot 0.4, 2^2 \cdot 0.3, 0]",
+                    r"2 p_{xy} = [2 \cdot 0.3, 2 \cdot 0.4, 0]",
+                    r"-2^2 p_{xy} = [-2^2 \cdot 0.3, -2^2 \cdot 0.4, 0]",
+                    r"\omega = [0, 0, 2]",
+                    "p = [0.3, 0.4, 0.5]",
+                    r"[v_x, v_y, \omega] = [-0.8, 0.6, 2]",
+                    r"[-2 x, 2 y, 0] = [-2 \cdot 0.3, 2 \cdot 0.4, 0]",
+                ),
             ),
             hints=(
                 "$v = \\omega \\times r$: a cross product, although the slide writes a dot.",
@@ -472,7 +505,18 @@ LESSON = Lesson(
             name="planar_axes",
             title="Planar 3R: the axes",
             text="Give $z_2$ of the planar 3R arm in frame 0, at $\\theta_1 = 40°$ and $\\theta_2 = 70°$: `[x, y, z]`.",
-            asks=Number((0, 0, 1), labels=("x", "y", "z")),
+            asks=Number(
+                (0, 0, 1),
+                labels=("x", "y", "z"),
+                beside=(
+                    "x_0 = [1, 0, 0]",
+                    "y_0 = [0, 1, 0]",
+                    r"x_1 = [\cos 40^\circ, \sin 40^\circ, 0]",
+                    r"y_1 = [-\sin 40^\circ, \cos 40^\circ, 0]",
+                    r"y_2 = [-\sin 110^\circ, \cos 110^\circ, 0]",
+                    r"[\cos\theta_2, \sin\theta_2, 0] = [\cos 70^\circ, \sin 70^\circ, 0]",
+                ),
+            ),
             hints=(
                 "The third column of $A_1 A_2$.",
                 "All turns are about $z$: what do they do to the $z$ axis?",

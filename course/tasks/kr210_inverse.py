@@ -413,7 +413,13 @@ LESSON = Lesson(
                 (1.5, 1.196, 0.054),
                 unit="m",
                 labels=("x", "y", "K"),
-                ways=("1.85 - a_1", "1.946 - 0.75", "(a_2^2 + a_3^2 + L^2 - x^2 - y^2)/(2 a_2)"),
+                steps=("1.85 - a_1", "1.946 - 0.75", "(a_2^2 + a_3^2 + L^2 - x^2 - y^2)/(2 a_2)"),
+                beside=(
+                    "(a_2^2 + a_3^2 + L^2 - x^2 - y^2)/(2 a_2 L)",
+                    "(a_2^2 + L^2 - x^2 - y^2)/(2 a_2 L)",
+                    r"\sqrt{(a_3^2 + L^2)}",
+                    r"\sqrt{(x^2 + y^2)}",
+                ),
             ),
             hints=(
                 "$x = 1.85 - 0.35$, $y = 1.946 - 0.75$.",
@@ -743,7 +749,7 @@ LESSON = Lesson(
             name="count",
             title="How many postures?",
             text="Joint limits aside, and the centre well within reach: how many postures bring the gripper to one pose?",
-            asks=Number(8),
+            asks=Number(8, steps=(r"2 \cdot 2 \cdot 2",), beside=("2 + 2 + 1", r"8 \cdot 3", "2^3 + 2")),
             hints=(
                 "How many signs have you chosen on the way?",
                 "The arm may face the centre or reach back; the elbow has two sides; the wrist may be turned over.",
@@ -756,6 +762,17 @@ LESSON = Lesson(
                 Wrong(4, "one choice is missing: shoulder, elbow and wrist", own=True),
                 Wrong(6, "the choices multiply: two times two times two", own=True),
                 Wrong(16, "three choices, not four: θ_2, θ_4 and θ_6 follow from the others", own=True),
+                Wrong(3, "these are the choices; each has two sides, and they multiply", own=True),
+                Wrong(9, "three choices with two sides each make 2³, not 3²", own=True),
+                Wrong(12, "each choice has two sides: 2 · 2 · 2, without a three", own=True),
+                Wrong(64, "not every joint has a choice of its own: three choices decide all six", own=True),
+                Wrong(
+                    32,
+                    "three choices, not five: once shoulder, elbow and wrist are chosen, all angles follow",
+                    own=True,
+                ),
+                Wrong(7, "the posture that you have counts, too", own=True),
+                Wrong(0, "the gripper's pose is given and within reach: there are postures", own=True),
             ),
         ),
         Task(

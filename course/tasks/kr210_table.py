@@ -206,7 +206,7 @@ LESSON = Lesson(
                 "m",
                 ("P_x", "P_y", "P_z"),
                 LENGTHS,
-                ways=("a_1 + d_4 + d_5 + d_6 + d_G", "", "d_1 + d_2 + a_2 - a_3"),
+                steps=("a_1 + d_4 + d_5 + d_6 + d_G", "", "d_1 + d_2 + a_2 - a_3"),
             ),
             hints=(
                 "Parallel frames: the offsets simply add up.",
@@ -304,7 +304,7 @@ LESSON = Lesson(
                 "m",
                 ("the first distance", "the second distance", "the third distance"),
                 LENGTHS,
-                ways=("d_1 + d_2", "d_4 + d_5", "d_6 + d_G"),
+                steps=("d_1 + d_2", "d_4 + d_5", "d_6 + d_G"),
             ),
             hints=(
                 "Each of them is the sum of two offsets along one line.",
@@ -532,6 +532,16 @@ LESSON = Lesson(
                 Wrong([5, 1], "both turning the same way, they turn the gripper twice as fast", own=True),
                 Wrong([5, 0], "joint 4 alone turns the gripper about the forearm: something has to undo it", own=True),
                 Wrong([3, -1], "the three joints of the arm and two of the wrist are still independent", own=True),
+                Wrong(
+                    [2, -1],
+                    "this is the rank of the wrist's three columns alone: those of the arm count, too",
+                    own=True,
+                ),
+                Wrong([1, -1], "two equal columns take away one direction, not all", own=True),
+                Wrong([0, -1], "a determinant of zero takes away one direction, not all", own=True),
+                Wrong([5, -2], "joint 6 turns back as fast as joint 4 forward, not twice as fast", own=True),
+                Wrong([5, 2], "backwards, and as fast as joint 4: not twice as fast", own=True),
+                Wrong([5, -0.5], "the axes are one line: joint 6 has to undo all of it, not half", own=True),
             ),
         ),
         Task(

@@ -180,6 +180,12 @@ LESSON = Lesson(
                 Wrong([5, 4, 5], "a row leads from one frame to the next, so there is one a joint: four", own=True),
                 Wrong([4, 5, 4], "links and joints are exchanged: each joint stands between two links", own=True),
                 Wrong([4, 3, 3], "the ram is a joint too, although it does not turn", own=True),
+                Wrong([5, 4, 6], "six rows has a Jacobian: a table has one a joint", own=True),
+                Wrong([5, 3, 4], "a joint may slide as well as turn: the ram counts", own=True),
+                Wrong([6, 5, 5], "the tool is a part of the last link, not a link of its own", own=True),
+                Wrong([5, 5, 4], "five links are joined by four joints", own=True),
+                Wrong([5, 4, 3], "the ram has a row as well, although it does not turn", own=True),
+                Wrong([6, 4, 4], "the tool is a part of the last link: the base and one link a joint", own=True),
             ),
         ),
         Task(
@@ -301,6 +307,18 @@ LESSON = Lesson(
                 Wrong([0.3, 0.4, 1, 0.3], "this is the point that happens to be given: O_1 lies on axis 1", own=True),
                 Wrong([0.15, 0, 1, 0.3], "an origin lies on an axis, not in the middle of the normal", own=True),
                 Wrong([0.3, 0.4, 1, 0.5], "the given point need not be the nearest one: slide along axis 2", own=True),
+                Wrong([0, 0.4, 1, 0.3], "0.4 is the y of the given point: O_1 lies on axis 1, where y is 0", own=True),
+                Wrong(
+                    [0, 0, 1, 0.4],
+                    "0.4 is how far along axis 2 the given point lies: across, the axes are 0.3 apart",
+                    own=True,
+                ),
+                Wrong([0, 0, 1, 0], "the axes do not meet: axis 2 passes beside axis 1, 0.3 away", own=True),
+                Wrong(
+                    [0, 0, 1, 1],
+                    "1 is the height of the normal: its length is the least distance of the axes",
+                    own=True,
+                ),
             ),
         ),
         Task(
@@ -538,6 +556,7 @@ LESSON = Lesson(
                 Wrong([0, 0, 1, 1], "joint 3 is the elbow, and it turns", own=True),
                 Wrong([0, 0, 1], "4 numbers"),
                 Wrong([1, 0, 0, 1], "the column turns: joint 1 is revolute", own=True),
+                Wrong([0, 1, 0, 1], "joint 2 is the shoulder, and it turns", own=True),
             ),
         ),
         Task(

@@ -485,6 +485,9 @@ LESSON = Lesson(
                 Wrong([3, 3], "two rows have at most rank 2, and the determinant of the 3×3 part is zero", own=True),
                 Wrong([1, 1], "joints 1 and 3 move the gripper in different directions", own=True),
                 Wrong([2, 3], "two rows have at most rank 2", own=True),
+                Wrong([1, 2], "at θ_2 = 0 one direction is lost, not two: columns 1 and 3 are independent", own=True),
+                Wrong([0, 2], "a determinant of zero takes away one direction of J, not all", own=True),
+                Wrong([2, 0], "two rows that are not zero have not the rank 0", own=True),
             ),
         ),
         Task(

@@ -279,8 +279,10 @@ LESSON = Lesson(
                     "all three signs agree there, as the derivative of a sum of cosines should have it",
                     own=True,
                 ),
-                Wrong((1, 3), "the column is not 3"),
                 Wrong((0, 1), "count from 1, as on paper", own=True),
+                Wrong((1, 3), "the Jacobian has two columns, one a joint", own=True),
+                Wrong((3, 2), "the Jacobian has two rows, those of X and Y", own=True),
+                Wrong((1, 0), "the column is counted from 1, too", own=True),
             ),
         ),
         Task(

@@ -271,7 +271,12 @@ LESSON = Lesson(
             title="Count the conditions",
             text="Position, velocity and acceleration are to be given at the start and at the end. Give two numbers: how many conditions these "
             "are, and the lowest degree of a polynomial that can meet them all, whatever values are given.",
-            asks=Number((6, 5), labels=("the number of conditions", "the degree")),
+            asks=Number(
+                (6, 5),
+                labels=("the number of conditions", "the degree"),
+                steps=(r"2 \cdot 3", "6 - 1"),
+                beside=(r"[2 \cdot 3 + 1,]", r"[2 \cdot 6, 2 \cdot 6 - 1]", r"[3 \cdot 3,]", r"[, 3 \cdot 3 - 1]"),
+            ),
             hints=(
                 "Count three at each end.",
                 "Each condition is one linear equation for the coefficients. How many coefficients do you need?",
@@ -287,7 +292,18 @@ LESSON = Lesson(
                 ),
                 Wrong((2, 1), "the two positions alone give the straight line that you judged above", own=True),
                 Wrong((3, 2), "these are the conditions at one end", own=True),
-                Wrong((6, 7), "the degree is not 7"),
+                Wrong((6, 3), "a cubic has four coefficients: too few for six conditions", own=True),
+                Wrong((6, 4), "degree 4 has five coefficients: one too few for six conditions", own=True),
+                Wrong((6, 7), "degree 7 has eight coefficients: two more than the conditions", own=True),
+                Wrong((3, 5), "three conditions at each end make six", own=True),
+                Wrong((5, 5), "five is the degree: three conditions at each end make six", own=True),
+                Wrong((4, 5), "positions and velocities are four; the two accelerations count, too", own=True),
+                Wrong((8, 5), "the jerk is not given: three conditions at each end", own=True),
+                Wrong(
+                    (6, 2),
+                    "the degree is that of the position, whose coefficients are to meet all conditions",
+                    own=True,
+                ),
             ),
         ),
         Task(
@@ -676,7 +692,12 @@ LESSON = Lesson(
             name="halved",
             title="Twice as fast",
             text="The same motion is to take half the time. By which factors do the peak speed and the peak acceleration grow? Give both, in this order.",
-            asks=Number((2, 4), labels=("the factor of the speed", "the factor of the acceleration")),
+            asks=Number(
+                (2, 4),
+                labels=("the factor of the speed", "the factor of the acceleration"),
+                steps=("2", "2^2"),
+                beside=(r"[, 2 \cdot 3]", "[, 2 + 1]", "[2^2, 2^4]", r"[\sqrt{2}, 2]", "[1/2, 1/2]", "[2^3,]"),
+            ),
             hints=(
                 "Look at the power of $t_f$ in each peak.",
                 "The speed has $t_f$ below the line, the acceleration $t_f^2$.",
@@ -689,13 +710,43 @@ LESSON = Lesson(
                 Wrong((4, 2), "the other way round: speed first", own=True),
                 Wrong((4, 4), "the factor of the speed is not 4"),
                 Wrong((2, 8), "that is the factor of the jerk", own=True),
+                Wrong((1, 4), "the same way in half the time: the speed grows as well", own=True),
+                Wrong(
+                    (2, 1), "the acceleration has the square of the duration below the line: it grows most", own=True
+                ),
+                Wrong(
+                    (1, 2),
+                    "one power of the duration too few in both: it stands below the line once in the speed, squared in the acceleration",
+                    own=True,
+                ),
+                Wrong(
+                    (4, 8),
+                    "one power of the duration too many in both: it stands below the line once in the speed, squared in the acceleration",
+                    own=True,
+                ),
+                Wrong((2, 2**0.5), "the square of 2, not its root", own=True),
+                Wrong((0.5, 4), "a shorter motion is faster: the speed grows", own=True),
+                Wrong((2, 0.25), "a shorter motion takes more acceleration, not less", own=True),
             ),
         ),
         Task(
             name="transfer",
             title="Transfer: an arm that you have not seen",
             text="A ram goes out by 0.4 m in 2 s on a quintic that starts and ends at rest. Give its peak speed (m/s).",
-            asks=Number(0.375, "m/s", labels=("the peak speed",), ways=(r"15/8 \cdot 0.4/2",)),
+            asks=Number(
+                0.375,
+                "m/s",
+                labels=("the peak speed",),
+                steps=("v_m = 0.4/2", r"v = 15/8 \cdot v_m"),
+                beside=(
+                    r"10/\sqrt{3} \cdot 0.4/2",
+                    r"6 \cdot 0.4/2^2",
+                    "0.4/2^2",
+                    r"10/\sqrt{3} \cdot 0.4",
+                    r"\pi/2 \cdot 0.4/2",
+                    r"15/8 \cdot 0.4/2^2",
+                ),
+            ),
             hints=(
                 "A slide moves as a turn does: put the distance where the angle stood.",
                 "The peak is $\\frac{15}{8}$ of the mean speed, in the middle.",

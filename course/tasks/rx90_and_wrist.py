@@ -178,11 +178,14 @@ def _predict(a_3=0.45, d_3=0.42):
             (0, 0, a_3 + d_3),
             unit="m",
             labels=("x", "y", "z"),
-            ways=(
-                r"a_3 \cos 90^\circ - d_3 \sin(90^\circ - 90^\circ)",
-                "",
-                r"a_3 \sin 90^\circ + d_3 \cos(90^\circ - 90^\circ)",
+            steps=(
+                r"\theta_2 = 90^\circ",
+                r"\theta_3 = -90^\circ",
+                r"x = a_3 \cos\theta_2 - d_3 \sin(\theta_2 + \theta_3)",
+                "y = 0",
+                r"z = a_3 \sin\theta_2 + d_3 \cos(\theta_2 + \theta_3)",
             ),
+            beside=(r"\sqrt{(a_3^2 + d_3^2)}", "(a_3 + d_3) y_0 = [0, a_3 + d_3, 0]"),
         ),
         hints=(
             "Start from the figure and turn the shoulder by 90°: where is the elbow now?",
@@ -528,6 +531,15 @@ LESSON = Lesson(
                 ),
                 Wrong(2, "the number is not 2"),
                 Wrong([-1, 1], "one number, not 2"),
+                Wrong(
+                    3,
+                    "three is how many entries are not zero: the determinant of unit vectors at right angles is 1 or −1",
+                    own=True,
+                ),
+                Wrong(
+                    -3, "a determinant is no count of entries: of unit vectors at right angles it is 1 or −1", own=True
+                ),
+                Wrong(-2, "the determinant of unit vectors at right angles is 1 or −1, nothing else", own=True),
             ),
         ),
         Task(

@@ -405,6 +405,7 @@ LESSON = Lesson(
                 Wrong([1, -1, -1, -1], "the half turn is at the end of link 2: z_1 still points up", own=True),
                 Wrong([1, 1, 1, -1], "the half turn comes with frame 2, not with frame 3", own=True),
                 Wrong([1, 1, -1, 1], "joint 4 and the slide keep the direction: there is one half turn only", own=True),
+                Wrong([-1, 1, -1, -1], "z_0 is the axis of the base, and points up", own=True),
             ),
         ),
         Task(
@@ -471,7 +472,15 @@ LESSON = Lesson(
                 (0, 0.4, 0, 0.15),
                 unit="m",
                 labels=("x of the elbow", "y of the elbow", "x of the tool", "y of the tool"),
-                ways=("", r"a_1 \sin 90^\circ", "", r"a_1 \sin 90^\circ + a_2 \sin(90^\circ + 180^\circ)"),
+                steps=(
+                    r"\theta_1 = 90^\circ",
+                    r"\theta_2 = 180^\circ",
+                    r"a_1 \cos\theta_1",
+                    r"a_1 \sin\theta_1",
+                    r"a_1 \cos\theta_1 + a_2 \cos(\theta_1 + \theta_2)",
+                    r"a_1 \sin\theta_1 + a_2 \sin(\theta_1 + \theta_2)",
+                ),
+                beside=("a_1 + a_2", r"\sqrt{(a_1^2 + a_2^2)}"),
             ),
             hints=(
                 "The first arm points along $y_0$.",
@@ -795,7 +804,8 @@ LESSON = Lesson(
                 (BEND, -np.pi / 2, BEND - np.pi / 2),
                 unit="rad",
                 labels=("θ_1", "θ_2", "θ_4"),
-                ways=(r"\text{atan2}(0.3, 0.4)", r"-\pi/2", r"\theta_1 + \theta_2"),
+                steps=(r"\theta_1 = \text{atan2}(0.3, 0.4)", r"\theta_2 = -\pi/2", r"\theta_4 = \theta_1 + \theta_2"),
+                beside=(r"\arctan 0.3", r"\arcsin 0.3", r"\arcsin(0.3/0.4)", r"\arccos(0.3/0.4)"),
             ),
             hints=(
                 "The other sign of the arccos.",

@@ -119,7 +119,8 @@ def _reach(a_2=0.3, a_3=0.25):
             (a_2 - a_3, a_2 + a_3),
             unit="m",
             labels=("the nearest distance", "the farthest distance"),
-            ways=("a_2 - a_3", "a_2 + a_3"),
+            steps=("a_2 - a_3", "a_2 + a_3"),
+            beside=(r"\sqrt{(a_2^2 + a_3^2)}", r"\sqrt{(a_2^2 - a_3^2)}", "(a_2 + a_3)/2"),
         ),
         hints=(
             "Which values does $\\cos\\theta_2$ take?",
@@ -148,11 +149,14 @@ def _predict(a_2=0.3, a_3=0.25):
             (a_3, a_2, -0.1),
             unit="m",
             labels=("x", "y", "z"),
-            ways=(
-                r"a_2 \cos 90^\circ + a_3 \cos(90^\circ - 90^\circ)",
-                r"a_2 \sin 90^\circ + a_3 \sin(90^\circ - 90^\circ)",
-                "-d_2",
+            steps=(
+                r"\theta_1 = 90^\circ",
+                r"\theta_2 = -90^\circ",
+                r"x = a_2 \cos\theta_1 + a_3 \cos(\theta_1 + \theta_2)",
+                r"y = a_2 \sin\theta_1 + a_3 \sin(\theta_1 + \theta_2)",
+                "z = -d_2",
             ),
+            beside=(r"\sqrt{(a_2^2 + a_3^2)}",),
         ),
         hints=(
             "Draw the arm from above: the first arm along which axis?",
@@ -500,7 +504,7 @@ LESSON = Lesson(
                     own=True,
                 ),
                 Wrong(
-                    r"\sqrt{a_2^2 + a_3^2 + 2 a_2 a_3 \cos\theta_2}",
+                    r"\sqrt{(a_2^2 + a_3^2 + 2 a_2 a_3 \cos\theta_2)}",
                     "this is the distance; its square is asked",
                     own=True,
                 ),

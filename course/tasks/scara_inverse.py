@@ -236,6 +236,7 @@ LESSON = Lesson(
             asks=Number(
                 (2, 1, 0),
                 labels=("the number inside the ring", "the number on the outer circle", "the number beyond it"),
+                beside=("[2 + 1, ,]",),
             ),
             hints=(
                 "Draw two circles: one of radius $a_1$ about the first axis, one of radius $a_2$ about the target. The elbow is on both.",
@@ -248,8 +249,16 @@ LESSON = Lesson(
                 Wrong([1, 1, 0], "inside the ring there is an elbow on each side of the line to the target", own=True),
                 Wrong([2, 1, 1], "the number beyond it is not 1"),
                 Wrong([2, 1, 2], "an arccos of more than 1 has no value, with either sign", own=True),
-                Wrong([4, 2, 0], "the number inside the ring is not 4, the number on the outer circle is not 2"),
+                Wrong([4, 2, 0], "two elbows, not four"),
                 Wrong(2, "3 numbers"),
+                Wrong([4, 1, 0], "two elbows, not four: the arm has no wrist that could be turned over", own=True),
+                Wrong([8, 1, 0], "eight has an arm of six joints: here the elbow alone has two sides", own=True),
+                Wrong([2, 0, 0], "the stretched arm reaches the outer circle, in one way", own=True),
+                Wrong(
+                    [1, 1, 1],
+                    "the arm reaches no point beyond the outer circle, and inside the ring two elbows lead to it",
+                    own=True,
+                ),
             ),
         ),
         Task(

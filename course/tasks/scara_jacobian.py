@@ -124,7 +124,13 @@ def _prediction(a_1=0.325, a_2=0.275):
         title="Predict a velocity",
         text="The arm is stretched along $x_0$: $\\theta_1 = \\theta_2 = 0$. Joint 1 turns at 1 rad/s, the other joints rest. With "
         f"$a_1 = {a_1:g}$ m and $a_2 = {a_2:g}$ m, what is the velocity of the tool point? Give $[v_x, v_y, v_z]$ in m/s, in frame 0.",
-        asks=Number((0, a_1 + a_2, 0), "m/s", ("v_x", "v_y", "v_z"), ways=("", "a_1 + a_2")),
+        asks=Number(
+            (0, a_1 + a_2, 0),
+            "m/s",
+            ("v_x", "v_y", "v_z"),
+            steps=("0", "a_1 + a_2", "0"),
+            beside=(r"\sqrt{(a_1^2 + a_2^2)}", "-(a_1 + a_2) x_0 = [-(a_1 + a_2), 0, 0]"),
+        ),
         hints=(
             "The tool point runs on a circle about $z_0$. Which way does a circle run where it crosses the $x_0$ axis?",
             "Speed is rate times radius; the radius is the distance of the tool from $z_0$.",
@@ -147,6 +153,7 @@ def _prediction(a_1=0.325, a_2=0.275):
                 "that is along the axis of joint 1: turning about an axis moves nothing along it",
                 own=True,
             ),
+            Wrong([0, 1, 0], "1 rad/s is the rate: a speed is the rate times the radius", own=True),
         ),
         own=drawn(_prediction, a_1=(0.3, 0.45), a_2=(0.15, 0.28)),
     )
@@ -434,6 +441,9 @@ LESSON = Lesson(
                 Wrong(2, "too few: of columns 2, 3 and 4 none is made of the other two", own=True),
                 Wrong(6, "the rank is at most the number of columns, four", own=True),
                 Wrong(1, "the slide alone gives rank 1, and the other columns are not zero", own=True),
+                Wrong(5, "the matrix has four columns: no rank is larger", own=True),
+                Wrong(0, "a determinant of zero takes away one direction, not all", own=True),
+                Wrong(8, "the rank is no product: it is at most the number of columns, four", own=True),
             ),
         ),
         Task(
@@ -553,6 +563,10 @@ LESSON = Lesson(
                 Wrong([3, 1], "carriage and ram still move the end: only one direction is lost", own=True),
                 Wrong([2, 3], "the two are exchanged: the rank falls where the lever is zero", own=True),
                 Wrong([6, 5], "the linear part has three rows: no rank is larger", own=True),
+                Wrong([3, 0], "a determinant of zero takes away one direction, not all", own=True),
+                Wrong([4, 2], "J_v has three rows: no rank is larger", own=True),
+                Wrong([0, 2], "turning, rising and going out move the end in three directions", own=True),
+                Wrong([1, 2], "turning, rising and going out move the end in three directions", own=True),
             ),
         ),
     ),

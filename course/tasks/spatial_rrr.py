@@ -505,6 +505,11 @@ LESSON = Lesson(
                 Wrong([1, 1], "stretched at a generic θ_2, joint 1 still moves the point sideways", own=True),
                 Wrong([2, 0], "upright, joints 2 and 3 still move the point, though in one direction only", own=True),
                 Wrong([3, 3], "C_3 = 0 in both: the determinant vanishes", own=True),
+                Wrong(
+                    [2, 3], "upright even more is lost than stretched: both factors of the determinant vanish", own=True
+                ),
+                Wrong([0, 1], "a determinant of zero takes away one direction, not all", own=True),
+                Wrong([3, 1], "stretched, one direction is lost already: the determinant is zero", own=True),
             ),
         ),
         Task(

@@ -177,6 +177,8 @@ LESSON = Lesson(
                     "the number with direction cosines",
                     "the number with RPY angles",
                 ),
+                steps=("4", "3 + 9", "3 + 3"),
+                beside=("[, 9 + 1,]", "[, 9 + 4,]", "[, 12 + 3,]", "[, , 3 + 6]", "[, , 2 + 3]"),
             ),
             hints=(
                 "$q$ has one entry a joint.",
@@ -199,6 +201,13 @@ LESSON = Lesson(
                     "three RPY angles and three coordinates, even where two of the angles are constant",
                     own=True,
                 ),
+                Wrong(
+                    [4, 3, 6], "this is the position alone: the nine direction cosines belong to X as well", own=True
+                ),
+                Wrong([4, 12, 7], "four would be a quaternion: RPY angles are three", own=True),
+                Wrong([3, 12, 6], "the slide is a joint, too: q has four entries", own=True),
+                Wrong([4, 6, 6], "direction cosines are nine, not three: s, n and a have three entries each", own=True),
+                Wrong([5, 12, 6], "the base is no joint: q has four entries", own=True),
             ),
         ),
         Task(
@@ -218,6 +227,8 @@ LESSON = Lesson(
                 Wrong([-1, 0, 0], "this is n, the second column", own=True),
                 Wrong([1, 0, 0], "this is the third row: the tool's axes are columns", own=True),
                 Wrong([0, 1, 0], "the sign: the entry in row 2 is −1", own=True),
+                Wrong([0, 0, -1], "this is the second row: the tool's axes are columns", own=True),
+                Wrong([0, -1, 1], "the entries belong to one column: the third", own=True),
             ),
         ),
         Task(
@@ -237,6 +248,13 @@ LESSON = Lesson(
                 Wrong([1, 0, 0], "this is Z_e, towards the object", own=True),
                 Wrong([0, 0, 1], "this is Y_e, in the plane of the jaws", own=True),
                 Wrong([0, 1, 1], "an axis has length one, and is at right angles to Y_e", own=True),
+                Wrong([-1, 0, 0], "this is −Z_e, away from the object", own=True),
+                Wrong([0, 0, -1], "this is −Y_e, in the plane of the jaws", own=True),
+                Wrong(
+                    [0, 0, 0],
+                    "the dot product is zero; the cross product of two unit vectors at right angles has the length 1",
+                    own=True,
+                ),
             ),
         ),
         Task(
@@ -329,7 +347,15 @@ LESSON = Lesson(
             asks=Number(
                 (0.8, 0.6, 0.75),
                 labels=("sin θ", "cos θ", "tan φ"),
-                ways=("-(-0.8)", r"\sqrt{(0.48^2 + 0.36^2)}", "0.36/0.48"),
+                steps=("s_x = 0.48", "s_y = 0.36", "s_z = -0.8", "-s_z", r"\sqrt{(s_x^2 + s_y^2)}", "s_y/s_x"),
+                beside=(
+                    "s = [0.48, 0.36, -0.8]",
+                    r"\sqrt{(1 - s_x^2)}",
+                    r"\sqrt{(1 - s_y^2)}",
+                    "s_y/s_z",
+                    "s_x/s_z",
+                    "s_z/s_x",
+                ),
             ),
             hints=(
                 "Compare with the first column of your matrix: $[C\\phi C\\theta,\\ S\\phi C\\theta,\\ -S\\theta]^T$.",
@@ -776,7 +802,12 @@ LESSON = Lesson(
             title="Transfer: an arm that you have not seen",
             text="A ram on a turning column has the orientation $R_z(\\theta_1) R_x(-\\frac{\\pi}{2})$. Give its roll, pitch and yaw at"
             " $\\theta_1 = 0.4$, three numbers in radians, $R = R_z(yaw) R_y(pitch) R_x(roll)$.",
-            asks=Number((-np.pi / 2, 0, 0.4), "rad", labels=("the roll", "the pitch", "the yaw")),
+            asks=Number(
+                (-np.pi / 2, 0, 0.4),
+                "rad",
+                labels=("the roll", "the pitch", "the yaw"),
+                steps=(r"\theta_1 = 0.4", r"-\frac{\pi}{2}", "0", r"\theta_1"),
+            ),
             hints=(
                 "Compare the two products factor by factor: which one is missing?",
                 "There is no turn about $y$; the last factor is the roll.",

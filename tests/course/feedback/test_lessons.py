@@ -89,10 +89,10 @@ def test_the_solution_shows_formula_and_number(lesson: Lesson) -> None:
 
 def test_the_solution_of_numbers_says_how_each_follows_in_the_unit_that_is_asked() -> None:
     ring = Number(
-        (0.05, 0.55, 0.9273), "m", ("near", "far"), {"a": 0.3, "b": 0.25}, ways=("a - b", "", r"\arctan(4/3)")
+        (0.05, 0.55, 0.9273), "m", ("near", "far"), {"a": 0.3, "b": 0.25}, steps=("a - b", "", r"\arctan(4/3)")
     )
     assert ring.shown() == "- near: $a - b = 0.05$ m\n- far: $0.55$ m\n- number 3: $\\arctan(4/3) = 0.9273$ m"
-    assert Number(np.pi / 2, "rad", ways=(r"\pi/2",)).shown() == r"$\pi/2 \approx 1.571$ rad"
+    assert Number(np.pi / 2, "rad", steps=(r"\pi/2",)).shown() == r"$\pi/2 \approx 1.571$ rad"
 
 
 def test_the_solution_opens_line_by_line_after_an_attempt(lesson: Lesson) -> None:

@@ -11,31 +11,34 @@ from armproof.course.feedback.guesses import Guess, explained
 from armproof.course.feedback.number_slips import letters_of
 from armproof.course.feedback.worked import Worked
 
-SUM = Number((0.7, 0.0), "m/s", ("v", "w"), ways=(r"-1 \cdot 0.3 + 2 \cdot 0.5",))
-REACH = Number((0.05, 0.55), "m", ("near", "far"), {"a": 0.3, "b": 0.25}, ways=("a - b", "a + b"))
-ROOT = Number(0.6, "m", ways=(r"\sqrt{(0.48^2 + 0.36^2)}",))
-TURN = Number(2.0, "m", ways=(r"2 \sin 90^\circ",))
-PEAK = Number(0.375, "m/s", ways=(r"15/8 \cdot 0.4/2",)).told_in("0.4 m in 2 s")
+SUM = Number((0.7, 0.0), "m/s", ("v", "w"), steps=(r"-1 \cdot 0.3 + 2 \cdot 0.5",))
+REACH = Number((0.05, 0.55), "m", ("near", "far"), {"a": 0.3, "b": 0.25}, steps=("a - b", "a + b"))
+ROOT = Number(0.6, "m", steps=(r"\sqrt{(0.48^2 + 0.36^2)}",))
+TURN = Number(2.0, "m", steps=(r"2 \sin 90^\circ",))
+PEAK = Number(0.375, "m/s", steps=(r"15/8 \cdot 0.4/2",)).told_in("0.4 m in 2 s")
 LIFT = Number(
-    (0.25, 0.3), "m", known={"a": 0.3, "b": 0.25, "d": 0.1}, ways=("", r"a \sin 90^\circ + b \sin(90^\circ - 90^\circ)")
+    (0.25, 0.3),
+    "m",
+    known={"a": 0.3, "b": 0.25, "d": 0.1},
+    steps=("", r"a \sin 90^\circ + b \sin(90^\circ - 90^\circ)"),
 )
-SHOULDER = Number(0.75, "m", known={"a": 1.25, "b": 0.25, "d": 0.33, "f": 0.42}, ways=("d + f",))
-HALF = Number(-0.8, "m/s", ways=(r"-2 \cdot 0.4",))
-TANGENT = Number((0.6, 0.75), "–", ("cos θ", "tan φ"), ways=("", "0.36/0.48")).told_in("s = [0.48, 0.36, -0.8]")
-ACROSS = Number(0.25, "m", known={"a": 0.3, "b": 0.25}, ways=(r"a \cos 90^\circ + b \cos(90^\circ - 90^\circ)",))
-STACK = Number(1.946, "m", known={"a": 1.25, "b": 0.25, "d": 0.33, "e": 0.054, "f": 0.42}, ways=("d + f + a - e",))
+SHOULDER = Number(0.75, "m", known={"a": 1.25, "b": 0.25, "d": 0.33, "f": 0.42}, steps=("d + f",))
+HALF = Number(-0.8, "m/s", steps=(r"-2 \cdot 0.4",))
+TANGENT = Number((0.6, 0.75), "–", ("cos θ", "tan φ"), steps=("", "0.36/0.48")).told_in("s = [0.48, 0.36, -0.8]")
+ACROSS = Number(0.25, "m", known={"a": 0.3, "b": 0.25}, steps=(r"a \cos 90^\circ + b \cos(90^\circ - 90^\circ)",))
+STACK = Number(1.946, "m", known={"a": 1.25, "b": 0.25, "d": 0.33, "e": 0.054, "f": 0.42}, steps=("d + f + a - e",))
 TIPS = Number((0.25, 0.85), "m", ("near", "far"), {"a": 0.25, "b": 0.3}, (1.0,), ("a", "a + 2 b"))
-RATES = Number((0.2, 0.7), "m/s", ("v", "w"), ways=(r"-1 \cdot (-0.4) + 2 \cdot (-0.1)", ""))
+RATES = Number((0.2, 0.7), "m/s", ("v", "w"), steps=(r"-1 \cdot (-0.4) + 2 \cdot (-0.1)", ""))
 RATE = Number(2.0, "rad/s")
-ROUND = Number(2 * np.pi, "m", ways=(r"2 \pi",))
+ROUND = Number(2 * np.pi, "m", steps=(r"2 \pi",))
 HEIGHT = Number(1.946, "m", ("z",))
 TURNED = Number((0.0, 2.0, 0.0), "m", ("x", "y", "z"))
 COUNTS = Number((6, 7, 7, 1), labels=("rows of J", "columns of J", "rows of q̇", "columns of q̇"))
-FRACTION = Number(0.054, "m", known={"a": 1.25, "b": 0.135}, ways=("b/(2 a)",))
-TRIPLE = Number((0.8, 0.6, 0.75), labels=("sin θ", "cos θ", "tan φ"), ways=("", "", "0.36/0.48"))
+FRACTION = Number(0.054, "m", known={"a": 1.25, "b": 0.135}, steps=("b/(2 a)",))
+TRIPLE = Number((0.8, 0.6, 0.75), labels=("sin θ", "cos θ", "tan φ"), steps=("", "", "0.36/0.48"))
 CIRCLE = Number((0.8, 0.6), labels=("sin θ", "cos θ"))
 PLACE = Number((1.5, 1.196), "m", ("x", "y"), {"a": 0.35, "b": 1.25}, (1.85, 1.946, 0.75), ("1.85 - a", "1.946 - 0.75"))
-ANGLES = Number((0.64, -1.57, -0.93), "rad", ("θ_1", "θ_2", "θ_4"), ways=("", "", r"\theta_1 + \theta_2"))
+ANGLES = Number((0.64, -1.57, -0.93), "rad", ("θ_1", "θ_2", "θ_4"), steps=("", "", r"\theta_1 + \theta_2"))
 
 
 @pytest.mark.parametrize(
@@ -74,7 +77,7 @@ ANGLES = Number((0.64, -1.57, -0.93), "rad", ("θ_1", "θ_2", "θ_4"), ways=("",
         (HEIGHT, 1.9946, "one digit is written twice"),
         (HEIGHT, 1.846, "all digits but one are right"),
         (Number(1.196, "m"), 1.1, "cut off where it is to be rounded"),
-        (HEIGHT, 0.973, "factor of 2"),
+        (HEIGHT, 0.973, "half of what is asked"),
         (PEAK, 0.19, "about half of what is asked"),
         (TURNED, [1.414, 1.414, 0], "the direction is not: yours is turned by 45°"),
         (COUNTS, [6, 7, 6, 1], "rows of q̇ is not 6: this is rows of J"),
@@ -112,8 +115,8 @@ def test_what_a_task_says_of_its_numbers_gives_them() -> None:
             continue
         asks, right = asks.told_in(task.text), np.atleast_1d(np.array(asks.value, dtype=float))
         labels = [asks.labels[k] if asks.labels else "" for k in range(right.size)]
-        known = {**asks.known, **letters_of(dict(zip(labels, right.tolist(), strict=True)))}
-        for way, number in zip(asks.ways, right, strict=False):
+        known = {**asks.known, **asks.way.angles, **letters_of(dict(zip(labels, right.tolist(), strict=True)))}
+        for way, number in zip(asks.way.ways, right, strict=False):
             assert not way or np.isclose(Worked(way, known).value, number, atol=1e-12)
             ways += bool(way)
     assert ways > 20
