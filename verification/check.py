@@ -486,7 +486,8 @@ class DocumentChecker:
         self.names.state.inferred |= meanings
         told = self._told(record, display, statements, usual, extra)
         self.names.state.forget_usual(meanings)
-        return replace(found, if_shown=IfShown(told, meanings))
+        of_another = any(slip.of_another for slip in slips if slip is not None)
+        return replace(found, if_shown=IfShown(told, meanings, of_another))
 
     def _unless_of_the_tool(self, outcome: Outcome) -> Outcome:
         """Leave open what is decided by a name that convention alone binds to the tool, where the text speaks of another point."""
@@ -613,7 +614,8 @@ class DocumentChecker:
             return self._with_slip_before(outcome, display)
         for slip in slips:
             outcome.also(say(Kind.SLIP_AS_USUAL, change=slip.finding, printed=slip.printed, correct=slip.correct))
-        return outcome.as_usual if any(slip.finding.kind in MISPRINTS for slip in slips if slip.finding) else None
+        told = {*MISPRINTS, Kind.MISSING_TERM} if outcome.as_usual.of_another else MISPRINTS
+        return outcome.as_usual if any(slip.finding.kind in told for slip in slips if slip.finding) else None
 
     def _with_slip_before(self, outcome: Outcome, display: Display) -> AsUsual | None:
         """Return what an equation would be if its names mean what they usually do, where a slip in what is said before then mends it."""

@@ -39,6 +39,7 @@ class Role(StrEnum):
 _ACCEPTS = (Kind.ACCEPTED, Kind.ACCEPTED_WITHOUT_REASON, Kind.ACCEPTS_NOTHING, Kind.ACCEPTS_NO_DISPLAY)
 HOLDS = (Verdict.PROVED, Verdict.CONFIRMED)
 DECIDED = (*HOLDS, Verdict.REFUTED)
+AXES = -3  # beside the links of an arm that an equation tells of: x of its tool, -4 y, -5 z
 
 
 # A display carries the worst verdict of its equations; one that only defines a name yields to one that was checked.
@@ -203,10 +204,11 @@ class Discrepancy:
 
 @dataclass(frozen=True)
 class IfShown:
-    """The record of a display while its names mean what they usually do, and these meanings."""
+    """The record of a display while its names mean what they usually do, and these meanings; whether it is of another point as it stands."""
 
     record: Record
     meanings: Mapping[str, object]
+    of_another: bool = False
 
 
 @dataclass(frozen=True)

@@ -147,6 +147,18 @@ class Jacobian(QuantityKind):
         return "–" if above == below else f"{above}/{below}"
 
 
+class SpatialJacobian(Jacobian):
+    """The twists in space that the joints' rates give, 6×n, rows [v; ω]: v of the point of the body that passes the reference's origin."""
+
+    matrix = ""
+
+    def whole(self, quantity: Quantity, algebra: OfArm) -> Matrix:
+        moving = algebra.jacobian(quantity.frame, quantity.reference)
+        place = algebra.pose(quantity.frame, quantity.reference).block(range(3), [3]).vector()
+        columns = [_at_origin(each, place) for each in zip(*moving.rows, strict=True)]
+        return Matrix(tuple(zip(*columns, strict=True)))
+
+
 class Velocity(QuantityKind):
     """The Jacobian times the joint rates, 6×1, rows [v; ω]."""
 
@@ -175,6 +187,15 @@ class Velocity(QuantityKind):
     def component(self, quantity: Quantity, axis: str) -> Quantity:
         first = 4 if quantity.rows and max(quantity.rows) > 3 else 1
         return replace(quantity, rows=(first + COMPONENTS[axis],), scalar=True)
+
+
+class SpatialVelocity(Velocity):
+    """The twist in space, 6×1, rows [v; ω]."""
+
+    def whole(self, quantity: Quantity, algebra: OfArm) -> Matrix:
+        twist = [row[0] for row in super().whole(quantity, algebra).rows]
+        place = algebra.pose(quantity.frame, quantity.reference).block(range(3), [3]).vector()
+        return column(_at_origin(twist, place))
 
 
 class Angle(QuantityKind):
@@ -278,12 +299,14 @@ KINDS = {
         PartOfPose("origin", "origin of frame {frame}", _options("in component rows homogeneous"), first=3),
         PartOfPose("axis", "{along} axis of frame {frame}", _options("in component along rows homogeneous"), first=None),
         Jacobian("jacobian", "the Jacobian of frame {frame}", _options("in rows columns"), 6, None),
+        SpatialJacobian("spatial_jacobian", "the spatial Jacobian of frame {frame}", _options("in rows columns"), 6, None),
         Link("link", "general link matrix, {frame}", _options("rows columns"), 4, 4),
         Difference("difference", "vector from the origin of frame {start} to that of frame {frame}",
                    _options("in component rows homogeneous")),
         JointVariable("joint", "joint variable {frame}"),
         JointVector("vector", "the joint variables"),
         Velocity("velocity", "velocity of frame {frame}", _options("in rows component"), 6),
+        SpatialVelocity("spatial_velocity", "spatial twist of frame {frame}", _options("in rows"), 6),
         Angle("angle", "angle of frame {frame} about z"),
         Task("task", "x, y and angle of frame {frame}", _options("in rows")),
         Determinant("determinant", "determinant of {rows}the Jacobian of frame {frame}", _options("in rows"), 6),
@@ -352,6 +375,13 @@ def _columns(numbers: tuple[int, ...] | None) -> str:
 
 def _unit_of_joint(arm: Arm, symbol: str) -> str:
     return "rad" if arm.joint(symbol).kind == "revolute" else "m"
+
+
+def _at_origin(twist: Sequence[Any], place: Sequence[Any]) -> tuple[Any, ...]:
+    """Return the twist [v + p × ω; ω] of a body of which the point at p moves with v."""
+    (x, y, z), (a, b, c) = place, twist[3:]
+    turned = (y * c - z * b, z * a - x * c, x * b - y * a)
+    return (*(v + by for v, by in zip(twist[:3], turned, strict=True)), a, b, c)
 
 
 def _rows_of_jacobian(quantity: Quantity, algebra: OfArm) -> Matrix:

@@ -332,9 +332,21 @@ class Claims:
             return Outcome(Verdict.DEFINED, (say(Kind.CONFIGURATION),), equation, defines=given)
         if not self.given.is_condition(chain):
             return None
+        if (known := self._holds_there(chain, equation, line)) is not None:
+            return known
         if define:
             self._relate(chain, line)
         return Outcome(Verdict.DEFINED, (say(Kind.CONDITION),), equation)
+
+    def _holds_there(self, chain: n.Chain, equation: int, line: int) -> Outcome | None:
+        """Return θ_1 + θ_2 = π/2 as a claim behind values of θ_1 and θ_2 with which it holds: it ends no configuration."""
+        symbols = {
+            self.names.known_symbol(each.key) for m in chain.members for each in n.walk(m) if isinstance(each, n.Name)
+        }
+        if len(chain.members) != 2 or not symbols & set(self.given.joints) <= self.names.state.configuration.keys():
+            return None
+        outcomes = self.checker.check(chain, equation, line, define=False)
+        return outcomes[0] if [each.verdict for each in outcomes] == [Verdict.CONFIRMED] else None
 
     def _relate(self, chain: n.Chain, line: int) -> None:
         """Keep what joints, or lengths, are said to be: l_1 = l_2, of which l may be the letter."""

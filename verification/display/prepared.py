@@ -14,6 +14,7 @@ from armproof.verification.naming.names import Names
 WHOLE = ("Z", "N")  # the sets of k in θ = kπ
 DEGREES = frozenset(range(30, 361, 15))  # without a mark
 ARCS = ("acos", "asin", "atan", "atan2")
+TURNS = ("cos", "sin", "tan")
 FOR_ALL = ("forall", "for all", "for every", "for any", "pour tout", "pour tous")
 
 
@@ -39,10 +40,20 @@ def _with_degrees(statements: list[n.Statement], names: Names) -> list[n.Stateme
 
 
 def beside_arcs(statement: n.Statement) -> n.Statement:
-    """Return a statement with the mark of degrees behind what nobody means in radians: 180 of 180 − arccos(…)."""
+    """Return a statement with the mark of degrees behind what nobody means in radians: 180 of 180 − arccos(…), cos(90)."""
     if not isinstance(statement, n.Chain):
         return statement
-    return replace(statement, members=tuple(map(_marked_beside_arcs, statement.members)))
+    calls = [b for m in statement.members for b in n.walk(m) if isinstance(b, n.Call) and b.function in TURNS]
+    inside: dict[int, n.Node] = {id(each.arguments[-1]): _marked_in(each.arguments[-1]) for each in calls}
+    members = (n.substitute_each(m, inside) if inside else m for m in statement.members)
+    return replace(statement, members=tuple(map(_marked_beside_arcs, members)))
+
+
+def _marked_in(argument: n.Node) -> n.Node:
+    """Return an argument of a cosine that is a number of degrees by itself, in parentheses or without, with its mark."""
+    inner = argument.inner if isinstance(argument, n.Group) else argument
+    marked = _marked(inner)
+    return argument if marked is inner else marked
 
 
 def _marked_beside_arcs(node: n.Node) -> n.Node:

@@ -34,8 +34,8 @@ from armproof.verification.verdict import DECIDED, HOLDS, Role, Verdict
 
 SCRIPTED = re.compile(r"\\?[A-Za-z.…⋯]+(?:\s*[_^]\s*(?:\{[^{}]*\}|[^\\{]))*")  # \sum_{i=1}^{2}
 _ARC = re.compile(
-    r"arc|tan|acos|asin|\^\s*\{?\s*-", re.IGNORECASE
-)  # where an inverse function may stand, however spelled
+    r"arc|tan|acos|asin|\^\s*\{?\s*-|(?:cos|sin)[\s{(]*(?:\\left)?[\s({]*-?\d\d", re.IGNORECASE
+)  # where an inverse function may stand, however spelled, or a number of degrees in a cosine
 
 
 @dataclass

@@ -373,6 +373,9 @@ class ChainChecker:
             with self._of_taken_entries():
                 tried = self._aside(chain, now.first, now.line, partial(self._take_entries, now, entries))
             if all(outcome.verdict in HOLDS for outcome in tried):
+                is_near = any(each.verdict is Verdict.REFUTED and _is_slip(each) for each in first)
+                if is_near and (placed := self._placed(entries)):
+                    return [each.left_open(placed) for each in first]
                 if now.define:
                     hold_entries(self.names, entries, now.line)
                 return tried
@@ -388,6 +391,14 @@ class ChainChecker:
         if doubt and is_shown_as_defined(self.names, chain):
             return [each.unless_slip(doubt) for each in first]
         return [each if doubt is None or _is_slip(each) else each.left_open(doubt) for each in first]
+
+    def _placed(self, entries: Iterable[str]) -> Finding | None:
+        """Say where r_{ij} were printed as the entries of another matrix, of which they may be with a slip."""
+        made = self.names.state.definitions
+        return next(
+            (say(Kind.SECOND_MEANING, name=k, line=made[k].line) for k in entries if k in made and made[k].by_place),
+            None,
+        )
 
     def _of_shown_matrix(self, now: _Pass, chain: n.Chain, entries: Mapping[str, Quantity]) -> list[Outcome]:
         """Return the outcomes where r_{ij} are of the matrix of which they were before; none where that decides nothing."""

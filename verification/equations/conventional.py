@@ -159,7 +159,10 @@ class Conventions:
         if not added or not (bound.known or isinstance(bound.problem, OutsideAlgebra)):
             self.names.state.forget_usual(added)
             return member
-        self.doubts.weak |= {key for key in added if self.names.state.inferred[key].frame != self._base}  # {}^0v_0 = 0
+        inferred = self.names.state.inferred
+        open_ = {key for key in added if inferred[key].frame != self._base}  # {}^0v_0 = 0
+        shown = {key: {each for (name, _), each in self.names.state.usual.items() if name == key} for key in open_}
+        self.doubts.weak |= {key for key in open_ if shown[key] != {inferred[key]}}
         return bound
 
     def infer_tool(self, nodes: Iterable[n.Node]) -> set[str]:
@@ -182,15 +185,28 @@ class Conventions:
         """
         products = (each for node in nodes for each in n.walk(node) if isinstance(each, n.Product))
         columns = {name.key: found for each in products for name, found in self._column_beside_rate(each)}
+        columns |= {name.key: found for node in nodes for name, found in self._columns_in_a_row(node)}
         if len({found.columns for found in columns.values()}) < len(self.names.joints):
             return set()
         for key, found in columns.items():
             self.names.state.infer_usual(key, found)
         return set(columns)
 
+    def _columns_in_a_row(self, node: n.Node) -> Iterator[tuple[n.Name, Quantity]]:
+        r"""Yield the open J_i of [J_1 \dots J_n], one a joint, with the columns that they are."""
+        for below in n.walk(node):
+            cells = below.rows[0] if isinstance(below, n.Matrix) and len(below.rows) == 1 else ()
+            names = [name for name in map(_plain, cells) if name is not None and name.base == "J"]
+            own = [(name, column_of_jacobian(name, self.names)) for name in names if self.names.is_open(name)]
+            if len(own) == len(cells) == len(self.names.joints):
+                yield from ((name, column) for name, column in own if column is not None)
+
     def _column_beside_rate(self, product: n.Product) -> Iterator[tuple[n.Name, Quantity]]:
         """Yield the open J_i that stands beside the rate of joint i, and no other, with the column that it is."""
-        names = [factor for factor in map(bare, product.factors) if isinstance(factor, n.Name)]
+        factors = [
+            f.arguments[0] if isinstance(f, n.Call) and f.function == "name" else f for f in map(bare, product.factors)
+        ]
+        names = [factor for factor in factors if isinstance(factor, n.Name)]
         rates = {self.names.known_symbol(replace(each, dots=0).key) for each in names if each.dots == 1}
         for name in (each for each in names if each.base == "J" and self.names.is_open(each)):
             found = column_of_jacobian(name, self.names)
@@ -207,6 +223,8 @@ class Conventions:
             return member
         if name is None:
             return self._with_entries(member, known)
+        if name.key in self.names.state.inferred and _is_rate(member.node):  # of the other side: ṗ = ∂p/∂q q̇
+            return self.members.evaluate(member.node)
         near, usual, candidates = None, self._usual(name.key), self._candidates(member.node, name)
         if at_numbers := _is_at_numbers(member.node):  # at one configuration many points agree, and more nearly
             candidates = (usual,) if usual is not None else candidates[:1]
@@ -229,11 +247,11 @@ class Conventions:
                         return tried
                     if there is Verdict.REFUTED and is_usual(name) and is_constant(pair.printed):
                         self.doubts.open.setdefault(name.key, quantity)
-                if pair is not None and is_usual(name) and not is_constant(pair.printed):
+                is_shown = quantity == usual and _is_rate(member.node)  # y has no other rate than its own
+                if pair is not None and (is_usual(name) or is_shown) and not is_constant(pair.printed):
                     if self.doubts.open.setdefault(name.key, quantity) == quantity:
                         self.doubts.tried[name.key] = tried
                     may_be_near = quantity == usual or not (at_numbers or quantity.kind == "angle")
-                    is_shown = quantity == usual and _is_rate(member.node)  # y has no other rate than its own
                     near = near or (quantity if is_shown or (may_be_near and is_near(pair)) else None)
         for quantity in self._that_values_tell(member.node, name) if near is None else ():
             tried = self._tried(member.node, name, quantity)
@@ -376,7 +394,10 @@ class Conventions:
         """Return what an equation that gives a name another value would be, if the name meant what it usually does."""
         name = _plain(outcome.printed.node) if outcome.printed is not None else None
         tried = self.doubts.tried.get(name.key) if name is not None else None
-        if name is None or tried is None or outcome.true is None or self._is_of_other(outcome.true):
+        if name is None or tried is None or outcome.true is None:
+            return None
+        of_other = self._is_of_other(outcome.true)
+        if of_other and (name.base not in "xyzXYZ" or name.sub or name.sup):
             return None
         meanings = {name.key: self.doubts.open[name.key]}
         self.names.state.inferred |= meanings
@@ -384,7 +405,7 @@ class Conventions:
             found = self.equality.compare(tried, outcome.true, outcome.equation, has_branches(outcome.true.node))
         finally:
             self.names.state.forget_usual(meanings)
-        return AsUsual(found, meanings) if found.verdict is Verdict.REFUTED else None
+        return AsUsual(found, meanings, of_other) if found.verdict is Verdict.REFUTED else None
 
     def _is_of_other(self, member: Member) -> bool:
         """Whether a value is a point, a rotation or a pose of the arm, or a coordinate of one of its points."""

@@ -205,7 +205,8 @@ def sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Findi
     if outcome.findings[0].kind is not Kind.SUM_WITH_SCALAR:  # there the scalar may be a vector: ẍ - J̇ q̇
         held = [side if len(side) == 1 else [b for b in side if not _is_scalar(b, names)] for side in held]
     by_convention = [name for side in held for name in side if replace(name, dots=0).key not in names.quantities]
-    explicit = all(_is_explicit(name) for name in by_convention)
+    in_sum = outcome.findings[0].kind is Kind.SUM_WITH_SCALAR  # x_6 of x_6 - d_6 r_13 is a coordinate, and no axis
+    explicit = all(_is_explicit(name) and not (in_sum and name.base in tuple("xyz")) for name in by_convention)
     points = outcome.findings[0].kind is Kind.PRODUCT_OF_SIZES  # O_0 O_2 is a vector between points, and no product
     elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for m in chain.members for b in n.walk(m))
     understood = all(held) or elementary or _are_columns(outcome)

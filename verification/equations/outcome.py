@@ -23,10 +23,14 @@ DEFINES = {Kind.DEFINES, Kind.DEFINES_ENTRIES, Kind.DEFINES_WITHOUT_VALUE, Kind.
 
 @dataclass(frozen=True)
 class AsUsual:
-    """What became of an equation while its names meant what they usually do; without meanings, what the text says of them."""
+    """What became of an equation while its names meant what they usually do; without meanings, what the text says of them.
+
+    A coordinate that is exactly that `of_another` point is a slip only where the others beside it are not that point's.
+    """
 
     outcome: Outcome
     meanings: Mapping[str, Quantity]
+    of_another: bool = False
 
 
 @dataclass

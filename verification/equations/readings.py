@@ -42,10 +42,21 @@ class Readings:
         if not isinstance(member.problem, UnboundName) or not isinstance(member.node, n.Name):
             return member
         quantity = _part_of_jacobian(member.node, known[0].value, self.names)
-        if quantity is None:
+        if quantity is None or self._is_determinant_of_block(quantity, known[0].value):
             return member
         self.names.state.inferred[member.node.key] = quantity
         return self.members.evaluate(member.node)
+
+    def _is_determinant_of_block(self, quantity: Quantity, value: Value) -> bool:
+        """Whether what J_{11} or J_{22} is equated to is the determinant of that block of a Jacobian in four: det is left out."""
+        rows, columns = quantity.rows or (), quantity.columns or ()
+        whole = self.members.exact.jacobian(quantity.frame, quantity.reference)
+        if not isinstance(value, Scalar) or rows != columns or rows not in ((1,), (2,)) or 3 * rows[0] > whole.shape[1]:
+            return False
+        place = range(3 * rows[0] - 3, 3 * rows[0])
+        determinant, entry = whole.block(place, place).determinant(), whole.rows[rows[0] - 1][rows[0] - 1]
+        is_entry = (value - entry).is_zero()
+        return not is_entry and any((value - sign * determinant).is_zero() for sign in (1, -1))
 
     def printed_rotation(self, chain: n.Chain) -> Quantity | None:
         """Return the rotation of which a chain prints the matrix, or the one in the pose of which it does."""

@@ -29,7 +29,7 @@ _SILENT = re.compile(
 )
 _BOX = re.compile(
     rf"\\(?:resizebox\*?{_ARGUMENT}{_ARGUMENT}|(?:scalebox|colorbox|adjustbox|raisebox|mathcolor){_ARGUMENT}|fcolorbox{_ARGUMENT}{_ARGUMENT}"
-    rf"|makebox(?:\s*\[[^\]]{{0,200}}\])*|bbox(?:\s*\[[^\]]{{0,200}}\])?|math[lrc]lap|[lrc]lap|Aboxed|vcenter"
+    rf"|makebox(?:\s*\[[^\]]{{0,200}}\])*|bbox(?:\s*\[[^\]]{{0,200}}\])?|math[lrc]lap|[lrc]lap|Aboxed|vcenter|displaylines"
     rf"|(?:alert|structure|invisible|action)(?:\s*{_OVERLAY})?|(?P<shown>only|uncover|visible|onslide|alt)\s*(?P<slides>{_OVERLAY}))\s*(?P<brace>\{{)\s*\$?"
 )
 _DOUBLED = re.compile(r"\\\\(?:\\\\|(?=[A-Za-z]{2,}|[{},;:!|]))")
@@ -45,6 +45,15 @@ _SIGN = re.compile(rf"(?P<words>{_WORDS})|(?:\\[pm]{{2}}(?![A-Za-z])|[,;/+±-])"
 _LOST_BREAK = re.compile(
     r"(?<=&)(?P<line>[^\n\\]*(?:\\[^\n][^\n\\]*)*)(?<!\\)\\(?P<end>[ \t]*\n)(?=[^\n]*&)"
 )  # \ for \\
+_BROKEN = re.compile(  # a sum goes on: a - \\\\ b
+    r"(?<=[\w)}])(?P<sign>\s*[-+]\s*)(?P<break>\\\\(?:\[[^\]]{0,20}\])?)(?=\s*(?:[\w({]|\\(?!\\|begin|end|hline)))"
+)
+_APPLIED = re.compile(
+    r"(?<![A-Za-z\\])J\{(?P<to>\s*(?:\\theta|\\Theta|[qQ])\s*)\}"
+)  # J{\theta}: a macro of one argument, or parentheses
+_RATES_BELOW = re.compile(  # = J(θ) \\ \dot θ: the factor stands in the last line, which states nothing by itself
+    r"(?<=J)(?P<of>\s*\(\s*(?:\\theta|\\Theta|[qQ])\s*\))(?P<break>\s*\\\\\s*)(?=\\dot[^=&]*\Z)"
+)
 _OF_PANDOC = re.compile(r"(?<=[A-Za-z}])~(?P<below>\d{1,3}|[ijkn])~(?:\^(?P<above>[\dijkn])\^)?")  # H~0~^4^
 _NUMBERED = re.compile(r"\A\s*\d{1,2}\.\s+(?=[\\A-Za-z])")  # 1. θ_1 = 0: an item of a list, and no factor
 _DELIMITED = re.compile(
@@ -63,6 +72,9 @@ def prepared(text: str) -> str:
     text = _NUMBERED.sub(lambda found: _blank(found.group()), text)
     if "&" in text:
         text = _LOST_BREAK.sub(lambda found: found["line"] + "\\\\" + found["end"][1:], text)
+    text = _APPLIED.sub(lambda found: f"J({found['to']})", text)
+    text = _RATES_BELOW.sub(lambda found: found["of"] + _blank(found["break"]), text)
+    text = _BROKEN.sub(lambda found: found["sign"] + _blank(found["break"]), text)
     text = _REMARK.sub(_said_beside, _OF_PANDOC.sub(_scripts, text)) if "(" in text or "~" in text else text
     text = _without_boxes(text) if _BOX.search(text) or _BARS.search(text) else text
     return _SILENT.sub(_plain, _AT_THE_END.sub(_for, text))

@@ -16,7 +16,7 @@ from armproof.verification.algebra.quantity_kinds import is_planar
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.quantities import ANGULAR, LINEAR, numbered_frames
 
-END = frozenset("e E ee EE ef EF eff eef tool Tool tcp TCP end hand terminal".split())
+END = frozenset("e E ee EE ef EF eff eef tool Tool tcp TCP tip end hand terminal".split())
 PERHAPS_END = frozenset("P T t G g h H OT ot".split())
 LAST = frozenset("n N".split())
 WRIST = frozenset("W w WC wc".split())
@@ -33,6 +33,9 @@ LINEAR_VELOCITIES, ANGULAR_VELOCITIES = frozenset("v V".split()), frozenset("ome
 TWISTS = frozenset("V xi nu eta t".split())
 ORIENTATIONS = frozenset("phi varphi psi alpha gamma theta Phi".split())
 MANIPULABILITIES = frozenset("w mu m M".split())
+SPACE, BODY = frozenset(("s", "S", "space", "spatial")), frozenset(("b", "B", "body"))
+ORDERS = ((4, 5, 6, 1, 2, 3), (1, 2, 3, 4, 5, 6))  # of a twist: ω above v, or below
+PLANAR = frozenset("planar plane plan pl".split())
 WHOLE_JACOBIAN = frozenset("geo G g".split())
 USUAL = frozenset(
     "p P x y z X Y Z R T H J v V omega Omega phi varphi WC wc EE".split()
@@ -101,6 +104,7 @@ def seen_from_wrist(name: n.Name, arm: Arm, transforms: str) -> tuple[Quantity, 
 
 def _unplaced(name: n.Name, reference: str, arm: Arm) -> Iterator[Quantity]:
     """Yield what a name that tells no frame of reference may stand for in one."""
+    yield from _twists(name, reference, arm)
     if name.base in MODELS:
         kinds = (PARTS_OF_MODELS[name.sub],) if name.sub in PARTS_OF_MODELS else () if name.sub else ("pose", "origin")
         yield from (
@@ -202,6 +206,19 @@ def _blocks(index: str, reference: str, arm: Arm) -> Iterator[Quantity]:
         behind = index.removeprefix(letters).lstrip("_,")
         if index.startswith(letters) and (frame := _frame(behind, arm) if behind else _last(arm)) is not None:
             yield Quantity("jacobian", frame, reference, rows=rows)
+
+
+def _twists(name: n.Name, reference: str, arm: Arm) -> Iterator[Quantity]:
+    """J_s, J_b and the twists V_s, V_b of the tool in space and in its own frame; J_{planar}, whose rows are ω, v_x and v_y in some order."""
+    index = name.pre_sub or name.sub
+    for kind, in_space, letters in (("jacobian", "spatial_jacobian", {"J"}), ("velocity", "spatial_velocity", TWISTS)):
+        if name.base in letters and index in SPACE | BODY:
+            last = _last(arm)
+            of = Quantity(in_space, last, reference) if index in SPACE else Quantity(kind, last, last)
+            yield from (replace(of, rows=rows) for rows in ORDERS)
+    if name.base == "J" and index in PLANAR and is_planar(arm):
+        orders = ((1, 2, 6), (6, 1, 2), (1, 2))
+        yield from (Quantity("jacobian", _last(arm), reference, rows=rows) for rows in orders)
 
 
 def _indices(index: str, reference: str, arm: Arm) -> Iterator[tuple[str, str | None, str]]:

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.findings import OTHER_ANGLES
-from armproof.verification.verdict import HOLDS, Record, Verdict
+from armproof.verification.verdict import AXES, HOLDS, Record, Verdict
 
 _COORDINATE = re.compile(r"(?<![A-Za-z])(?:[xyz]|[XYZ])(?![A-Za-z])")
 
@@ -22,12 +22,28 @@ def settle_usual(records: Iterable[Record]) -> tuple[Record, ...]:
 def _settled(record: Record, others: Iterable[Record]) -> Record:
     if record.if_shown is None:
         return record
+    others = tuple(others)
+    if record.if_shown.of_another and not _is_alone(record.if_shown.meanings, record, others):
+        return replace(record, if_shown=None)
     around = [each for each in others if each.section == record.section or not _of_other_angles(record.if_shown.record)]
     held = [each for one in (record, *around) for each in one.outcomes if each.verdict in HOLDS]
     shown = [each.usual for each in held]
     if all(_is_shown(key, quantity, shown) for key, quantity in record.if_shown.meanings.items()):
         return record.if_shown.record
     return replace(record, if_shown=None)
+
+
+def _is_alone(meanings: Mapping[str, object], record: Record, others: Iterable[Record]) -> bool:
+    """Whether another equation tells of this coordinate of the point, and none beside it is of another one: the elbow's have its x beside its y."""
+    here = [each for each in others if each.section == record.section]
+    open_ = {_point(quantity) for each in here if each.if_shown for quantity in each.if_shown.meanings.values()}
+    held = [one for each in (record, *here) for one in each.outcomes if one.verdict in HOLDS]
+    points = {_point(quantity) for one in held for quantity in one.usual.values()}
+    own = {_point(quantity) for quantity in meanings.values()}
+    rows = {row for quantity in meanings.values() if isinstance(quantity, Quantity) for row in quantity.rows or ()}
+    told = {link for each in others for one in each.outcomes if one.verdict in HOLDS for link in one.links}
+    is_told = all(AXES + 1 - row in told for row in rows)
+    return len(meanings) == 1 and is_told and open_.isdisjoint(own) and own <= points
 
 
 def _of_other_angles(record: Record) -> bool:

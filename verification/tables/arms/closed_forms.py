@@ -117,7 +117,7 @@ def candidate_of_closed_form(document: Document, names: Names) -> Candidate | No
 
 
 def point_given_anew(document: Document, names: Names) -> Display | None:
-    """Return the first display that gives a point of a chain, p_2, other coordinates than one before it."""
+    """Return the first display that gives a point, p_2 or the tool, other coordinates than one before it."""
     algebra = ExactAlgebra(Ring(), None)
     met: dict[str, Scalar] = {}
     with algebra.budget.of(SECONDS):
@@ -125,7 +125,7 @@ def point_given_anew(document: Document, names: Names) -> Display | None:
             given = [
                 (key, value)
                 for _, key, value in _coordinates(display, names, algebra, {}, _COORDINATE)
-                if key[2:].isdigit()
+                if key[2:].isdigit() or key in ("x", "y")
             ]
             if any(key in met and not _equal(met[key], value) for key, value in given):
                 return display
@@ -157,8 +157,15 @@ def _mended(found: Found, algebra: ExactAlgebra) -> Iterator[tuple[dict[str, Sca
         apart, turned = by_other - values[axis], by_other + values[axis]  # y may point down
         is_mirrored = turned.normal().is_zero() or len(_lengths_in(turned)) < len(_lengths_in(apart))
         is_of_same = symbols_in([values[axis]]) <= symbols_in([by_other])
-        if is_of_same and not is_mirrored and is_near(Pair(as_matrix(by_other), as_matrix(values[axis]))):
+        is_slip = is_near(Pair(as_matrix(by_other), as_matrix(values[axis]))) or _lacks_one_link(values[axis], by_other)
+        if is_of_same and not is_mirrored and is_slip:
             yield {**values, axis: by_other}, {each: given for each, given in found.items() if each != axis}
+
+
+def _lacks_one_link(value: Scalar, whole: Scalar) -> bool:
+    """Whether a coordinate is another without the term of one link: y = l_1 s_1 of l_1 s_1 + l_2 s_12."""
+    lacking = (whole - value).normal()
+    return not value.is_zero() and _goes_on_from(whole, value) and len(symbols_in([lacking]) - angles_in(lacking)) == 1
 
 
 def _meanings(document: Document, names: Names, algebra: ExactAlgebra) -> dict[str, Scalar]:

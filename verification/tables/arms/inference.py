@@ -31,10 +31,10 @@ from armproof.verification.tables.columns import CONVENTIONS, read_columns
 from armproof.verification.verdict import TakenArm
 
 _NUMBER = re.compile(r"(?<![\d._{])[1-9]\d*(?:\.\d+)?(?![\d.])")
+_AT_REST = re.compile(
+    r"\\dot\s*\{?\s*\\?(?:theta|q)\s*_\s*\{?\d+[\s}]*=\s*0(?![\d.])"
+)  # \dot θ_4 = 0: of what does not move
 _INDEXED = re.compile(r"(?:theta|(?<![A-Za-z])[qcsCS])\s*_\s*\{?\s*(\d+)(?!\d|\s*\\times)")
-_STILL = re.compile(
-    r"\\dot\s*(?:\{\s*\\theta_\{?\d\}?\s*\}|\\theta_\{?\d\}?)\s*=\s*0(?![.\d])"
-)  # of a frame fixed behind the last joint
 
 
 def infer_arm(document: Document) -> Inference:
@@ -185,7 +185,7 @@ def _rivals(best: Reading, others: Sequence[Reading]) -> list[Reading]:
 
 def joints_used(displays: Iterable[Display]) -> set[int]:
     """Return the indices of joint variables in displays, as in θ_3 or c_{23}; a rate that is zero is that of none."""
-    texts = (_STILL.sub("", normalise_unicode(d.latex)) for d in displays if not (d.erratum or d.denied))
+    texts = (_AT_REST.sub("", normalise_unicode(d.latex)) for d in displays if not (d.erratum or d.denied))
     return {int(digit) for text in texts for part in _INDEXED.findall(text) for digit in part}
 
 

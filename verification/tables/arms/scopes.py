@@ -223,12 +223,14 @@ def _sources(document: Document) -> Iterator[_Source]:
     links = first_links(document, names)
     if first is None and not links:
         yield from _of_sections(document)
-    of_tables = [
-        (table, found[0]) for table in dh_tables(document) if isinstance(found := arms_of(document, table), list)
-    ]
+    tables = [(table, arms_of(document, table)) for table in dh_tables(document)]
+    of_tables = [(table, found[0]) for table, found in tables if isinstance(found, list)]
     for table, arm in of_tables:
         yield _Source(_place(table), table.section, arm)
-    yield from _of_other_lengths(document, [arm for _, arm in of_tables], names)
+    others = [*_of_other_lengths(document, [arm for _, arm in of_tables], names)]
+    yield from others
+    if of_tables and of_tables[-1][0] is tables[-1][0]:
+        yield from (source for source in _behind_table(document, *of_tables[-1]) if source not in others)
     for display, found_links in links:
         yield _Source(_place(display), display.section, links=found_links)
 
@@ -281,6 +283,31 @@ def _of_other_lengths(document: Document, arms: Sequence[Candidate], names: Name
 
 def _lengths(arm: Candidate) -> frozenset[str]:
     return _letters(arm) - {*arm.joints, "pi"}
+
+
+def _behind_table(document: Document, table: Table, arm: Candidate) -> Iterator[_Source]:
+    """Yield the first closed form in a later section that is of another chain than a table: a next example has none of its own."""
+    names = plain_names(document)
+    behind = [each for each in document.displays if _place(each) > _place(table) and each.section != table.section]
+    for _, run in groupby(behind, key=lambda each: each.section):
+        for source in _of_closed_form(replace(document, displays=tuple(run), tables=()), names):
+            if source.arm is not None and _is_of_other_chain(source.arm, arm):
+                yield source
+                return
+
+
+def _is_of_other_chain(form: Candidate, arm: Candidate) -> bool:
+    """Whether a joint of a closed form slides that turns in a table, or the table has none of its number; or one alone of the two is planar."""
+    kinds, own = (dict(zip(each.indices, each.kinds, strict=False)) for each in (form, arm))
+    if len(kinds) != len(form.kinds) or len(own) != len(arm.kinds):
+        return False
+    if any(own.get(number) != kind for number, kind in kinds.items()):
+        return True
+    return kinds == own and len(own) > 2 and _is_level(form) is not _is_level(arm)
+
+
+def _is_level(arm: Candidate) -> bool:
+    return set(arm.twists) <= {"0"}
 
 
 def _of_closed_form(part: Document, names: Names) -> Iterator[_Source]:

@@ -17,7 +17,7 @@ from armproof.verification.equations.sides import Members
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key
-from armproof.verification.verdict import HOLDS, EquationResult, Record, Role, TakenArm, Verdict, worst
+from armproof.verification.verdict import AXES, HOLDS, EquationResult, Record, Role, TakenArm, Verdict, worst
 
 
 @dataclass(frozen=True)
@@ -36,8 +36,7 @@ class Inference:
 
 # beside its links: where a chain's frames lie, which of its joints comes first, and how the joint before an inner one turns
 FRAMES, ORDER, TOLD = 0, -1, -2
-# which coordinates of a closed form it tells of, x first, and of which what they hold without a joint
-AXES, HEIGHTS = -3, -6
+HEIGHTS = -6  # of which coordinates an equation tells what they hold without a joint, x first
 _MOVES = ("jacobian", "velocity", "determinant")
 
 
@@ -61,15 +60,29 @@ def links_of(outcome: Outcome, members: Members, source: str = "", told_by: str 
     if source == "closed form":  # q_3 = h - z tells of z
         told, others = [*told, *_rates(one, members)], [*others, *_rates(other, members)]
         is_of_one = not (told and others) or outcome.verdict is Verdict.REFUTED
-        return _links([*told, *others], members, source) if is_of_one else frozenset()
+        is_linear = not any(_multiplies_moves(below, members) for side in (one, other) for below in n.walk(side))
+        return _links([*told, *others], members, source, is_linear) if is_of_one else frozenset()
     return frozenset() if others else _links(told, members, source)
 
 
-def _links(quantities: Sequence[Quantity], members: Members, source: str) -> frozenset[int]:
+def _multiplies_moves(node: n.Node, members: Members) -> bool:
+    """Whether a node multiplies a Jacobian or a velocity by one, or takes its size: J J^T and |v| are the same of -x."""
+    if isinstance(node, n.Power):
+        return _moves(node.base, members)
+    if isinstance(node, n.Call) and node.function in ("abs", "norm"):
+        return any(_moves(each, members) for each in node.arguments)
+    factors = node.factors if isinstance(node, n.Product) else ()
+    return sum(_moves(factor, members) for factor in factors) > 1
+
+
+def _moves(node: n.Node, members: Members) -> bool:
+    return any(quantity.kind in _MOVES for quantity in (*_quantities(node, members), *_rates(node, members)))
+
+
+def _links(quantities: Sequence[Quantity], members: Members, source: str, is_linear: bool = False) -> frozenset[int]:
     links = frozenset(link for quantity in quantities for link in _span(quantity, members))
     if source != "closed form":
         return links
-    is_linear = sum(quantity.kind in _MOVES for quantity in quantities) < 2  # J J^T is the same of -x
     axes = (_axes(quantity, members) for quantity in quantities if is_linear)
     return links.union(*(_untold(quantity, members) for quantity in quantities), *axes)
 
@@ -374,8 +387,19 @@ class _Settled:
         wrong = [entry for entry in record.entries if entry.equation == result.index]
         is_pinned = self.taken.source == "closed form" and not (self.taken.mended or self.taken.told_by)
         alone = all(len(self.against.get(link, ())) < 2 for link in links)
-        is_numbered = FRAMES not in links - self.confirmed or all(each.finding is not None for each in wrong)
-        return is_pinned and alone and is_numbered and [bool(each.row) for each in wrong] == [True]
+        if not is_pinned or not alone or len(wrong) != 1:
+            return False
+        is_told = wrong[0].finding is not None
+        if not wrong[0].row:  # a formula: what nothing pins of the coordinates may be what is wrong
+            return is_told and links - self.confirmed <= self._pinned
+        return FRAMES not in links - self.confirmed or is_told
+
+    @property
+    def _pinned(self) -> frozenset[int]:
+        """What coordinates tell for certain that fit together: of z only where it turns, and no constant."""
+        rows = self.taken.front["arm"]["rows"]
+        turns_up = any(str(row["alpha"]) != "0" for row in rows)
+        return frozenset({*range(1, len(rows) + 1), AXES, AXES - 1, *([AXES - 2] if turns_up else [])})
 
     def _data(self, index: int, links: frozenset[int] = frozenset()) -> EquationResult:
         lines = sorted(frozenset[int]().union(*(self.against.get(link, ()) for link in links - self.confirmed)))

@@ -39,7 +39,7 @@ def test_a_wrong_entry_is_refuted_where_another_claim_confirms_the_arm() -> None
     assert (entry.row, entry.column, entry.correct) == (2, 2, "l_2 c_{12}")
 
 
-@pytest.mark.parametrize("other", ["l_1 s_1 + l_3 s_{12}", "l_1 s_1", "-l_1 s_1 - l_2 s_{12}"])
+@pytest.mark.parametrize("other", ["l_1 s_1 + l_3 s_{12}", "-l_1 s_1 - l_2 s_{12}"])
 def test_coordinates_that_are_not_of_one_arm_give_none(other: str) -> None:
     assert not verify_text(PLANAR.replace("l_1 s_1 + l_2 s_{12}", other)).arms
 
@@ -51,6 +51,20 @@ def test_one_coordinate_tells_the_arm_where_the_other_has_a_slip(other: str) -> 
     assert [record.verdict for record in alone.equations] == ["unchecked"] * 2
     assert "nothing else that is decided tells which is right" in alone.equations[1].message
     assert [record.verdict for record in confirmed.equations] == ["proved", "refuted", "proved"]
+
+
+def test_a_coordinate_without_one_link_is_wrong_where_the_jacobian_tells_it() -> None:
+    wrong = PLANAR.replace("l_1 s_1 + l_2 s_{12}", "l_1 s_1")
+    alone, confirmed = verify_text(wrong), verify_text(wrong + JACOBIAN.replace("LAST", "l_2 c_{12}"))
+    assert [record.verdict for record in alone.equations] == ["unchecked"] * 2
+    assert [record.verdict for record in confirmed.equations] == ["proved", "refuted", "proved"]
+    assert "l_2 s_{12} is missing" in confirmed.equations[1].message
+
+
+def test_the_points_of_an_elbow_are_no_slips_in_those_of_the_hand() -> None:
+    elbow = "$$ x = l_1 c_1 $$\n\n$$ y = l_1 s_1 $$\n\n"
+    result = verify_text(PLANAR + JACOBIAN.replace("LAST", "l_2 c_{12}") + elbow)
+    assert [record.verdict for record in result.equations] == ["proved"] * 3 + ["unchecked"] * 2
 
 
 def test_a_turned_arm_needs_its_height() -> None:
