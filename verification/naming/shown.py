@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from armproof.verification.algebra.quantity import Quantity
-from armproof.verification.findings import OTHER_ANGLES
+from armproof.verification.findings import OTHER_ANGLES, Kind
 from armproof.verification.verdict import AXES, HOLDS, Record, Verdict
 
 _COORDINATE = re.compile(r"(?<![A-Za-z])(?:[xyz]|[XYZ])(?![A-Za-z])")
@@ -43,7 +43,8 @@ def _is_alone(meanings: Mapping[str, object], record: Record, others: Iterable[R
     rows = {row for quantity in meanings.values() if isinstance(quantity, Quantity) for row in quantity.rows or ()}
     told = {link for each in others for one in each.outcomes if one.verdict in HOLDS for link in one.links}
     is_told = all(AXES + 1 - row in told for row in rows)
-    return len(meanings) == 1 and is_told and open_.isdisjoint(own) and own <= points
+    elsewhere = any(f.kind is Kind.OF_OTHER_POINT for each in here for one in each.outcomes for f in one.findings)
+    return len(meanings) == 1 and is_told and not elsewhere and open_.isdisjoint(own) and own <= points
 
 
 def _of_other_angles(record: Record) -> bool:

@@ -624,7 +624,11 @@ def test_an_array_of_one_row_and_its_head_is_a_table() -> None:
 @pytest.mark.parametrize("arm", ["arm: planar_2r\n", ""], ids=["named", "inferred"])
 @pytest.mark.parametrize(
     ("rows", "kind"),
-    [("", Kind.TABLE_WITHOUT_ROWS), ("|1|||||\n|2|||||\n", Kind.EMPTY_ROW), ("|1||||$\\theta_1$|\n|2|||||\n", Kind.EMPTY_ROW)],
+    [
+        ("", Kind.TABLE_WITHOUT_ROWS),
+        ("|1|||||\n|2|||||\n", Kind.EMPTY_ROW),
+        ("|1||||$\\theta_1$|\n|2|||||\n", Kind.EMPTY_ROW),
+    ],
 )
 def test_a_table_that_is_left_to_be_filled_in_claims_nothing(arm: str, rows: str, kind: Kind) -> None:
     head = f"---\n{arm}---\n" if arm else ""
