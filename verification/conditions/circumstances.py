@@ -100,7 +100,7 @@ class Circumstances:
                 chains if of_arm else ()
             ):  # without one a letter of the text is any: it says where things hold, and no more
                 heed_forces(self.names, chain)
-                self._define(chain, line)
+                self._define(chain, line, conditions)
             chains = [self._without_letters(chain, line) for chain in chains]
             conditions += [condition for chain in chains for condition in self._conditions(chain)]
             in_words = in_words or not chains
@@ -141,7 +141,7 @@ class Circumstances:
                     if isinstance(chain, n.Chain) and bare_key(chain.members[0]) in held:
                         self._define(chain, line)
 
-    def _define(self, chain: n.Chain, line: int) -> None:
+    def _define(self, chain: n.Chain, line: int, conditions: Sequence[n.Chain] = ()) -> None:
         """x_p = x − l_3 cos α: a letter that has no meaning gets one, until a display gives it another."""
         name = chain.members[0]
         if chain.relations != ("=",) or not isinstance(name, n.Name) or name.dots:
@@ -149,7 +149,7 @@ class Circumstances:
         if self.names.quantity(name) is not None and rows_of_letters(chain.members[1]):  # T = [s n a P; 0 0 0 1]
             self.checker.check(chain, 1, line)
             return
-        if self._says_anew(name, chain.members[1]):
+        if self._says_anew(name, chain.members[1]) and not (conditions and self._holds_where(conditions, chain)):
             before = self.names.state.definitions[name.key]
             if not before.in_text:
                 self.names.leave_open(name.key, say(Kind.SECOND_MEANING, name=name.text or name.key, line=line))
@@ -389,13 +389,16 @@ class Circumstances:
 
     def _follows(self, conditions: Sequence[n.Chain], outcome: Outcome) -> bool:
         """Whether an equation holds, or nobody can tell, under conditions."""
+        assert outcome.true is not None and outcome.printed is not None
+        return self._holds_where(conditions, n.Chain((outcome.true.node, outcome.printed.node), ("=",)))
+
+    def _holds_where(self, conditions: Sequence[n.Chain], claim: n.Chain) -> bool:
+        """Whether a claim holds under conditions, or nobody can tell."""
         with self.checker.exact.budget.paused():  # few documents need it: the import is none of its time
             from armproof.verification.conditions.judgement import check_implication
 
-        assert outcome.true is not None and outcome.printed is not None
-        claim = n.Chain((outcome.true.node, outcome.printed.node), ("=",))
         implication = Implication("⇒", [[*conditions]], [[claim]])
-        return check_implication(self.checker, implication, outcome.equation)[0].verdict is not Verdict.REFUTED
+        return check_implication(self.checker, implication, 1)[0].verdict is not Verdict.REFUTED
 
     def _stands_still(self, outcome: Outcome) -> bool:
         """Whether one side moves with joints that the other side does not hold."""
