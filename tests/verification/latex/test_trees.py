@@ -116,7 +116,7 @@ x_{\text{max}} x_{\mathrm{tool}} x_{a,b} x_{i+1} x_{ 1 } T_{\mathrm{A}}^{\mathrm
 \dot x \ddot{y}_1 \dddot{q} \dot{x_1} \dot{\mathbf{p}} \dot{\theta}_1^2 {\dot x}_1 \dot{x}_1'  ⟶  (dot x dotdot y_1 dotdotdot q dot x_1 dot p dot theta_1**2 dot x_1 dot x'_1)
 \overset{.}{x} \overset{\cdot\cdot}{y} \stackrel{.}{x} \underset{n}{x} \overset{\rightarrow}{x} \underset{n}{a b}  ⟶  (dot x dotdot y dot x x_n x (a b))
 \mathbf{J} \mathrm{J}_v \mathbf{R}_1^T \boldsymbol\theta_1 \vec{p} \mathrm{tool} \mathcal{F}  ⟶  (J J_v R_1^<T> theta_1 p tool F)
-\hat{x} \hat{T} \bar{x} \tilde{y}_1 \hat{\theta} \widehat{z} \hat\omega \hat q  ⟶  (x T bar x tilde y_1 hat theta z omega hat q)
+\hat{x} \hat{T} \bar{x} \tilde{y}_1 \hat{\theta} \widehat{z} \hat\omega \hat q  ⟶  (hat x T bar x tilde y_1 hat theta z omega hat q)
 \alpha \varphi \vartheta \ell_2 \varepsilon \pi \infty  ⟶  (alpha phi theta l_2 epsilon pi infty)
 theta_1 theta1 alpha WC_x  ⟶  (theta_1 theta_1 alpha WC_x)
 l1 q12 C12 q3x x2.5 \theta_1 2 x3 \pi 2  ⟶  (l_1 q_12 cos(+1+2) q_3 x x 5/2 theta_1 2 x_3 pi 2)
