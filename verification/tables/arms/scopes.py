@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import groupby, pairwise
 
@@ -223,14 +223,10 @@ def _sources(document: Document) -> Iterator[_Source]:
     links = first_links(document, names)
     if first is None and not links:
         yield from _of_sections(document)
-    tables = [(table, arms_of(document, table)) for table in dh_tables(document)]
-    of_tables = [(table, found[0]) for table, found in tables if isinstance(found, list)]
-    for table, arm in of_tables:
+    tables = [(table, found[0]) for table in dh_tables(document) if isinstance(found := arms_of(document, table), list)]
+    for table, arm in tables:
         yield _Source(_place(table), table.section, arm)
-    others = [*_of_other_lengths(document, [arm for _, arm in of_tables], names)]
-    yield from others
-    if of_tables and of_tables[-1][0] is tables[-1][0]:
-        yield from (source for source in _behind_table(document, *of_tables[-1]) if source not in others)
+    yield from _behind_tables(document, tables, names) if tables else ()
     for display, found_links in links:
         yield _Source(_place(display), display.section, links=found_links)
 
@@ -263,37 +259,34 @@ def _of_sections(document: Document) -> Iterator[_Source]:
                 yield source
 
 
-def _of_other_lengths(document: Document, arms: Sequence[Candidate], names: Names) -> Iterator[_Source]:
-    """Yield the closed forms of sections behind the first table whose lengths are none of any table's, as chapters have that go on with another arm."""
-    known = frozenset[str]().union(*(_lengths(arm) for arm in arms))
-    begin = min(((arm.cell or 0, arm.line) for arm in arms), default=None)
-    if begin is None or not all(map(_lengths, arms)):
-        return
-    taken = {table.section for table in dh_tables(document)} | {
-        shown.section for shown, _ in first_links(document, names)
-    }
-    for _, run in groupby(document.displays, key=lambda each: each.section):
-        part = replace(document, displays=tuple(run), tables=())
-        if part.displays[0].section in taken or _place(part.displays[0]) < begin:
-            continue
-        for source in _of_closed_form(part, names):
-            if source.arm is not None and (own := _lengths(source.arm)) and own.isdisjoint(known):
-                yield source
+def _behind_tables(document: Document, tables: Sequence[tuple[Table, Candidate]], names: Names) -> Iterator[_Source]:
+    """Yield the closed forms of sections behind tables that are of another arm, as chapters have that go on with a next one.
+
+    They are of other lengths than any table's; or it is the first that is of another chain than the last table.
+    """
+    arms = [arm for _, arm in tables]
+    begin = min((arm.cell or 0, arm.line) for arm in arms)
+    behind = [each for each in document.displays if _place(each) > begin]
+    runs = (tuple(run) for _, run in groupby(behind, key=lambda each: each.section))
+    forms = [each for run in runs for each in _of_closed_form(replace(document, displays=run, tables=()), names)]
+    taken = {each.section for each in dh_tables(document)} | {each.section for each, _ in first_links(document, names)}
+    known = [_lengths(arm) for arm in arms]
+    others = [each for each in forms if all(known) and each.section not in taken and _has_own_lengths(each, known)]
+    yield from others
+    last = tables[-1][0]
+    if _place(last) == _place([*dh_tables(document)][-1]):
+        ahead = (each for each in forms if each.place > _place(last) and each.section != last.section)
+        found = next((each for each in ahead if each.arm is not None and _is_of_other_chain(each.arm, arms[-1])), None)
+        yield from [found] if found is not None and found not in others else []
+
+
+def _has_own_lengths(form: _Source, known: Iterable[frozenset[str]]) -> bool:
+    own = _lengths(form.arm) if form.arm is not None else frozenset()
+    return bool(own) and own.isdisjoint(frozenset[str]().union(*known))
 
 
 def _lengths(arm: Candidate) -> frozenset[str]:
     return _letters(arm) - {*arm.joints, "pi"}
-
-
-def _behind_table(document: Document, table: Table, arm: Candidate) -> Iterator[_Source]:
-    """Yield the first closed form in a later section that is of another chain than a table: a next example has none of its own."""
-    names = plain_names(document)
-    behind = [each for each in document.displays if _place(each) > _place(table) and each.section != table.section]
-    for _, run in groupby(behind, key=lambda each: each.section):
-        for source in _of_closed_form(replace(document, displays=tuple(run), tables=()), names):
-            if source.arm is not None and _is_of_other_chain(source.arm, arm):
-                yield source
-                return
 
 
 def _is_of_other_chain(form: Candidate, arm: Candidate) -> bool:
