@@ -451,18 +451,7 @@ class DocumentChecker:
 
     def _judge(self, record: Record, display: Display, statements: list[n.Statement]) -> Record:
         outcomes, extra = self._with_later_definitions(statements, display)
-        if display.said_next and not display.erratum:
-            behind = partial(self.statements.claims.circumstances.judge_behind, said=display.said_next)
-            outcomes = [behind(outcome) for outcome in outcomes]
-        if display.supposed:
-            outcomes = [outcome.unless_refuted(say(Kind.IS_SUPPOSED)) for outcome in outcomes]
-        if display.of_other_point:
-            outcomes = [self._unless_of_the_tool(outcome) for outcome in outcomes]
-        if display.denied:
-            denied = say(Kind.DENIED)
-            outcomes = [
-                replace(o.left_open(denied), defines=()) if o.verdict is not Verdict.UNCHECKED else o for o in outcomes
-            ]
+        outcomes = [self._as_words_say(outcome, display) for outcome in outcomes]
         if not outcomes:
             return replace(record, verdict=Verdict.UNCHECKED, findings=(say(Kind.NO_EQUATION), say(Kind.BEYOND)))
         if self.direction == ("lower", display.line):
@@ -488,6 +477,18 @@ class DocumentChecker:
         self.names.state.forget_usual(meanings)
         of_another = any(slip.of_another for slip in slips if slip is not None)
         return replace(found, if_shown=IfShown(told, meanings, of_another))
+
+    def _as_words_say(self, outcome: Outcome, display: Display) -> Outcome:
+        """Leave open what the words around a display say to be so elsewhere, in a case, of another point, or not at all."""
+        if display.said_next and not display.erratum:
+            outcome = self.statements.claims.circumstances.judge_behind(outcome, display.said_next)
+        if display.supposed:
+            outcome = outcome.unless_refuted(say(Kind.IS_SUPPOSED))
+        if display.of_other_point:
+            outcome = self._unless_of_the_tool(outcome)
+        if display.denied and outcome.verdict is not Verdict.UNCHECKED:
+            outcome = replace(outcome.left_open(say(Kind.DENIED)), defines=())
+        return outcome
 
     def _unless_of_the_tool(self, outcome: Outcome) -> Outcome:
         """Leave open what is decided by a name that convention alone binds to the tool, where the text speaks of another point."""

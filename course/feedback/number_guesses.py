@@ -82,9 +82,8 @@ class Asked:
         yield from self.doubled() if self.others else ()
         is_of_others = self.worked is None or bool(self.worked.letters)
         mirrored = (*self._mirrored(),) if self.unit == "rad" else ()
-        of_others = (
-            (*self._of_the_others(),) if self.right else ()
-        )  # beside zero there is no size by which chance is told
+        # beside zero there is no size by which chance is told
+        of_others = (*self._of_the_others(),) if self.right else ()
         yield from (*of_others, *mirrored) if is_of_others else (*mirrored, *of_others)
         yield from self._of_the_text() if self.right else ()
         yield from self._of_parts(far)

@@ -154,7 +154,7 @@ class SpatialJacobian(Jacobian):
 
     def whole(self, quantity: Quantity, algebra: OfArm) -> Matrix:
         moving = algebra.jacobian(quantity.frame, quantity.reference)
-        place = algebra.pose(quantity.frame, quantity.reference).block(range(3), [3]).vector()
+        place = algebra.pose(quantity.frame, quantity.reference).block(range(3), [3])
         columns = [_at_origin(each, place) for each in zip(*moving.rows, strict=True)]
         return Matrix(tuple(zip(*columns, strict=True)))
 
@@ -193,9 +193,8 @@ class SpatialVelocity(Velocity):
     """The twist in space, 6×1, rows [v; ω]."""
 
     def whole(self, quantity: Quantity, algebra: OfArm) -> Matrix:
-        twist = [row[0] for row in super().whole(quantity, algebra).rows]
-        place = algebra.pose(quantity.frame, quantity.reference).block(range(3), [3]).vector()
-        return column(_at_origin(twist, place))
+        place = algebra.pose(quantity.frame, quantity.reference).block(range(3), [3])
+        return column(_at_origin(super().whole(quantity, algebra).cells, place))
 
 
 class Angle(QuantityKind):
@@ -377,11 +376,10 @@ def _unit_of_joint(arm: Arm, symbol: str) -> str:
     return "rad" if arm.joint(symbol).kind == "revolute" else "m"
 
 
-def _at_origin(twist: Sequence[Any], place: Sequence[Any]) -> tuple[Any, ...]:
+def _at_origin(twist: Sequence[Any], place: Matrix) -> tuple[Any, ...]:
     """Return the twist [v + p × ω; ω] of a body of which the point at p moves with v."""
-    (x, y, z), (a, b, c) = place, twist[3:]
-    turned = (y * c - z * b, z * a - x * c, x * b - y * a)
-    return (*(v + by for v, by in zip(twist[:3], turned, strict=True)), a, b, c)
+    linear, angular = column(twist[:3]), column(twist[3:])
+    return (*(linear + place.cross(angular)).cells, *angular.cells)
 
 
 def _rows_of_jacobian(quantity: Quantity, algebra: OfArm) -> Matrix:

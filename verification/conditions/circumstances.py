@@ -120,8 +120,7 @@ class Circumstances:
 
     def told_values(self) -> dict[str, Stated]:
         """Return the values that the text gives: of lengths, wherever above, and of joints, for the display at hand."""
-        told = self.names.state.told
-        return self.names.state.told_lengths | self._values(told.conditions if not told.is_over else ())
+        return self.names.state.told_lengths | self._values(self.names.state.told.standing)
 
     def _values(self, conditions: Iterable[n.Chain]) -> dict[str, Stated]:
         return self.given.stated(
@@ -358,7 +357,7 @@ class Circumstances:
         """Return what becomes of an equation with a rank, which is decided where the text or a display before it says."""
         told, configuration = self.names.state.told, self.names.state.configuration
         joints = [_value(name, each.node) for name, each in configuration.items() if name in self.given.joints]
-        given = [*(told.conditions if not told.is_over else ()), *joints]
+        given = [*told.standing, *joints]
         if not given and not told.in_words:
             return outcomes
         with self.checker.exact.budget.paused():

@@ -18,7 +18,7 @@ from armproof.verification.evaluation.blocks import cells_of
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key, is_number
-from armproof.verification.latex.writer import Notation, Writer
+from armproof.verification.latex.writer import SWAPPED, Notation, Writer
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Definition
 from armproof.verification.verdict import SlipBefore
@@ -117,9 +117,7 @@ def _with_other_index(terms: Iterable[n.Node], indices: Iterable[str]) -> Iterat
 def _turned(term: n.Node) -> n.Node:
     """Return a term with a sine for its cosine, or a cosine for its sine."""
     calls = (b for b in n.walk(term) if isinstance(b, n.Call))
-    return n.substitute_each(
-        term, {id(b): replace(b, function={"sin": "cos", "cos": "sin"}.get(b.function, b.function)) for b in calls}
-    )
+    return n.substitute_each(term, {id(b): replace(b, function=SWAPPED.get(b.function, b.function)) for b in calls})
 
 
 def _with_an_angle(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:

@@ -233,7 +233,7 @@ class Claims:
         What is not decided there leaves no trace. Only numbers right behind the text are refuted there, and few of many.
         """
         state = self.names.state
-        speaks = (state.told.conditions and not state.told.is_over) or state.told_lengths
+        speaks = state.told.standing or state.told_lengths
         if not speaks or len(chain.members) < 2 or not any(map(is_numbers, chain.members)):
             return []
         before = state.copy()

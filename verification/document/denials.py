@@ -56,7 +56,7 @@ def denies_above(text: str) -> bool:
 
 def denies_below(text: str) -> bool:
     """Whether a text leads to what it denies: "It is not true that"."""
-    sentence = re.split(r"[.;!?](?=\s+\S)", _plain(text))[-1]
+    sentence = last_sentence(_plain(text))
     found = _DENIES_BELOW.search(sentence)
     return found is not None and not _RIGHT.search(sentence, found.start())
 
@@ -64,6 +64,11 @@ def denies_below(text: str) -> bool:
 def denied_in(latex: str) -> bool:
     """Whether a display denies itself: a tag says that it is wrong, or it is crossed out."""
     return _IN_DISPLAY.search(latex) is not None
+
+
+def last_sentence(text: str) -> str:
+    """Return the last sentence of a text on one line, or part of one behind a semicolon."""
+    return re.split(r"[.;!?](?=\s+\S)", text)[-1]
 
 
 def _plain(text: str) -> str:

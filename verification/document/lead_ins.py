@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from armproof.verification.document.denials import denies_above, denies_below
+from armproof.verification.document.denials import denies_above, denies_below, last_sentence
 from armproof.verification.document.model import INLINE, Display
 from armproof.verification.document.postures import SINGULAR, is_of_singularities
 
@@ -86,7 +86,7 @@ def said_at_start(text: str, line: int, section: str, is_behind: bool = True) ->
 
 def said_at_end(text: str, line: int, section: str) -> Iterator[Display]:
     """Yield what the last sentence of a text, formulas and all, says of the display that follows."""
-    sentence = re.split(r"[.;!?](?=\s+\S)", " ".join(text.split()))[-1]
+    sentence = last_sentence(" ".join(text.split()))
     if denies_below(text):
         yield Display(line, DENIED, section=section, opening=INLINE)
     if _SUPPOSED.search(sentence) or (_LEADS.search(sentence) and not re.search(r"[.!]\W*\Z", sentence)):

@@ -55,12 +55,10 @@ class Display:
     section: str = ""
     closed: bool = True
     denied: bool = (
-        False  # whether the text around it, or a tag, says that it is wrong: of an erratum all that goes without saying
+        False  # whether the text around it, or a tag, says that it is wrong: of an erratum that goes without saying
     )
     supposed: bool = False  # whether that supposes it, asks for it, or says in words that it holds in a case alone
-    of_other_point: bool = (
-        False  # whether the sentence before it is of another point than the tool, or of another frame
-    )
+    of_other_point: bool = False  # whether the sentence before it is of another point than the tool, or another frame
     opening: str = "$$"  # what it begins with in the file
     file: str = ""  # in which it stands, below the document's folder, where a main file inputs others; `cell` counts the changes
     said: tuple[str, ...] = ()  # the equations and postures in the text between the display before and this one

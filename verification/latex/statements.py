@@ -250,9 +250,7 @@ def _matrix_cell(cell: Cell, span: tuple[int, int]) -> n.Node:
         return n.Name("words", text=text, span=(span_of_token(words[0])[0], span_of_token(words[-1])[1]))
     if not parts:
         raise ReadError(say(Kind.EMPTY_CELL), span[0])
-    if all(
-        isinstance(part, n.Number) for part in parts
-    ):  # 0 \\quad 0 \\quad 0: the last row of a block of three columns
+    if all(isinstance(part, n.Number) for part in parts):  # 0 \\quad 0 \\quad 0: a row of a block of three columns
         return n.Matrix((tuple(parts),), "matrix", span=(parts[0].span[0], parts[-1].span[1]))
     second = parts[1]
     where = span_of_token(second)[0] if isinstance(second, Token) else second.span[0]

@@ -67,6 +67,11 @@ class Cell:
         return [evaluator.scalar(tree) for tree in self.trees]
 
 
+def nothing_stands_in(row: Iterable[Cell]) -> bool:
+    """Whether all cells of a row are blank: it is left to be filled in."""
+    return all(cell.kind == "blank" for cell in row)
+
+
 class UnreadableCell(ReadError):
     """A cell that is not an expression."""
 

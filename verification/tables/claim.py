@@ -12,7 +12,7 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding
 from armproof.verification.naming.names import Names
-from armproof.verification.tables.cells import Cell
+from armproof.verification.tables.cells import Cell, nothing_stands_in
 from armproof.verification.tables.columns import Columns
 from armproof.verification.tables.frames import Frames
 from armproof.verification.tables.row import PARAMETERS, RightRow, right_row
@@ -28,8 +28,8 @@ class Row:
 
     @property
     def is_empty(self) -> bool:
-        """Whether nothing stands in the row: it is left to be filled in."""
-        return all(cell.kind == "blank" for cell in self.cells.values())
+        """Whether the row is left to be filled in."""
+        return nothing_stands_in(self.cells.values())
 
 
 @dataclass

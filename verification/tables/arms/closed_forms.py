@@ -88,9 +88,7 @@ def _arms(found: Found, letters: Mapping[str, n.Name], algebra: ExactAlgebra, ra
     tried = [(_ClosedForm(algebra, values, rates).moves(), told) for values, told in _mended(found, algebra)]
     mended = [_candidate(moves, told, letters) for moves, told in tried if moves is not None]
     mended = [replace(each, mended=frozenset(range(1, len(each.rows) + 1))) for each in mended]
-    return [
-        each for each in mended if not _turns_back(each)
-    ]  # else the arm is seen from below, and a slip is in either
+    return [each for each in mended if not _turns_back(each)]  # else it is seen from below, and a slip is in either
 
 
 def _arm_of_jacobian(document: Document, names: Names, algebra: ExactAlgebra, rates: set[str]) -> list[Candidate]:
@@ -164,8 +162,8 @@ def _mended(found: Found, algebra: ExactAlgebra) -> Iterator[tuple[dict[str, Sca
 
 def _lacks_one_link(value: Scalar, whole: Scalar) -> bool:
     """Whether a coordinate is another without the term of one link: y = l_1 s_1 of l_1 s_1 + l_2 s_12."""
-    lacking = (whole - value).normal()
-    return not value.is_zero() and _goes_on_from(whole, value) and len(symbols_in([lacking]) - angles_in(lacking)) == 1
+    lacking = whole - value
+    return not value.is_zero() and _goes_on_from(whole, value) and len(_lengths_in(lacking)) == 1
 
 
 def _meanings(document: Document, names: Names, algebra: ExactAlgebra) -> dict[str, Scalar]:

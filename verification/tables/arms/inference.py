@@ -31,9 +31,7 @@ from armproof.verification.tables.columns import CONVENTIONS, read_columns
 from armproof.verification.verdict import TakenArm
 
 _NUMBER = re.compile(r"(?<![\d._{])[1-9]\d*(?:\.\d+)?(?![\d.])")
-_AT_REST = re.compile(
-    r"\\dot\s*\{?\s*\\?(?:theta|q)\s*_\s*\{?\d+[\s}]*=\s*0(?![\d.])"
-)  # \dot θ_4 = 0: of what does not move
+_AT_REST = re.compile(r"\\dot\s*\{?\s*\\?(?:theta|q)\s*_\s*\{?\d+[\s}]*=\s*0(?![\d.])")  # of what does not move
 _INDEXED = re.compile(r"(?:theta|(?<![A-Za-z])[qcsCS])\s*_\s*\{?\s*(\d+)(?!\d|\s*\\times)")
 
 

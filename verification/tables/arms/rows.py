@@ -17,7 +17,7 @@ from armproof.verification.naming.names import Names
 from armproof.verification.tables.angles import letter_of, symbols_of, to_radians, with_parts_of_pi
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
 from armproof.verification.tables.arms.frame_names import end_effectors, frame_names, is_tool
-from armproof.verification.tables.cells import Cell, read_cell, read_kind
+from armproof.verification.tables.cells import Cell, nothing_stands_in, read_cell, read_kind
 from armproof.verification.tables.columns import CONVENTIONS, Columns, Reading, plain
 from armproof.verification.tables.row import ANGLES, PARAMETERS, SCALES
 
@@ -47,7 +47,7 @@ def candidates(table: Table, columns: Columns, names: Names, in_metres: bool = T
         columns = replace(columns, headers=tuple(replace(each, unit=_of_angle(each.unit)) for each in columns.headers))
     rows = [_read_row(names, table, columns, number, in_metres) for number in range(1, len(table.rows) + 1)]
     for row in rows:
-        if all(cell.kind == "blank" for cell in row.cells.values()):
+        if nothing_stands_in(row.cells.values()):
             raise EvaluationError(say(Kind.EMPTY_ROW, number=row.number))
     rows = _with_fixed_tool(rows, columns.theta)
     labels = [row.label for row in rows]
