@@ -517,7 +517,7 @@ LESSON = Lesson(
             title="A check in your head",
             text="The slide on the spherical wrist prints the rotation block of ${}^4T_5$ with the third row $[0, -1, 0]$. What is the determinant of"
             " that block?",
-            asks=Number(-1),
+            asks=Number(-1, steps=("M = -1", r"-1 \cdot (-1) \cdot M")),
             hints=(
                 "Expand along the third row: it has one entry that is not zero.",
                 "The entry stands at (3, 2), so its cofactor has the sign $(-1)^{3+2} = -1$.",
