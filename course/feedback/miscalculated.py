@@ -33,6 +33,10 @@ def done_otherwise(tree: n.Node) -> Iterator[n.Node]:
         for other in _otherwise(node):
             yield n.substitute(tree, node, other)
     yield from (edit.node for edit in dropping_edits(tree, _NONE) if edit.finding.kind is not Kind.WRONG_NUMBER)
+
+
+def done_twice(tree: n.Node) -> Iterator[n.Node]:
+    """Yield the formulas in which two like things are done otherwise: two signs, or two terms left out of a long sum."""
     yield from (edit.node for edit in sign_pairs(tree))
     if isinstance(tree, n.Sum) and 3 < len(tree.terms) <= _MOST_TERMS:
         for some in combinations(tree.terms, len(tree.terms) - 2):

@@ -26,6 +26,7 @@ _FEW_STATED = 3  # numbers, of which one is soon taken for the answer
 _TWO_LETTERS = 2
 _FEW_LETTERS = 4
 _NOTHING = 1e-9
+_CLOSE = 0.1  # of a number, that is lost with parts that are rounded on the way
 _ALONG = 0.01  # the sine of twice an angle that stands along an axis, to two digits
 TWICE, HALF = noted("this is twice what is asked"), noted("this is half of what is asked")
 _MISSING, _TOO_MUCH = noted("{name} is missing"), noted("{name} does not belong in it")
@@ -73,8 +74,10 @@ class Asked:
         if self.worked is not None:
             yield from self.worked.parts()
             yield from self.worked.slips()
-            yield from () if is_soon else self._copied()
         yield from self._another()
+        if self.worked is not None:
+            yield from self.worked.pairs()
+            yield from () if is_soon else self._copied()
         yield from self._turned() if self.unit == "rad" else ()
         if self.worked is not None:
             yield from self._of_parts(far) if self.worked.is_short else ()
@@ -213,6 +216,14 @@ class Asked:
             )
             yield Guess(
                 turn * np.pi / 2 - right, lambda: look_up("this is the complement: the angle to the other axis")
+            )
+
+    def by_hand(self) -> Iterator[Guess]:
+        """Yield what slips of the reckoning give: a one that is not carried over, a part that is rounded on the way."""
+        if self.worked is not None:
+            yield from self.worked.miscarried()
+            yield from (
+                guess for guess in self.worked.rounded() if abs(guess.value - self.right) < _CLOSE * abs(self.right)
             )
 
     def doubled(self) -> Iterator[Guess]:

@@ -272,7 +272,6 @@ LESSON = Lesson(
                     "the number of columns of q̇",
                 ),
                 steps=("3 + 3", "7", "7", "1"),
-                beside=("[, , 3 + 4, 3 + 4]", "[3 + 4, , ,]"),
             ),
             hints=(
                 "$[V; W] = J \\dot q$: how many entries has the left side?",
@@ -297,6 +296,7 @@ LESSON = Lesson(
                 Wrong([6, 8, 7, 1], "the base is no joint: one column a joint, seven", own=True),
                 Wrong([6, 7, 8, 1], "the base has no rate: one entry a joint, seven", own=True),
                 Wrong([6, 7, 1, 7], "q̇ is a column here, not a row", own=True),
+                Wrong([6, 7, 7, 7], "q̇ is one column, and no square matrix", own=True),
                 Wrong([12, 7, 7, 1], "six rows in all: three linear, three angular", own=True),
                 Wrong([6, 1, 7, 1], "one column would be one joint: there is one a joint", own=True),
             ),

@@ -724,6 +724,11 @@ LESSON = Lesson(
                     "one power of the duration too many in both: it stands below the line once in the speed, squared in the acceleration",
                     own=True,
                 ),
+                Wrong(
+                    (15 / 8, 10 / np.sqrt(3)),
+                    "these are the factors of the peaks: how do they change with the duration?",
+                    own=True,
+                ),
                 Wrong((3, 3**0.5), "the square of 3, not its root", own=True),
                 Wrong((1 / 3, 9), "a shorter motion is faster: the speed grows", own=True),
                 Wrong((3, 1 / 9), "a shorter motion takes more acceleration, not less", own=True),

@@ -197,7 +197,7 @@ def _predict(a_3=0.45, d_3=0.42):
             Wrong([-d_3, 0, a_3], "the elbow turns the forearm back by 90°: θ_3 counts from the upper arm", own=True),
             Wrong([a_3, 0, d_3], "this is the zero pose of the figure", own=True),
             Wrong([0, 0, a_3 - d_3], "upper arm and forearm point the same way here: the lengths add", own=True),
-            Wrong([d_3, 0, a_3], f"x is not {d_3:g}, z is not {a_3:g}"),
+            Wrong([d_3, 0, a_3], "at zero the forearm is upright: it does not start along the upper arm", own=True),
             Wrong([a_3 + d_3, 0, 0], "at θ_2 = 90° the upper arm points up, along z_0", own=True),
         ),
         own=drawn(_predict, a_3=(0.43, 0.55), d_3=(0.3, 0.42)),
@@ -529,7 +529,7 @@ LESSON = Lesson(
                 Wrong(
                     0, "the block is regular: the first and the third column are unit vectors at right angles", own=True
                 ),
-                Wrong(2, "the number is not 2"),
+                Wrong(2, "the determinant of unit vectors at right angles is 1 or −1, nothing else", own=True),
                 Wrong([-1, 1], "one number, not 2"),
                 Wrong(
                     3,

@@ -252,7 +252,7 @@ LESSON = Lesson(
                 beside=(
                     "Y_e + Z_e = [1, 0, 1]",
                     "Z_e - Y_e = [1, 0, -1]",
-                    r"\frac{Y_e + Z_e}{\sqrt{2}} = [1/\sqrt{2}, 0, 1/\sqrt{2}]",
+                    r"(Y_e + Z_e)/\sqrt{2} = [1/\sqrt{2}, 0, 1/\sqrt{2}]",
                     "X_e + Z_e = [1, 1, 0]",
                     "X_e + Y_e = [0, 1, 1]",
                     "X_e - Y_e = [0, 1, -1]",
@@ -372,6 +372,7 @@ LESSON = Lesson(
                 steps=("s_x = 0.768", "s_y = 0.576", "s_z = -0.28", "-s_z", r"\sqrt{(s_x^2 + s_y^2)}", "s_y/s_x"),
                 beside=(
                     "s = [0.768, 0.576, -0.28]",
+                    r"[, \sqrt{(1 + s_z^2)},]",
                     r"\sqrt{(1 - s_x^2)}",
                     r"\sqrt{(1 - s_y^2)}",
                     "s_y/s_z",
