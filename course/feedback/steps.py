@@ -82,7 +82,11 @@ class Steps:
     @cached_property
     def last(self) -> tuple[str, ...]:
         """The lines of what is asked; "" where there is nothing to reckon."""
-        return tuple("" if equation_of(text).is_given else text for text in self.lines[-self.asked :]) if self.lines else ()
+        return (
+            tuple("" if equation_of(text).is_given else text for text in self.lines[-self.asked :])
+            if self.lines
+            else ()
+        )
 
     @cached_property
     def shown(self) -> tuple[str, ...]:
