@@ -58,6 +58,8 @@ def _otherwise(node: n.Node) -> Iterator[n.Node]:
         yield replace(node, numerator=_ONE)
         yield replace(node, numerator=_ONE, denominator=n.Group(n.Product((node.numerator, node.denominator), ("⋅",))))
         yield from _as_far_as_the_first_term(node)
+    elif isinstance(node, n.Product):
+        yield from _without_brackets(node)
     elif is_trigonometric(node):
         yield from _other_angles(node)
 
@@ -68,6 +70,17 @@ def _without_root(under: n.Node) -> Iterator[n.Node]:
     total = bare(under)
     if isinstance(total, n.Sum) and all(isinstance(term, n.Power) for _, term in total.terms):
         yield n.Group(n.Sum(tuple((sign, term.base) for sign, term in total.terms if isinstance(term, n.Power))))
+
+
+def _without_brackets(node: n.Product) -> Iterator[n.Node]:
+    """Yield a product with the last factor's brackets left out, so that its first term alone is multiplied; and the sum of two factors."""
+    *others, last = node.factors
+    total = bare(last)
+    if isinstance(total, n.Sum) and len(total.terms) > 1:
+        (sign, first), *rest = total.terms
+        yield n.Group(n.Sum(((sign, replace(node, factors=(*others, first))), *rest)))
+    if len(others) == 1 and not any(map(is_trigonometric, n.walk(node))):
+        yield n.Group(n.Sum((("+", others[0]), ("+", last))))
 
 
 def _as_far_as_the_first_term(node: n.Quotient) -> Iterator[n.Node]:

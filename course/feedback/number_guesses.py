@@ -6,7 +6,7 @@ import operator
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
-from itertools import combinations, permutations
+from itertools import chain, combinations, permutations
 
 import numpy as np
 
@@ -46,6 +46,7 @@ class Asked:
         stated: numbers that the task's text gives.
         worked: how it follows from them; None where that is not known.
         beside: what others give instead.
+        further: the formulas among these, in which a slip may stand, too.
     """
 
     right: float
@@ -56,6 +57,7 @@ class Asked:
     stated: tuple[float, ...] = ()
     worked: Worked | None = None
     beside: tuple[Guess, ...] = ()
+    further: tuple[Worked, ...] = ()
 
     def guesses(self, given: float) -> Iterator[Guess]:
         """Yield what mistakes would give, the usual ones first."""
@@ -75,6 +77,7 @@ class Asked:
             yield from self.worked.parts()
             yield from self.worked.slips()
         yield from self._another()
+        yield from self._other_functions()
         if self.worked is not None:
             yield from self.worked.pairs()
             yield from () if is_soon else self._copied()
@@ -188,6 +191,14 @@ class Asked:
             yield Guess(value, partial(instead, label))
             yield Guess(-value, partial(instead, f"−{label}"))
 
+    def _other_functions(self) -> Iterator[Guess]:
+        """Yield sine and cosine of the angle whose tangent is asked."""
+        for name in _CIRCULAR if self.label.startswith("tan") else ():
+            words = partial(
+                _with_function, noted("this is the {function} of the angle: its tangent is asked"), _FUNCTIONS[name]
+            )
+            yield Guess(float(getattr(np, name)(np.arctan(self.right))), words)
+
     def _turned(self) -> Iterator[Guess]:
         """Yield an angle whole and half turns away, and in other units."""
         right = self.right
@@ -226,6 +237,10 @@ class Asked:
                 guess for guess in self.worked.rounded() if abs(guess.value - self.right) < _CLOSE * abs(self.right)
             )
 
+    def slips_beside(self) -> Iterator[Guess]:
+        """Yield what a formula that others take gives with one thing done otherwise."""
+        return chain.from_iterable(worked.slips() for worked in self.further)
+
     def doubled(self) -> Iterator[Guess]:
         """Yield the double, the half and the square, and what a turn more makes of a number that is no angle."""
         yield Guess(2 * self.right, lambda: look_up(TWICE))
@@ -243,6 +258,8 @@ class Asked:
             yield Guess(self.right - value, partial(written, _TOO_MUCH, name=label))
         for label, value in others.items():
             yield Guess(value**2, partial(written, noted("this is the square of {other}"), other=label))
+        for (one, a), (other, b) in permutations(others.items(), 2) if self.unit == "–" else ():
+            yield Guess(a / b, partial(instead, f"{one} / {other}"))
         if len(others) > 1:
             for (one, a), (other, b) in combinations(others.items(), 2):
                 for sign, joint, value in (("", "+", a + b), ("", "−", a - b), ("−", "+", b - a), ("−", "−", -a - b)):

@@ -31,6 +31,10 @@ _ALL = 1.0  # of them, where all that is told was written down by a task's autho
 _MOST_ASTRAY = 2  # things too many or too few: a larger number would be the answer itself
 _POWERS_OF_TEN = (100, 1000)
 _TENS = (_LARGEST_FACTOR, *_POWERS_OF_TEN)
+_OF_LENGTHS = {
+    100: noted("wrong by a factor of 100: is a length in centimetres?"),
+    1000: noted("wrong by a factor of 1000: is a length in millimetres?"),
+}
 _LONE_FACTORS = (2, 3, 4, *_TENS)  # of one number: seven comes by chance
 _NEAR = 2e-3  # of numbers that were rounded, where the mistake is sought
 _NEAR_SHORT = 1e-4  # of one that has many digits, where the right one has few
@@ -100,7 +104,7 @@ def number_slip(
     of_angles = [Guess(float(np.degrees(angle)), partial(instead, f"{plain_text(symbol_as_latex(name))} = {np.degrees(angle):g}°"))
                  for name, angle in way.angles.items() if abs(angle) > _SMALL_ANGLE] if unit in ("m", "m/s") else []  # fmt: skip
     asked = {
-        k: Asked(float(right[k]), labels[k], unit, others[k], known, tuple(stated), worked.get(k), (*near_by.of_one(k, given, wrong), *of_angles))
+        k: Asked(float(right[k]), labels[k], unit, others[k], known, tuple(stated), worked.get(k), (*near_by.of_one(k, given, wrong), *of_angles), near_by.formulas)
         for k in wrong
     }  # fmt: skip
     if whole := (
@@ -225,6 +229,9 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
         return
     if near(np.abs(given), np.abs(right)):
         yield look_up("the sign is wrong")
+    for factor, words in _OF_LENGTHS.items() if unit in OF_ANGLES else ():
+        if near(given * factor, right) or near(given, right * factor):
+            yield look_up(words)
     if (
         right.size > 1
         and not (right.size == 3 and near(np.linalg.norm(right), 1))  # a direction
@@ -387,6 +394,7 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
         or explained(given, right, asked.identities(), _MOST_TRUE)
         or explained(given, right, asked.alone(given), _ALL)
         or explained(given, right, asked.by_hand(), _ALL)
+        or explained(given, right, asked.slips_beside())
         or _factor_of_one(given, asked)
         or _of_reach(given, asked)
         or _by_size(asked, given, is_only)

@@ -10,7 +10,8 @@ from functools import cached_property, partial
 import numpy as np
 
 from armproof.course.feedback.guesses import Guess, instead, nearly
-from armproof.course.feedback.worked import LETTER, Worked
+from armproof.course.feedback.worked import IN_RADIANS, LETTER, Worked
+from armproof.models.language import look_up
 from armproof.verification.latex.plain import plain_text
 
 _NUMBER = re.compile(r"(-?\d+(?:\.\d+)?)(\^\\circ)?")
@@ -133,16 +134,31 @@ class Beside:
             for line in map(equation_of, self.lines):
                 if self._is_whole(line, given.size) and self._agree(line, given / times, range(given.size)):
                     return instead(shown + plain_text(line.name))
+                in_radians = Equation(line.name, line.latex.replace(r"^\circ", ""))
+                if (
+                    in_radians != line
+                    and self._is_whole(line, given.size)
+                    and self._agree(in_radians, given / times, range(given.size))
+                ):
+                    return instead(shown + plain_text(line.name)) + look_up("; ") + look_up(IN_RADIANS)
         return ""
 
     def of_one(self, place: int, given: np.ndarray, wrong: Sequence[int]) -> Iterator[Guess]:
         """Yield what one of the numbers may be instead; of a list with a name, where all that are wrong are its."""
         for line in map(equation_of, self.lines):
-            if self._is_whole(line, given.size) and not self._agree(line, given, wrong):
+            if self._is_whole(line, given.size) and not self._agree(
+                line, given, wrong if len(wrong) > 1 else range(given.size)
+            ):
                 continue
             latex = line.cells[place] if len(line.cells) == given.size > 1 else "" if line.cells else line.latex
             if latex and (line.name or not _NUMBER.fullmatch(latex)):
                 yield Guess(self._value(latex), partial(_told, line.name, latex, self.known))
+
+    @cached_property
+    def formulas(self) -> tuple[Worked, ...]:
+        """What stands there as a formula without a name."""
+        lines = map(equation_of, self.lines)
+        return tuple(Worked(line.latex, self.known) for line in lines if not (line.name or line.cells or line.is_given))
 
     def _is_whole(self, line: Equation, count: int) -> bool:
         return bool(line.name) and len(line.cells) == count and all(line.cells)

@@ -20,8 +20,8 @@ def changed_task(task: Task, change: Change) -> Task:
     derivation = replace(task.derivation, lines=lines)
     asks = _asked(task.asks, change)
     words = change(task.title), change(task.text)
-    same = task.own, task.numbers, task.usual, task.printed
-    return Task(task.name, *words, asks, hints, task.right, wrong, derivation, *same)
+    seeded = {"own": task.own, "numbers": task.numbers, "usual": task.usual, "printed": task.printed}
+    return Task(task.name, *words, asks, hints, task.right, wrong, derivation, **seeded)
 
 
 def _asked(asks: Any, change: Change) -> Any:

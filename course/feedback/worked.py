@@ -40,14 +40,15 @@ _SPELLINGS = (
 IN_RADIANS = noted("an angle in degrees is taken as radians")
 _EITHER = noted("this is {one} or {other}, which are the same here")
 _CARRIED = noted("a one that is carried over or borrowed is lost")
-_OFF_BY_ONE = noted("one digit is off by one: a slip in adding up")
+_OFF_BY_ONE = noted("one digit is off by one: a slip in the reckoning")
 _EARLY = noted("rounded too early: {short:g} in place of {part}")
 _ONES = (0.01, 0.1, 1, 10)  # that are carried over
 _DECIMALS = 6
 _AWAY = 0.1  # at most, of a given value and of another one
-_PLACES = (2, 1)  # decimals that are left of a number on the way
+_PLACES = (2, 1, 0)  # decimals that are left of a number on the way
 _STEPS = 12  # of the secant
 _SMALL = 1e-9
+_NEAR = 1e-5  # of a number that is reckoned with the digits that are written
 _MOST_APART = 3  # times, of a given value and of another given one that is told in its place
 _MOST_FREE = 2  # of any other
 
@@ -206,7 +207,7 @@ class Worked:
         yield from self._told(self._twice())
 
     def miscarried(self) -> Iterator[Guess]:
-        """Yield the sum with a one that is carried over, or borrowed, left out; and with one digit off by one."""
+        """Yield the sum with a one that is carried over, or borrowed, left out; and any number with its first decimal off by one."""
         total = bare(self._tree)
         terms = (
             [(1 if sign == "+" else -1) * self._value(term) for sign, term in total.terms]
@@ -218,7 +219,7 @@ class Worked:
             carried = one * np.floor(round(over, _DECIMALS))
             if carried:
                 yield Guess(self.value - carried, lambda: look_up(_CARRIED), is_exact=True)
-        for one in (0.1, -0.1) if terms else ():
+        for one in (0.1, -0.1):
             yield Guess(self.value + one, lambda: look_up(_OFF_BY_ONE), is_exact=True)
 
     def _told(self, trees: Iterable[n.Node]) -> Iterator[Guess]:
@@ -263,7 +264,8 @@ class Worked:
         """Yield what it gives with one of its parts rounded, or cut off, before it is used."""
         for node in n.walk(self._tree):
             value = self._value(node)
-            for places in _PLACES if node is not self._tree and np.isfinite(value) else ():
+            is_reckoned = node is not self._tree and not isinstance(bare(node), n.Name | n.Number)
+            for places in _PLACES if is_reckoned and np.isfinite(value) else ():
                 for short in (round(value, places), float(np.trunc(value * 10**places) / 10**places)):
                     if short and abs(short - value) > _SMALL:
                         other = self._value(n.substitute(self._tree, node, number_node(short)))
@@ -286,8 +288,13 @@ class Worked:
             ratio = value / self._value(leaf)
             shown, own = f"{value:.4g}", f"{self._value(leaf):.4g}"
             most = _MOST_APART if shown in values else _MOST_FREE
-            if 1 / most < ratio < most and shown != own and len(shown) <= len(own):
-                found.append((shown not in values, len(shown), abs(ratio - 1), value, self._shown(leaf)))
+            if len(shown) > len(own):
+                shown = f"{value:.{len(own.partition('.')[2])}f}"
+            if not 1 / most < ratio < most or shown == own or len(shown) > len(own):
+                continue
+            off = abs(self._value(n.substitute(self._tree, leaf, number_node(float(shown)))) - given)
+            if off < _SMALL or (off < _NEAR * abs(given) * 10 and (shown in values or _is_misread(shown, own))):
+                found.append((shown not in values, len(shown), abs(ratio - 1), float(shown), self._shown(leaf)))
         if not found:
             return ""
         *_, value, name = min(found)
@@ -303,7 +310,7 @@ class Worked:
         other, below = 1.1 * one or 0.1, self.value - given
         for _ in range(_STEPS):
             here = off(other)
-            if abs(here) < _SMALL * abs(given) + _SMALL:
+            if abs(here) < _NEAR * abs(given) + _SMALL:
                 return other
             if here == below or not np.isfinite(here):
                 return 0.0
@@ -358,6 +365,11 @@ class Worked:
     @cached_property
     def _evaluate(self) -> Callable[[n.Node], np.ndarray | None]:
         return self._claim.evaluated_over({name: np.array([value]) for name, value in self.known.items()})
+
+
+def _is_misread(shown: str, own: str) -> bool:
+    """Whether a number has one digit otherwise than another one, or lacks the last ones."""
+    return own.startswith(shown) or (len(shown) == len(own) and sum(map(str.__ne__, shown, own)) == 1)
 
 
 def _written(leaf: n.Name | n.Number) -> str:

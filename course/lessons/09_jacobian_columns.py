@@ -96,7 +96,7 @@ lesson.antisymmetric.check(S)
 # %% [markdown]
 # ## Two kinds of joints
 #
-# A body turns about z at 3 rad/s. Which velocity has its point $[0.3, 0.4, 0.7]^T$?
+# A body turns about z at 3 rad/s. Which velocity has its point $[0.3, 0.4, 0.65]^T$?
 
 # %%
 ### BEGIN SOLUTION
@@ -133,7 +133,7 @@ z_1 = r"\begin{bmatrix} S_1 \\ -C_1 \\ 0 \end{bmatrix}"
 lesson.axes.check(z_1)
 
 # %% [markdown]
-# And $z_2$ of the planar 3R arm, at $\theta_1 = 40°$, $\theta_2 = 70°$?
+# And $z_2$ of the planar 3R arm, at $\theta_1 = 40°$, $\theta_2 = 75°$?
 
 # %%
 sketch(load_arm("planar_3r"), table=False)

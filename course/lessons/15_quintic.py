@@ -235,11 +235,11 @@ lesson.quicker.check(factors)
 # %% [markdown]
 # ## An arm that you have not seen
 #
-# A ram goes out by 0.5 m in 2.5 s on a quintic that starts and ends at rest. How fast is it at its peak (m/s)?
+# A ram goes out by 0.4 m in 5 s on a quintic that starts and ends at rest. How fast is it at its peak (m/s)?
 
 # %%
 ### BEGIN SOLUTION
-peak = 0.375
+peak = 0.15
 ### END SOLUTION
 lesson.transfer.check(peak)
 

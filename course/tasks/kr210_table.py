@@ -539,6 +539,7 @@ LESSON = Lesson(
                 ),
                 Wrong([1, -1], "two equal columns take away one direction, not all", own=True),
                 Wrong([0, -1], "a determinant of zero takes away one direction, not all", own=True),
+                Wrong([5, 0.5], "joint 6 turns backwards, and undoes all of it", own=True),
                 Wrong([5, -2], "joint 6 turns back as fast as joint 4 forward, not twice as fast", own=True),
                 Wrong([5, 2], "backwards, and as fast as joint 4: not twice as fast", own=True),
                 Wrong([5, -0.5], "the axes are one line: joint 6 has to undo all of it, not half", own=True),

@@ -33,6 +33,9 @@ RATE = Number(2.0, "rad/s")
 COLUMN = Number(0.81, "m", known={"a": 0.45, "b": 0.36}, steps=("a + b",))
 ALONG = Number((0.0, 2.0), "m", ("x", "y"), steps=(r"\theta = 90^\circ", r"2 \cos\theta", r"2 \sin\theta"))
 HYPOTENUSE = Number(0.87, "m", known={"a": 0.45, "b": 0.42}, steps=("a + b",), beside=(r"\sqrt{(a^2 + b^2)}",))
+SPEED = Number(
+    0.5, "m/s", known={"a": 0.145, "b": 0.105}, steps=("r = a + b", r"2 \cdot r"), beside=(r"2 \cdot (a - b)",)
+)
 QUARTER = Number(2.0, "m", steps=(r"\theta = 90^\circ", r"2 \sin\theta"))
 ROUND = Number(2 * np.pi, "m", steps=(r"2 \pi",))
 HEIGHT = Number(1.946, "m", ("z",))
@@ -52,9 +55,9 @@ ANGLES = Number((0.64, -1.57, -0.93), "rad", ("θ_1", "θ_2", "θ_4"), steps=(""
         (SUM, [1.0, 0], "this is 2 · 0.5 alone"),
         (SUM, [0.2, 0], "this is -1 · 0.3 + 0.5"),
         (REACH, [0.05, 0.3], "this is a alone"),
-        (REACH, [0.05, 0.45], "one digit is off by one: a slip in adding up"),
+        (REACH, [0.05, 0.45], "one digit is off by one: a slip in the reckoning"),
         (REACH, [0.15, 0.55], "a one that is carried over or borrowed is lost"),
-        (SHOULDER, 0.65, "one digit is off by one: a slip in adding up"),
+        (SHOULDER, 0.65, "one digit is off by one: a slip in the reckoning"),
         (COLUMN, 0.63, "it would be right with 0.27 in place of a"),
         (COLUMN, 0.71, "a one that is carried over or borrowed is lost"),
         (ROOT, 0.84, "this is (0.48 + 0.36)"),
@@ -72,6 +75,12 @@ ANGLES = Number((0.64, -1.57, -0.93), "rad", ("θ_1", "θ_2", "θ_4"), steps=(""
         (HYPOTENUSE, 0.615, "this is √(a^2 + b^2)"),
         (HYPOTENUSE, 0.614, "too small"),
         (QUARTER, 90, "this is θ = 90°"),
+        (PEAK, 0.4688, "it would be right with 0.5 in place of 0.4"),
+        (PEAK, 0.3949, "too large by less than a tenth"),
+        (SPEED, 0.395, "this is (2 · a + b)"),
+        (SPEED, 2.25, "this is (2 + (a + b))"),
+        (TRIPLE, [0.8, 0.6, 0.44], "tan φ is not 0.44"),
+        (RATE, 0.02, "is a length in centimetres?"),
         (REACH, [0.05, 0.05], "this is a - b"),
         (REACH, [0.05, 0.5], "far is not 0.5: this is 2 b"),
         (ACROSS, 0.55, "this is a + b"),
