@@ -333,7 +333,7 @@ def _are_all_rounded(given: np.ndarray, right: np.ndarray) -> bool:
     """Whether several numbers, none of them whole, are the right ones cut off or rounded behind the first or second decimal."""
     off = ~np.isclose(given, right, rtol=_TOLERANCE)
     short = (cut(right * 10**places) / 10**places for places in (1, 2) for cut in (_rounded, np.trunc))
-    return np.count_nonzero(off) > 1 and any(near(given, each) and each[off].all() for each in short)
+    return int(np.count_nonzero(off)) > 1 and any(bool(near(given, each) and each[off].all()) for each in short)
 
 
 def _rounded(numbers: np.ndarray) -> np.ndarray:

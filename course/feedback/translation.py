@@ -20,8 +20,9 @@ def changed_task(task: Task, change: Change) -> Task:
     derivation = replace(task.derivation, lines=lines)
     asks = _asked(task.asks, change)
     words = change(task.title), change(task.text)
-    seeded = {"own": task.own, "numbers": task.numbers, "usual": task.usual, "printed": task.printed}
-    return Task(task.name, *words, asks, hints, task.right, wrong, derivation, **seeded)
+    return Task(
+        task.name, *words, asks, hints, task.right, wrong, derivation, task.own, task.numbers, task.usual, task.printed
+    )
 
 
 def _asked(asks: Any, change: Change) -> Any:

@@ -11,7 +11,7 @@ from itertools import combinations
 import numpy as np
 
 from armproof.course.feedback.claim import Claim
-from armproof.course.feedback.guesses import Guess, alone, instead
+from armproof.course.feedback.guesses import Guess, alone, instead, nearly
 from armproof.course.feedback.miscalculated import (
     done_otherwise,
     done_twice,
@@ -292,8 +292,9 @@ class Worked:
                 shown = f"{value:.{len(own.partition('.')[2])}f}"
             if not 1 / most < ratio < most or shown == own or len(shown) > len(own):
                 continue
-            off = abs(self._value(n.substitute(self._tree, leaf, number_node(float(shown)))) - given)
-            if off < _SMALL or (off < _NEAR * abs(given) * 10 and (shown in values or _is_misread(shown, own))):
+            made = self._value(n.substitute(self._tree, leaf, number_node(float(shown))))
+            is_likely = shown in values or _is_misread(shown, own)
+            if abs(made - given) < _SMALL or (is_likely and nearly(given, made)):
                 found.append((shown not in values, len(shown), abs(ratio - 1), float(shown), self._shown(leaf)))
         if not found:
             return ""
