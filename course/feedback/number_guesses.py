@@ -170,9 +170,9 @@ class Asked:
         part = self.worked.share_of(name)
         if abs(part) < _NOTHING:
             return (_TOO_MUCH, value), (_TOO_MUCH, -value)
-        if abs(abs(part) - abs(value)) < _NOTHING:
-            return (_MISSING, -part), (_TWICE, part)
-        return ()
+        if abs(self.worked.with_values({name: 2 * value}) - self.right - part) > _NOTHING:
+            return ()
+        return (_MISSING, -part), (_TWICE, part)
 
     def _of_sums(self, known: Mapping[str, float]) -> Iterator[Guess]:
         """Yield the sums of three and of four given values."""
@@ -229,13 +229,15 @@ class Asked:
                 turn * np.pi / 2 - right, lambda: look_up("this is the complement: the angle to the other axis")
             )
 
-    def by_hand(self) -> Iterator[Guess]:
-        """Yield what slips of the reckoning give: a one that is not carried over, a part that is rounded on the way."""
+    def by_hand(self, given: float) -> Iterator[Guess]:
+        """Yield what slips of the reckoning give: digits that are not written, carried over, kept on the way, or read right."""
+        yield from shortened(given, self.right)
         if self.worked is not None:
             yield from self.worked.miscarried()
             yield from (
-                guess for guess in self.worked.rounded() if abs(guess.value - self.right) < _CLOSE * abs(self.right)
+                each for each in self.worked.rounded() if abs(each.value - self.right) < _CLOSE * abs(self.right)
             )
+            yield from self.worked.off_by_one()
 
     def slips_beside(self) -> Iterator[Guess]:
         """Yield what a formula that others take gives with one thing done otherwise."""

@@ -202,12 +202,11 @@ class Worked:
         return self._told(self._taken())
 
     def long_shots(self) -> Iterator[Guess]:
-        """Yield what it gives with a part rounded before it is used, and with two things done otherwise."""
-        yield from self.rounded()
-        yield from self._told(self._twice())
+        """Yield what it gives with two things done otherwise."""
+        return self._told(self._twice())
 
     def miscarried(self) -> Iterator[Guess]:
-        """Yield the sum with a one that is carried over, or borrowed, left out; and any number with its first decimal off by one."""
+        """Yield the sum with a one that is carried over, or borrowed, left out."""
         total = bare(self._tree)
         terms = (
             [(1 if sign == "+" else -1) * self._value(term) for sign, term in total.terms]
@@ -219,7 +218,10 @@ class Worked:
             carried = one * np.floor(round(over, _DECIMALS))
             if carried:
                 yield Guess(self.value - carried, lambda: look_up(_CARRIED), is_exact=True)
-        for one in (0.1, -0.1):
+
+    def off_by_one(self) -> Iterator[Guess]:
+        """Yield the number with its first or second decimal off by one."""
+        for one in (0.1, -0.1, 0.01, -0.01):
             yield Guess(self.value + one, lambda: look_up(_OFF_BY_ONE), is_exact=True)
 
     def _told(self, trees: Iterable[n.Node]) -> Iterator[Guess]:
@@ -267,7 +269,8 @@ class Worked:
             is_reckoned = node is not self._tree and not isinstance(bare(node), n.Name | n.Number)
             for places in _PLACES if is_reckoned and np.isfinite(value) else ():
                 for short in (round(value, places), float(np.trunc(value * 10**places) / 10**places)):
-                    if short and abs(short - value) > _SMALL:
+                    has_digits = abs(short) >= 10 ** (1 - places) or not places
+                    if short and has_digits and abs(short - value) > _SMALL:
                         other = self._value(n.substitute(self._tree, node, number_node(short)))
                         yield Guess(other, partial(self._rounded_early, node, short))
 

@@ -133,7 +133,7 @@ z_1 = r"\begin{bmatrix} S_1 \\ -C_1 \\ 0 \end{bmatrix}"
 lesson.axes.check(z_1)
 
 # %% [markdown]
-# And $z_2$ of the planar 3R arm, at $\theta_1 = 40°$, $\theta_2 = 75°$?
+# And $z_2$ of the planar 3R arm, at $\theta_1 = 40°$, $\theta_2 = 72°$?
 
 # %%
 sketch(load_arm("planar_3r"), table=False)

@@ -749,6 +749,7 @@ LESSON = Lesson(
                     "0.4/5^2",
                     r"3/2 \cdot 0.4/5",
                     r"3/2 \cdot 0.4",
+                    r"3/2 \cdot 0.4/5^2",
                     r"10/\sqrt{3} \cdot 0.4",
                     r"\pi/2 \cdot 0.4/5",
                     r"15/8 \cdot 0.4/5^2",
