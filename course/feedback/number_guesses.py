@@ -234,10 +234,13 @@ class Asked:
         yield from shortened(given, self.right)
         if self.worked is not None:
             yield from self.worked.miscarried()
-            yield from (
-                each for each in self.worked.rounded() if abs(each.value - self.right) < _CLOSE * abs(self.right)
-            )
+            yield from self._rounded(True)
             yield from self.worked.off_by_one()
+            yield from self._rounded(False)
+
+    def _rounded(self, is_of_the_rule: bool) -> Iterator[Guess]:
+        found = self.worked.rounded(is_of_the_rule) if self.worked is not None else ()
+        yield from (guess for guess in found if abs(guess.value - self.right) < _CLOSE * abs(self.right))
 
     def slips_beside(self) -> Iterator[Guess]:
         """Yield what a formula that others take gives with one thing done otherwise."""

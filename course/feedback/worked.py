@@ -262,11 +262,21 @@ class Worked:
         yield from self.parts()
         yield from self._told(edit.node for edit in dropping_edits(self._tree, Letters()))
 
-    def rounded(self) -> Iterator[Guess]:
-        """Yield what it gives with one of its parts rounded, or cut off, before it is used."""
+    def rounded(self, is_of_the_rule: bool) -> Iterator[Guess]:
+        """Yield what it gives with a part rounded, or cut off, before it is used: a part of the rule, as 15/8, or one of given values; no angle."""
+        angles = {
+            id(part)
+            for node in n.walk(self._tree)
+            if is_trigonometric(node)
+            for part in n.walk(node)
+            if part is not node
+        }
         for node in n.walk(self._tree):
             value = self._value(node)
-            is_reckoned = node is not self._tree and not isinstance(bare(node), n.Name | n.Number)
+            is_reckoned = (
+                node is not self._tree and id(node) not in angles and not isinstance(bare(node), n.Name | n.Number)
+            )
+            is_reckoned &= is_of_the_rule is not any(leaf in self._given for leaf in leaves_of(node))
             for places in _PLACES if is_reckoned and np.isfinite(value) else ():
                 for short in (round(value, places), float(np.trunc(value * 10**places) / 10**places)):
                     has_digits = abs(short) >= 10 ** (1 - places) or not places

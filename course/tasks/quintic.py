@@ -709,6 +709,7 @@ LESSON = Lesson(
                 Wrong((1 / 3, 1 / 9), "a shorter motion is faster, not slower", own=True),
                 Wrong((9, 3), "the other way round: speed first", own=True),
                 Wrong((9, 9), "the factor of the speed is not 9"),
+                Wrong((2, 4), "this is for half the time: a third of it is asked", own=True),
                 Wrong((3, 27), "that is the factor of the jerk", own=True),
                 Wrong((1, 9), "the same way in a third of the time: the speed grows as well", own=True),
                 Wrong(

@@ -185,7 +185,7 @@ def _predict(a_3=0.45, d_3=0.42):
                 "y = 0",
                 r"z = a_3 \sin\theta_2 + d_3 \cos(\theta_2 + \theta_3)",
             ),
-            beside=(r"\sqrt{(a_3^2 + d_3^2)}", "(a_3 + d_3) y_0 = [0, a_3 + d_3, 0]"),
+            beside=(r"\sqrt{(a_3^2 + d_3^2)}", "a_3 d_3", "(a_3 + d_3) y_0 = [0, a_3 + d_3, 0]"),
         ),
         hints=(
             "Start from the figure and turn the shoulder by 90°: where is the elbow now?",

@@ -90,6 +90,22 @@ def test_a_teacher_reproduces_the_numbers_of_a_seed() -> None:
     assert "$a_1 = 0.365$" in french.text
 
 
+def test_the_printed_numbers_are_told_to_be_others_than_ones_own() -> None:
+    usual = open_lesson("scara_jacobian").prediction
+    task = open_lesson("scara_jacobian", seed="Ana").prediction
+    assert "right with the numbers that the lesson prints" in task.check(usual.right[0]).message
+    assert "the lesson prints" not in task.check([0, 0.7, 0]).message
+    assert (
+        "leçon imprime" in open_lesson("scara_jacobian", lang="fr", seed="Ana").prediction.check(usual.right[0]).message
+    )
+
+
+def test_a_known_wrong_number_is_none_that_is_right_where_that_one_is_wrong() -> None:
+    merged = open_lesson("kr210_table").merged
+    assert "rounded to too few digits" in merged.check([0.75, 1.5, 0.3]).message
+    assert "oblique" in merged.check([0.75, 1.501, 0.303]).message
+
+
 def test_each_seed_has_an_arm_of_the_family() -> None:
     arms = {str(seeded("own_frames", "transfer", seed).asks.scheme.spec) for seed in SEEDS}  # type: ignore[attr-defined]
     assert len(arms) >= 6

@@ -36,6 +36,7 @@ HYPOTENUSE = Number(0.87, "m", known={"a": 0.45, "b": 0.42}, steps=("a + b",), b
 SPEED = Number(
     0.5, "m/s", known={"a": 0.145, "b": 0.105}, steps=("r = a + b", r"2 \cdot r"), beside=(r"2 \cdot (a - b)",)
 )
+FOLDED = Number(0.15, "m", known={"a": 0.4, "b": 0.25}, steps=(r"\theta = 270^\circ", r"a + b \sin\theta"))
 QUARTER = Number(2.0, "m", steps=(r"\theta = 90^\circ", r"2 \sin\theta"))
 ROUND = Number(2 * np.pi, "m", steps=(r"2 \pi",))
 HEIGHT = Number(1.946, "m", ("z",))
@@ -66,6 +67,7 @@ ANGLES = Number((0.64, -1.57, -0.93), "rad", ("θ_1", "θ_2", "θ_4"), steps=(""
         (PEAK, 1.5, "this is 15/8 · 0.4 · 2"),
         (PEAK, 0.36, "rounded too early: 1.8 in place of 15/8"),
         (PEAK, 0.37, "cut off"),
+        (FOLDED, 0.16, "one digit is off by one"),
         (ALONG, [2.0, 2.0], "x is not 2: this is 2 sin θ or 2, which are the same here"),
         (TIPS, [0.3, 0.9], "rounded to too few digits"),
         (TIPS, [0.2, 0.8], "rounded to too few digits"),
