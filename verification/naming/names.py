@@ -19,6 +19,7 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import NUMBERS, one_of
 from armproof.verification.latex.reader import Reader
+from armproof.verification.naming.conventions import conventional
 from armproof.verification.naming.quantities import implied_quantity, numbered_frames, tells_frame, transform_pair
 from armproof.verification.naming.state import Definition, DocumentState, undecided
 
@@ -255,6 +256,10 @@ class Names:
     def has_tool(self) -> bool:
         """Whether the arm has a frame behind its last numbered one."""
         return self.arm is not None and self.arm.frames[-1] != numbered_frames(self.arm)[-1]
+
+    def usual(self, name: n.Name) -> tuple[Quantity, ...]:
+        """Return what a name may stand for by convention, the likelier first."""
+        return conventional(name, self.arm, self.transforms, self.reader.spelling.normals) if self.arm else ()
 
     def is_free(self, name: n.Name) -> bool:
         """Whether an unbound name is a free scalar: in a document of general statements, a letter with indices."""
