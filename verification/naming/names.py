@@ -28,6 +28,7 @@ OF_SCREWS = re.compile(r"[LHWD](?:_\d)?")  # lengths beside twists, and what are
 NO_NUMBERS = frozenset("g p v omega xi".split())
 OF_JOINTS = r"(?:[tT]heta|q|(?:theta|q|d)_\d(?:,(?:theta|q|d)_\d)*)\)"
 COMPONENT = re.compile(r"[xyz]|\w+,[xyz]")
+MOVES = frozenset("RT")  # along or about the axis that stands below: R_x R_z is not R_z R_x
 
 
 @once_per_arm  # asked for at every name of a tree
@@ -265,7 +266,7 @@ class Names:
         """Whether an unbound name is a free scalar: in a document of general statements, a letter with indices."""
         if self.arm is not None or name.pre_sub or name.pre_sup:
             return False
-        component = len(name.base) == 1 and bool(COMPONENT.fullmatch(name.sub))
+        component = len(name.base) == 1 and name.base not in MOVES and bool(COMPONENT.fullmatch(name.sub))
         component = component or (name.base == "L" and name.sub.isdigit())  # a link's length; L alone is much else
         if self.reader.spelling.screws and (name.base in NO_NUMBERS or OF_SCREWS.fullmatch(name.key)):
             return name.base not in NO_NUMBERS
