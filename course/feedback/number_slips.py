@@ -109,7 +109,7 @@ def number_slip(
     }  # fmt: skip
     if whole := (
         near_by.of_all(given)
-        or next(_whole(given, right, unit), "")
+        or next(_whole(given, right, unit, bool(worked)), "")
         or _of_another_value(given, right, worked, way.angles)
         or ("" if any(_carried(asked[k], own[labels[k]], own) for k in wrong) else _reordered(given, right, labels))
         or _reordered_with_signs(given, right, asked)
@@ -219,7 +219,7 @@ def letters_of(values: Mapping[str, float]) -> dict[str, float]:
     return {name: value for name, value in spelt.items() if LETTER.fullmatch(name)}
 
 
-def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
+def _whole(given: np.ndarray, right: np.ndarray, unit: str, is_reckoned: bool) -> Iterator[str]:
     """Yield what explains all wrong numbers at once."""
     wrong = wrong_numbers(given, right)
     if all(map(_is_rounded, given.tolist(), right.tolist())):
@@ -229,7 +229,7 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
         return
     if near(np.abs(given), np.abs(right)):
         yield look_up("the sign is wrong")
-    for factor, words in _OF_LENGTHS.items() if unit in OF_ANGLES else ():
+    for factor, words in _OF_LENGTHS.items() if unit == "rad/s" and is_reckoned else ():
         if near(given * factor, right) or near(given, right * factor):
             yield look_up(words)
     if (

@@ -30,6 +30,7 @@ STACK = Number(1.946, "m", known={"a": 1.25, "b": 0.25, "d": 0.33, "e": 0.054, "
 TIPS = Number((0.25, 0.85), "m", ("near", "far"), {"a": 0.25, "b": 0.3}, (1.0,), ("a", "a + 2 b"))
 RATES = Number((0.2, 0.7), "m/s", ("v", "w"), steps=(r"-1 \cdot (-0.4) + 2 \cdot (-0.1)", ""))
 RATE = Number(2.0, "rad/s")
+POLAR = Number(2.0, "rad/s", known={"r": 0.05}, steps=("0.1/r",))
 COLUMN = Number(0.81, "m", known={"a": 0.45, "b": 0.36}, steps=("a + b",))
 ALONG = Number((0.0, 2.0), "m", ("x", "y"), steps=(r"\theta = 90^\circ", r"2 \cos\theta", r"2 \sin\theta"))
 HYPOTENUSE = Number(0.87, "m", known={"a": 0.45, "b": 0.42}, steps=("a + b",), beside=(r"\sqrt{(a^2 + b^2)}",))
@@ -82,7 +83,8 @@ ANGLES = Number((0.64, -1.57, -0.93), "rad", ("θ_1", "θ_2", "θ_4"), steps=(""
         (SPEED, 0.395, "this is (2 · a + b)"),
         (SPEED, 2.25, "this is (2 + (a + b))"),
         (TRIPLE, [0.8, 0.6, 0.44], "tan φ is not 0.44"),
-        (RATE, 0.02, "is a length in centimetres?"),
+        (POLAR, 0.02, "is a length in centimetres?"),
+        (RATE, 0.02, "wrong by a factor of 100"),
         (REACH, [0.05, 0.05], "this is a - b"),
         (REACH, [0.05, 0.5], "far is not 0.5: this is 2 b"),
         (ACROSS, 0.55, "this is a + b"),
