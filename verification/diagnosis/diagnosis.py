@@ -14,19 +14,20 @@ from armproof.verification.algebra.written import write_bounded
 from armproof.verification.diagnosis.carried_errors import consequence_of
 from armproof.verification.diagnosis.mend import LearntNotation, Mender
 from armproof.verification.diagnosis.slips import swapped_lengths
-from armproof.verification.diagnosis.slips_before import slip_before
+from armproof.verification.diagnosis.slips_before import nothing_else_mends, slip_before
 from armproof.verification.diagnosis.whole_matrix import swapped_cells, whole_matrix
 from armproof.verification.equations.alignment import Pair, equal_matrices, exactly_equal
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
+from armproof.verification.errors import TooComplex
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, is_number
 from armproof.verification.latex.writer import Notation
 from armproof.verification.naming.state import PrintedError
-from armproof.verification.verdict import Record, SlipBefore, WrongEntry
+from armproof.verification.verdict import Record, SlipBefore, Verdict, WrongEntry
 
 if TYPE_CHECKING:
     from armproof.verification.diagnosis.by_samples import BySamples
@@ -86,7 +87,14 @@ class Diagnostician:
             each for each in entries if each is not None and each.kind not in (Kind.MISSING_TERM, Kind.WRONG_NUMBER)
         ]
         found = slip_before(self.checker, self.learnt, outcome, again)
-        return found and replace(found, has_rival=len(entries) == len(told) == 1)
+        if found is None or len(entries) == len(told) == 1:
+            return found and replace(found, has_rival=True)
+        if outcome.verdict is not Verdict.REFUTED:
+            return found
+        try:
+            return replace(found, is_only=nothing_else_mends(self.checker, self.learnt, outcome, found, again))
+        except TooComplex:
+            return found
 
     def slip_as_usual(self, latex: str, outcome: Outcome) -> list[WrongEntry]:
         """Return the entry that one slip mends of an equation which is left open, if its names mean what they usually do."""

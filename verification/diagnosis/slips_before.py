@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from fractions import Fraction
-from itertools import chain, islice
+from itertools import chain, islice, permutations
 
 from armproof.verification.algebra.matrix import Matrix, as_matrix
 from armproof.verification.algebra.ring import Scalar
@@ -21,9 +21,10 @@ from armproof.verification.latex.nodes import bare_key, is_number
 from armproof.verification.latex.writer import SWAPPED, Notation, Writer
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Definition
-from armproof.verification.verdict import SlipBefore
+from armproof.verification.verdict import HOLDS, SlipBefore
 
 MOST_EDITS = 250  # of one formula
+MOST_SAMPLED_EDITS = 60  # of a side of an equation that is decided on samples
 _OTHER = {Fraction(0): Fraction(1), Fraction(1): Fraction(0)}
 
 
@@ -41,7 +42,62 @@ def slip_before(
             continue
         if _holds_with(checker, key, definition, mended, outcome, again):
             return _slip(key, definition, finding, mended)
-    for key, line in sorted(outcome.uses - met.keys()):
+    return next(_mending(checker, learnt, outcome, again, outcome.uses - met.keys()), None)
+
+
+def nothing_else_mends(
+    checker: ChainChecker, learnt: LearntNotation, outcome: Outcome, found: SlipBefore, again: Callable[[], bool]
+) -> bool:
+    """Whether an equation that a slip in a definition of its own section mends holds with no slip in another one, and with none of its own."""
+    state = checker.names.state
+    if outcome.there or len(outcome.nodes) != 2 or state.definitions[found.name].section != state.section:
+        return False
+    others = {(key, line) for key, line in outcome.uses if key != found.name}
+    if _is_a_case(state.definitions[found.name].formula, found.formula) or any(
+        True for _ in _mending(checker, learnt, outcome, again, others)
+    ):
+        return False
+    around = [
+        *outcome.nodes,
+        *filter(None, (state.definitions[key].formula for key, _ in outcome.uses if key in state.definitions)),
+    ]
+    is_exact = outcome.pair is not None and not any(map(_has_branches, outcome.nodes))
+    for one, other in permutations(outcome.nodes):
+        for edit in islice(_edits(one, around, learnt.letters(one)), MOST_EDITS if is_exact else MOST_SAMPLED_EDITS):
+            checker.exact.budget.check()
+            if _holds_so(checker, edit.node, other) if is_exact else _is_confirmed(checker, edit.node, other):
+                return False
+    return True
+
+
+def _is_a_case(printed: n.Node | None, mended: object) -> bool:
+    """Whether a formula is another one without some of its letters: an equation about that case is no witness against it."""
+    assert printed is not None and isinstance(mended, n.Node)
+    return _keys(mended) < _keys(printed)
+
+
+def _is_confirmed(checker: ChainChecker, one: n.Node, other: n.Node) -> bool:
+    """Whether an equation that is decided on samples holds."""
+    with checker.names.state.unchanged():
+        tried = checker.check(n.Chain((one, other), ("=",)), 1, 0, define=False)
+    return bool(tried) and all(each.verdict in HOLDS for each in tried)
+
+
+def _holds_so(checker: ChainChecker, one: n.Node, other: n.Node) -> bool:
+    """Whether two formulas are equal as the definitions are."""
+    try:
+        sides = [checker.member(node) for node in (one, other)]
+        return all(side.known for side in sides) and _equal(*(as_matrix(side.value) for side in sides))
+    except EvaluationError:
+        return False
+
+
+def _mending(
+    checker: ChainChecker, learnt: LearntNotation, outcome: Outcome, again: Callable[[], bool], keys: Iterable[tuple[str, int]]
+) -> Iterator[SlipBefore]:  # fmt: skip
+    """Yield the slips in some definitions with which an equation holds."""
+    made = checker.names.state.definitions
+    for key, line in sorted(keys):
         definition = made.get(key)
         formula = definition.formula if definition is not None else None
         if definition is None or formula is None or names_alone(formula) or definition.line != line or line == 0:
@@ -54,8 +110,7 @@ def slip_before(
                 continue
             if _holds_with(checker, key, definition, edit.node, outcome, again):
                 checker.names.state.slips[key, line] = edit.finding, edit.node
-                return _slip(key, definition, edit.finding, edit.node)
-    return None
+                yield _slip(key, definition, edit.finding, edit.node)
 
 
 def _slip(key: str, definition: Definition, finding: Finding, formula: n.Node) -> SlipBefore:
@@ -209,10 +264,7 @@ def _holds_with(
         nodes = (*outcome.nodes, formula, *filter(None, others))
         if outcome.pair is None or outcome.there or any(map(_has_branches, nodes)):
             return again()
-        one, other = (checker.member(node) for node in outcome.nodes)
-        return one.known and other.known and _equal(as_matrix(one.value), as_matrix(other.value))
-    except EvaluationError:
-        return False
+        return _holds_so(checker, *outcome.nodes)
     finally:
         state.definitions[key] = definition  # the dictionary may be another one: what is tried puts a whole state back
 
