@@ -13,8 +13,8 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.algebra.written import write_bounded
 from armproof.verification.diagnosis.carried_errors import consequence_of
 from armproof.verification.diagnosis.mend import LearntNotation, Mender
-from armproof.verification.diagnosis.slips import swapped_lengths
-from armproof.verification.diagnosis.slips_before import nothing_else_mends, slip_before
+from armproof.verification.diagnosis.slips import plain_edits, swapped_lengths
+from armproof.verification.diagnosis.slips_before import nothing_else_mends, slip_before, written
 from armproof.verification.diagnosis.whole_matrix import swapped_cells, whole_matrix
 from armproof.verification.equations.alignment import Pair, equal_matrices, exactly_equal
 from armproof.verification.equations.chain import ChainChecker
@@ -96,17 +96,40 @@ class Diagnostician:
         except TooComplex:
             return found
 
-    def slip_as_usual(self, latex: str, outcome: Outcome) -> list[WrongEntry]:
-        """Return the entry that one slip mends of an equation which is left open, if its names mean what they usually do."""
+    def slip_as_usual(self, latex: str, outcome: Outcome, holds: Callable[[str], bool]) -> list[WrongEntry]:
+        """Return the entry that one slip mends of an equation which is left open, if its names mean what they usually do.
+
+        What `holds` decides of the display so mended counts where the text gives the values.
+        """
         usual, state = outcome.as_usual, self.checker.names.state
         if usual is None or len(usual.outcome.wrong) != 1 or None in (usual.outcome.pair, usual.outcome.printed):
             return []
+        doubted = usual.meanings.keys() & state.definitions.keys() if usual.outcome.there else ()
+        aside = {key: state.definitions.pop(key) for key in doubted}
         state.inferred |= usual.meanings
         try:
+            if usual.outcome.there:
+                return list(self._slips_there(latex, usual.outcome, holds))
             entries = self._on_either_side(latex, usual.outcome)[2]
         finally:
             state.forget_usual(usual.meanings)
+            state.definitions |= aside
         return [entry for entry in entries if entry.finding is not None]
+
+    def _slips_there(self, latex: str, outcome: Outcome, holds: Callable[[str], bool]) -> Iterator[WrongEntry]:
+        """Yield the sign or the function of which another one makes numbers right at the values that the text gives: 2 sin 30°."""
+        node = outcome.printed.node if outcome.printed is not None else None
+        if node is None or any(isinstance(below, n.Name) for below in n.walk(node)):
+            return
+        start, end = node.span
+        for edit in plain_edits(node, self.learnt.letters(node)):
+            self.checker.exact.budget.check()
+            correct = written(edit.node)
+            if holds(latex[:start] + correct + latex[end:]):
+                yield WrongEntry(
+                    outcome.equation, None, None, latex[start:end].strip(), correct, edit.finding, node.span
+                )
+                return
 
     def _printed_error(self, line: int, outcome: Outcome, entries: list[WrongEntry]) -> PrintedError | None:
         """Return the refuted equation as an error to remember, where it says something of a quantity or a name."""

@@ -114,7 +114,7 @@ def _mending(
 
 
 def _slip(key: str, definition: Definition, finding: Finding, formula: n.Node) -> SlipBefore:
-    texts = (_written(definition.formula), _written(formula)) if definition.formula is not None else ("", "")
+    texts = (written(definition.formula), written(formula)) if definition.formula is not None else ("", "")
     return SlipBefore(key, definition.line, finding, formula, False, *texts)
 
 
@@ -136,7 +136,7 @@ def _cells(formula: n.Node) -> Iterator[Edit]:
         if other is not None:
             changed = n.substitute(formula, cell, n.Number(other, str(other), span=cell.span))
             size = "small" if other else "large"
-            yield Edit(changed, "number", say(Kind.WRONG_NUMBER, number=_written(cell), size=size))
+            yield Edit(changed, "number", say(Kind.WRONG_NUMBER, number=written(cell), size=size))
         yield Edit(n.substitute(formula, cell, n.Sum((("-", n.Group(cell)),))), "sign", say(Kind.WRONG_SIGN))
 
 
@@ -150,7 +150,7 @@ def _with_a_term(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
     spoken = {b.key for node in (formula, *around) for b in n.walk(node) if isinstance(b, n.Name)}
     for term in (each for each in dict.fromkeys(pool) if _keys(each) <= spoken):
         for sign in "+-" if term not in own else "":
-            finding = say(Kind.MISSING_TERM, term=_written(n.Sum(((sign, term),))))
+            finding = say(Kind.MISSING_TERM, term=written(n.Sum(((sign, term),))))
             yield Edit(n.Sum((*terms, (sign, term)), span=formula.span), "term", finding)
 
 
@@ -186,7 +186,7 @@ def _with_an_angle(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
         for angle in sorted(pool - held if held else (), key=lambda each: each.key):
             terms = argument.terms if isinstance(argument, n.Sum) else (("+", argument),)
             longer = replace(call, arguments=(n.Sum((*terms, ("-", angle))),), style="macro()")
-            yield Edit(n.substitute(formula, call, longer), "index", say(Kind.MISSING_ANGLE, angle=_written(angle)))
+            yield Edit(n.substitute(formula, call, longer), "index", say(Kind.MISSING_ANGLE, angle=written(angle)))
 
 
 def _exchanged(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
@@ -200,7 +200,7 @@ def _exchanged(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
         )
         for other in (*pool, *still):
             if other != node and _is_like(node, other):
-                finding = say(Kind.WRONG_NAME, printed=_written(node), correct=_written(other))
+                finding = say(Kind.WRONG_NAME, printed=written(node), correct=written(other))
                 yield Edit(n.substitute(formula, node, replace(other, span=node.span)), "name", finding)
 
 
@@ -221,7 +221,7 @@ def _multiplied(formula: n.Node) -> Iterator[Edit]:
         for other in pool if _stands_alone(term) else ():
             if is_trigonometric(term) == is_trigonometric(other):
                 continue
-            finding = say(Kind.MISSING_FACTOR, factor=_written(other))
+            finding = say(Kind.MISSING_FACTOR, factor=written(other))
             yield Edit(n.substitute(formula, term, n.Product((term, other), ("",))), "factor", finding)
 
 
@@ -244,7 +244,8 @@ def names_alone(formula: n.Node) -> bool:
     return is_number(formula) or all(bare_key(cell) is not None for cell in cells)
 
 
-def _written(node: n.Node) -> str:
+def written(node: n.Node) -> str:
+    """Return a tree in plain LaTeX."""
     return Writer("", n.Number(Fraction(0), "0"), Notation()).write(node)
 
 
