@@ -18,7 +18,7 @@ from armproof.verification.equations.at_stated_values import is_mostly_right
 from armproof.verification.equations.case_conditions import check_cases
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.compositions import is_composition
-from armproof.verification.equations.differentials import is_of_rates, with_rates
+from armproof.verification.equations.differentials import is_of_rates, of_small_ones, with_rates
 from armproof.verification.equations.doubts import is_of_arm
 from armproof.verification.equations.each_joint import holds_for_each_joint, index_of, slip_of_law, with_inverses
 from armproof.verification.equations.elementary import axis_of_another_frame, is_elementary_rotation
@@ -394,6 +394,11 @@ class Claims:
     def _related(self, part: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         if part.relations[0] == "=":
             return self._clear_chain(part, equation, line, define)
+        if (small := of_small_ones(part, self.names)) is not None:
+            near = self._claimed(small, equation, line, False)
+            if all(each.verdict in DECIDED for each in near):
+                near[0].also(say(Kind.FIRST_ORDER))
+                return near
         return [check_relation(self.checker, part, equation)]
 
     def _claimed(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:

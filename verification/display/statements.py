@@ -25,6 +25,7 @@ from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import angle_without_unit
 from armproof.verification.equations.named_signs import unless_signs_clash
 from armproof.verification.equations.outcome import Outcome, with_role
+from armproof.verification.equations.polar import gives_meanings, polar_pair
 from armproof.verification.equations.series import unless_added, written_out
 from armproof.verification.equations.shorthands import digits_of, is_among
 from armproof.verification.findings import Finding, Kind, say
@@ -70,6 +71,11 @@ class _Display:
     def asked(self) -> list[n.Statement]:
         """The statements, with what is asked for as an equation."""
         return [asked(statement) for statement in self.statements]
+
+    @property
+    def has_next(self) -> bool:
+        """Whether a statement stands behind the one at hand."""
+        return self.index + 1 < len(self.statements)
 
     @cached_property
     def is_connected(self) -> bool:
@@ -189,9 +195,21 @@ class Statements:
         if implication is not None:
             self._take_implication(display, implication)
         elif isinstance(statement, n.Chain):
-            self._take_chain(display, statement)
+            if not self._take_pair(display):
+                self._take_chain(display, statement)
         else:
             display.index += 1
+
+    def _take_pair(self, display: _Display) -> bool:
+        """Take p_x = r cos φ, p_y = r sin φ, which give r and φ their meaning; False where no such pair stands next."""
+        pair = polar_pair(*display.statements[display.index : display.index + 2]) if display.has_next else None
+        if pair is None or not display.define:
+            return False
+        found = gives_meanings(self.checker, pair, display.equation, display.line)
+        display.outcomes.extend(found or ())
+        display.equation += 2 if found else 0
+        display.index += 2 if found else 0
+        return bool(found)
 
     def _take_chain(self, display: _Display, chain: n.Chain) -> None:
         statements, index = display.statements, display.index

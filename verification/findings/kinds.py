@@ -323,6 +323,7 @@ class Kind(MessageKind):
     INEQUALITY_HOLDS = "inequality_holds", "an inequality holds at every sample"
     INEQUALITY_FAILS = "inequality_fails", "the inequality fails at some configurations"
     APPROXIMATION = "approximation", "an approximation, to the decimals printed"
+    FIRST_ORDER = "first_order", "to first order, as it is of rates"
     HAS_VALUE_WHERE = "has_value_where", "the formula has a value where ${divisor}$ is not zero"
     PREMISE_DIFFERS = "premise_differs", "it follows, but what it follows from does not hold of the arm"
     FRAME_NOT_TOLD = "frame_not_told", "holds only if `{name}` is of frame {frame}, and nothing tells that it is not of the tool, {tool}: bind it in the front matter (quantities)"

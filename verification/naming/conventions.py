@@ -158,6 +158,7 @@ def _all(base: str, index: str, reference: str, arm: Arm, placed: bool) -> Itera
             yield Quantity("velocity", frame, given, rows=(1, 2, 6))  # (v_x, v_y, ω)
     if base == "J":
         yield from _blocks(index, reference, arm)
+        yield from _quarters(index, reference, arm)
     kind = "manipulability" if base in MANIPULABILITIES else "determinant" if base == "Delta" else ""
     if kind and not index and not placed:
         yield from (Quantity(kind, frame, reference, scalar=True) for frame in dict.fromkeys((_last(arm), _tool(arm))))
@@ -206,6 +207,14 @@ def _blocks(index: str, reference: str, arm: Arm) -> Iterator[Quantity]:
         behind = index.removeprefix(letters).lstrip("_,")
         if index.startswith(letters) and (frame := _frame(behind, arm) if behind else _last(arm)) is not None:
             yield Quantity("jacobian", frame, reference, rows=rows)
+
+
+def _quarters(index: str, reference: str, arm: Arm) -> Iterator[Quantity]:
+    """J_{11} … J_{22}: the quarters of the Jacobian, v above ω, the joints of the wrist apart; without a wrist J_{11} and J_{21} alone."""
+    if not re.fullmatch("[12]{2}", index) or (index[1] == "2" and len(arm.joints) < 6):
+        return
+    rows, columns = (((1, 2, 3), (4, 5, 6))[int(digit) - 1] for digit in index)
+    yield Quantity("jacobian", _last(arm), reference, rows=rows, columns=columns if len(arm.joints) == 6 else None)
 
 
 def _twists(name: n.Name, reference: str, arm: Arm) -> Iterator[Quantity]:
