@@ -28,6 +28,7 @@ from armproof.verification.equations.given_values import GivenValues, named_sign
 from armproof.verification.equations.inequalities import check_relation, is_numbers, parts_of
 from armproof.verification.equations.misreadings import without_misreading
 from armproof.verification.equations.named_signs import unless_of_a_sign
+from armproof.verification.equations.order_of_factors import unless_exchanged
 from armproof.verification.equations.outcome import Outcome, hold
 from armproof.verification.equations.printed_factors import factors_otherwise
 from armproof.verification.equations.readings import counted, side_by_side, without_count
@@ -406,7 +407,7 @@ class Claims:
         found = self.general.check(chain, equation, line, define) if is_general else None
         for outcome in found or ():
             outcome.role = Role.LAW
-        outcomes = found or self._decided(chain, equation, line, define)
+        outcomes = unless_exchanged(found or self._decided(chain, equation, line, define), chain, self.names)
         for outcome in outcomes if define else ():
             self.given.remember(outcome.gives, line)
         if define and any(o.tells(Kind.NUMBERS_OF_NOWHERE) for o in outcomes):

@@ -23,6 +23,7 @@ from armproof.verification.display.prepared import asked, beside_arcs, of_all_jo
 from armproof.verification.equations.cells_left_out import with_cells
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import angle_without_unit
+from armproof.verification.equations.given_values import named_sign
 from armproof.verification.equations.named_signs import unless_signs_clash
 from armproof.verification.equations.outcome import Outcome, with_role
 from armproof.verification.equations.polar import gives_meanings, polar_pair
@@ -30,7 +31,9 @@ from armproof.verification.equations.series import unless_added, written_out
 from armproof.verification.equations.shorthands import digits_of, is_among
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.statements import PREVIOUS
+from armproof.verification.naming.conventions import is_usual
 from armproof.verification.verdict import DECIDED, HOLDS, Role, Verdict
 
 SCRIPTED = re.compile(r"\\?[A-Za-z.…⋯]+(?:\s*[_^]\s*(?:\{[^{}]*\}|[^\\{]))*")  # \sum_{i=1}^{2}
@@ -122,6 +125,8 @@ class Statements:
         if of_singularities and told.line == line and (found := self._of_singularities(statements, line)):
             return found
         display = _Display(statements, line, define, latex)
+        if define and len(statements) > 1:
+            self._name_ahead(statements, line)
         while display.index < len(statements):
             self.ring.budget.check()
             self._take_next(display)
@@ -148,6 +153,19 @@ class Statements:
         if first_chain is not None and define:
             self.names.state.subject = first_chain.members[0]
         return display.outcomes, display.counterexample
+
+    def _name_ahead(self, statements: list[n.Statement], line: int) -> None:
+        """Y = -2 B_1 d_3, B_1 = …, or s_2 = ε √(1 - c_2²), ε = ±1: what a display says of a letter holds for all of it."""
+        spoken: set[str] = set()
+        chains = [each for each in statements if isinstance(each, n.Chain)]
+        for each in chains if len(chains) == len(statements) else ():
+            name = bare(each.members[0])
+            sign = named_sign(each)
+            if sign is not None and self.names.defines_sign(sign):
+                self.names.state.signs.name(sign, line)
+            elif isinstance(name, n.Name) and name.key in spoken and self.names.is_open(name) and not is_usual(name):
+                self.claims.chain(each, 1, line, define=True)
+            spoken |= {b.key for m in each.members for b in n.walk(m) if isinstance(b, n.Name)}
 
     def _own_shorthand(self, statements: list[n.Statement]) -> Finding | None:
         """Return the doubt where a c_{12} is written that the text says to be something else than it usually is."""

@@ -73,6 +73,7 @@ class Kind(MessageKind):
     SIDE_BY_SIDE = "side_by_side", "`{name}` may begin an equation of its own, or be a factor in the one before"
     ON_BOTH_SIDES = "on_both_sides", "`{name}` stands alone and on the other side too: it has a new value there, or means two things"
     FUNCTION_OR_FACTOR = "function_or_factor", "`{name}` may be a function of what stands in brackets behind it, or a factor before it"
+    ORDER_OF_FACTORS = "order_of_factors", "it holds of numbers; of matrices, vectors or quaternions, whose factors may not be exchanged, it need not: say what the letters are"
     FOR_UNIT_VECTOR = "for_unit_vector", "it holds where `{letters}` are the components of a unit vector: say so"
     OF_ANY_JACOBIAN = "of_any_jacobian", "of any Jacobian"
     SLIP_OF_ANY_JACOBIAN = "slip_of_any_jacobian", "it is not so of Jacobians, and it is with another sign or power: {change}"
