@@ -51,11 +51,11 @@ def settle_used(records: Iterable[Record]) -> tuple[Record, ...]:
 
 
 def used_names(results: Iterable[EquationResult]) -> frozenset[Key]:
-    """Return the names that decided equations rest on, those of the definitions between included: a law of any Jacobian rests on none."""
+    """Return the names that decided equations rest on, those of the definitions between included: a law of any Jacobian rests on no matrix of J."""
     results = list(results)
     through = [each for each in results if each.defines]
     used: set[Key] = set()
-    new = {key for each in results if each.is_decided and not _is_any_law(each) for key in each.uses}
+    new = {key for each in results if each.is_decided for key in each.uses if not ("J" in key[0] and _is_any_law(each))}
     while new:
         used |= new
         new = {key for each in through if each.defines & new for key in each.uses} - used
