@@ -55,15 +55,17 @@ def used_names(results: Iterable[EquationResult]) -> frozenset[Key]:
     results = list(results)
     through = [each for each in results if each.defines]
     used: set[Key] = set()
-    new = {key for each in results if each.is_decided for key in each.uses if not ("J" in key[0] and _is_any_law(each))}
+    new = {key for each in results if each.is_decided for key in _used(each)}
     while new:
         used |= new
-        new = {key for each in through if each.defines & new for key in each.uses} - used
+        new = {key for each in through if each.defines & new for key in _used(each)} - used
     return frozenset(used)
 
 
-def _is_any_law(result: EquationResult) -> bool:
-    return any(each.kind is Kind.OF_ANY_JACOBIAN for each in result.findings)
+def _used(result: EquationResult) -> frozenset[Key]:
+    """Return what an equation rests on, without the matrix of J where it holds of any."""
+    is_any = any(each.kind is Kind.OF_ANY_JACOBIAN for each in result.findings)
+    return frozenset(key for key in result.uses if not (is_any and "J" in key[0]))
 
 
 def contradicted(records: Sequence[Record], tells: Tells = lambda *_: True) -> dict[Key, list[int]]:
