@@ -407,7 +407,9 @@ class Claims:
         found = self.general.check(chain, equation, line, define) if is_general else None
         for outcome in found or ():
             outcome.role = Role.LAW
-        outcomes = unless_exchanged(found or self._decided(chain, equation, line, define), chain, self.names)
+        outcomes = found or self._decided(chain, equation, line, define)
+        if self.names.arm is None:
+            outcomes = unless_exchanged(outcomes, chain, self.names)
         for outcome in outcomes if define else ():
             self.given.remember(outcome.gives, line)
         if define and any(o.tells(Kind.NUMBERS_OF_NOWHERE) for o in outcomes):

@@ -22,7 +22,6 @@ from armproof.verification.display.claims import Claims
 from armproof.verification.display.prepared import asked, beside_arcs, of_all_joints, prepared
 from armproof.verification.equations.cells_left_out import with_cells
 from armproof.verification.equations.chain import ChainChecker
-from armproof.verification.equations.decimals import angle_without_unit
 from armproof.verification.equations.given_values import named_sign
 from armproof.verification.equations.named_signs import unless_signs_clash
 from armproof.verification.equations.outcome import Outcome, with_role
@@ -40,6 +39,7 @@ SCRIPTED = re.compile(r"\\?[A-Za-z.…⋯]+(?:\s*[_^]\s*(?:\{[^{}]*\}|[^\\{]))*"
 _ARC = re.compile(
     r"arc|tan|acos|asin|\^\s*\{?\s*-|(?:cos|sin)[\s{(]*(?:\\left)?[\s({]*-?\d\d", re.IGNORECASE
 )  # where an inverse function may stand, however spelled, or a number of degrees in a cosine
+_DEGREES = 10  # a whole number from here on is hardly an angle in radians
 
 
 @dataclass
@@ -138,7 +138,8 @@ class Statements:
         if is_of_any:
             unwritten = say(Kind.TERMS_UNWRITTEN, text="\\dots")
             display.outcomes = [outcome.unless_refuted(unwritten) for outcome in display.outcomes]
-        if number := angle_without_unit(statements):
+        is_refuted = any(each.verdict is Verdict.REFUTED for each in display.outcomes)
+        if is_refuted and (number := _angle_without_unit(statements)):
             degrees = say(Kind.DEGREES_UNMARKED, number=number)
             display.outcomes = [outcome.unless_refuted(degrees) for outcome in display.outcomes]
         if own := self._own_shorthand(statements):
@@ -377,3 +378,11 @@ def _as_alternatives(statements: list[n.Statement]) -> list[n.Statement]:
         return statements
     between = [(n.Connective("or", "or"), each) for each in statements[1:]]
     return [*statements[:1], *(each for pair in between for each in pair)]
+
+
+def _angle_without_unit(nodes: list[n.Statement]) -> str:
+    """Return the whole number that a sine, cosine or tangent is taken of, as of an angle in degrees: 30 of cos 30; "" without."""
+    calls = (b for node in nodes for b in n.walk(node) if isinstance(b, n.Call) and b.function in ("cos", "sin", "tan"))
+    numbers = (n.ungrouped(argument) for call in calls for argument in call.arguments)
+    found = (each for each in numbers if isinstance(each, n.Number) and not each.decimals and each.value >= _DEGREES)
+    return next((str(each.value) for each in found), "")

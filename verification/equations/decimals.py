@@ -21,7 +21,6 @@ from armproof.verification.verdict import Verdict
 
 FINE = 3  # decimals: a number of so many may be rounded
 LARGE = 1000  # a whole number from here on may be rounded where what it stands for is none
-DEGREES = 10  # a whole number from here on is hardly an angle in radians
 COARSE = 2  # decimals: what holds to these is neither confirmed nor refuted
 TWO_DIGITS = 10
 FEW = 3  # entries: more wrong ones than that, and another configuration is meant
@@ -228,11 +227,3 @@ def _leaves_rounding(outcome: Outcome, decimals: int) -> bool:
         if all((k * 10**decimals).denominator == 1 for _, k in difference.ring.terms(difference.numerator)):
             return False
     return True
-
-
-def angle_without_unit(nodes: Iterable[n.Node]) -> str:
-    """Return the whole number that a sine, cosine or tangent is taken of, as of an angle in degrees: 30 of cos 30; "" without."""
-    calls = (b for node in nodes for b in n.walk(node) if isinstance(b, n.Call) and b.function in ("cos", "sin", "tan"))
-    numbers = (n.ungrouped(argument) for call in calls for argument in call.arguments)
-    found = (each for each in numbers if isinstance(each, n.Number) and not each.decimals and each.value >= DEGREES)
-    return next((str(each.value) for each in found), "")
