@@ -23,7 +23,7 @@ def in_other_case(candidate: Candidate, document: Document) -> Candidate | None:
         return None
     [letter] = letters
     other = letter.swapcase()
-    named = {f"{other}_{digit}": f"{letter}_{digit}" for _, digit in own if document.writes(f"{other}_{digit}")}
+    named = {f"{other}_{digit}": f"{letter}_{digit}" for _, digit in sorted(own) if document.writes(f"{other}_{digit}")}
     if not named or any(_is_apart(name, key, document) for name, key in named.items()):
         return None
     return replace(candidate, symbols={**candidate.symbols, **named})
