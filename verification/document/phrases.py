@@ -1,0 +1,335 @@
+"""The phrases by which sentences change what a display says, each table by what they do there; `sentences.py` reads them.
+
+A line is a phrase in English, French, German or Spanish, its words as they stand. `a/b` is either word, `(a)` may be missing,
+`~` ends or begins a word in any way, `…` is up to four words, `*` any, `¤` a formula, `#` a digit, `&` what joins sentences ("but",
+"mais"); `^` is the beginning of the sentence and `$` its end. A comma may stand behind each word, and an apostrophe ends one.
+"""
+
+# -- denials: see sentences.denies
+
+NOT = """
+not/never/nobody/nothing/none/neither/nor/cannot/hardly/no
+can' t
+~n' t
+far from
+no longer
+pas/jamais/aucun/aucune/nullement/nicht/kein/keine/nie/niemals/nunca/jamás/non
+"""
+TRUE = """
+true/right/correct/exact/so/valid/hold/holds
+the case
+what we want/need/mean
+vrai/vraie/exact/exacte/correcte/juste/richtig/wahr/cierto/cierta/verdad/correcto/correcta/vero/vera/valable
+"""
+WRONG = """
+wrong/wrongly/false/falsely/incorrect/incorrectly/untrue/erroneous/erroneously/mistaken/mistakenly/invalid/impossible/absurd/nonsense/mistake/mistakes/fallacy/fallacies/misconception~/misprint~/withdrawn
+reject
+common/frequent/typical/classic/classical/usual/sign/grave/bad/popular error~/slip~
+error to
+faux/fausse/fausses/faussement/erroné/erronée/erronés/incorrecte/inexact/inexacte/absurde
+à tort
+par erreur
+erreur/erreurs fréquente~/courante~/classique~/répandue~
+erreur de signe/calcul/frappe
+erreur d'/de écrire/poser/croire/dire/prendre
+falsch/falsche/falscher/falsches/fälschlich/fälschlicherweise/irrtümlich/unrichtig/falso/falsa/falsos/incorrecto/incorrecta/erróneo/errónea/sbagliato/sbagliata
+häufiger/häufige/typischer/typische fehler
+error/errores frecuente/frecuentes/común/comunes/típico/habitual
+✗/✘/❌
+"""
+DENIAL = """
+not/never/nobody/cannot/t/no-one/neither (…) have/get/obtain/find/equal/use/write/say/conclude/believe/think/mean/follow/possible (that) $
+pas/jamais (…) écrire/avoir/conclure/croire/poser/dire (que) $
+n' écrivez/écris pas/jamais $
+n' a/ont/avons/aura pas/jamais $
+no/nicht reason/grund why/for/warum $
+tempted/tenté to/d'/de write/think/say/conclude/écrire
+confuse/confused/confuses/confusing/confondre/confondu … with/avec/by
+gardez-vous/garde-toi de
+s' ensuit pas/nullement
+(and) (but) not/non/nicht $
+(was) stimmt nicht
+nicht stimmt
+"""
+HARMLESS = """
+not/nicht/pas/non/no only/just/merely/seulement/uniquement/nur/solo
+not/nicht/pas/no (so/too/very/si/très/sehr) difficult/hard/easy/surprising/difficile/facile/schwer/schwierig/difícil
+nothing/rien (is) wrong/false/incorrect
+no/not/without/sans/aucune/keine/sin (any/a/an/une) approximation/trivial/surprise/approximate
+not surprisingly
+not/no/never/cannot (…) wrong/wrongly/false/incorrect/mistake/mistaken/impossible/absurd
+pas/nicht/kein/no (…) faux/fausse/falsch/falscher/falso/incorrecto/inexact
+avoid~/prevent~/remedy/without/éviter/évite~/sans/vermeide~/evitar (…) mistake~/error~/misconception~/erreur~/wrong/fehler
+false/wrong position/ground/side/way/hand
+"""
+REMEDY = """
+right/correct/corrected/correctly/instead/rather/but/remember/mais/plutôt/corrigé/corrigée/sondern/sino/richtig
+should be
+"""
+LIGHT = """
+a/above/again/all/also/an/and/are/as/be/been/beginners/beware/but/can/certainly/classic/common/frequent/typical/usual/clearly/contains/could/course/definitely/do/does/did/find/for/has/have/he/here/however/i/in/is/it/its/just/last/line/many/may/might/must/never/no/note/now/
+obviously/of/often/one/only/or/people/plainly/previous/printed/quite/really/see/seen/shall/should/simply/some/still/students/sure/surely/that/the/there/these/this/to/unfortunately/was/we/were/what/where/which/why/will/with/would/write/wrote/you/
+claim/conclusion/display/entry/equality/equation/exponent/expression/factor/formula/formulae/formulas/identity/index/matrix/relation/result/sign/statement/term/
+attention/aussi/bien/c'/ce/ceci/cela/cette/ci-dessus/clairement/dans/de/dernière/donc/elle/en/est/et/il/indice/l'/la/le/les/ligne/malheureusement/mais/n'/ne/on/ou/où/pourquoi/que/qui/résultat/signe/sont/terme/un/une/verra/voit/y/à/
+fréquente/courante/affirmation/égalité/équation/expression/formule/identité/aber/das/der/die/dies/diese/ein/eine/es/formel/gleichung/hier/ist/jedoch/leider/sind/und/vorzeichen/
+esta/este/esto/eso/ecuación/fórmula/lo/cual/pero/está/son/signo/el/questo/ciò/è
+"""
+ELSEWHERE = """
+if/when/whenever/where/for/at/unless/that/to/si/quand/pour/que/lorsque/lorsqu'/de/où/wenn/falls/für/dass/para/cuando
+"""
+DENIED_BEHIND = """
+^ … should/must/has/have/ought/doit/muss/debe (to) be corrected/replaced/withdrawn/remplacée
+^ … should/must/doit (have/read/avoir) (an) (another) (a) (une) differently/sign/autre
+^ … should/must read/say/have
+^ … needs/requires a/some correction
+^ … est à corriger
+^ (what) (is) (what' s) wrong
+^ correct/find/spot/mend/corrigez/corrige the/l'/el error/mistake/erreur
+^ where/où is/est the/l' mistake/error/erreur
+^ (and) (but) (this) (it) (that) (which) (is) (holds) (hold) (are) (true) (right) (correct) (valid) (exact) only/solely if/when/for/at/in/where/near/on
+^ (and) (but) except/unless/nowhere/sauf/excepté/außer/excepto/salvo
+^ (and) (this) (it) (that) (holds) (is) (true) if and only if
+^ (mais) (ce) (qui) (cela) (ceci) (elle) (cette) (formule) (égalité) n'/ne est/vaut/tient (vraie) (vrai) (exacte) (valable) que
+^ (mais) (et) (aber) (und) (gilt) (pero) seulement/uniquement/nur/solo/sólo für/wenn/falls/si/pour/en/quand/lorsque/para/cuando/bei
+^ (which) (this) (it) (that) (is) (holds) (true) (right) for/at/if/when ¤ alone/only
+"""
+DENIED_BEFORE = """
+^ (it) (is) only/solely if/when/for/at/in/where ¤
+^ (it) (is) only/solely at/in/near
+^ (c') (est) seulement/uniquement/nur/solo/sólo pour/si/quand/für/bei/para/en
+^ except/excepté/sauf/außer/excepto for/at/if/when/pour/si/bei/für/para
+one/we/you may/need not write
+"""
+DENYING_HEADING = """
+common/frequent/typical/classic/usual/popular mistake~/error~/slip~/misconception~
+^ (the) (some) (few) (a) error~/mistake~/pitfall~/misconception~/misprint~ $
+^ (a) (some) wrong/false/incorrect/erroneous
+what/how not to
+find/spot/correct the error~/mistake~
+erreur/erreurs fréquente~/courante~/classique~
+formule/formules/solution/démonstration fausse~
+häufige/häufiger/typische/typischer fehler
+errores/error comunes/frecuentes/común/frecuente
+"""
+
+# -- what supposes a display, asks for it, quotes it, or says that it is of a case or nearly so
+
+CASE = """
+special/particular/limiting/limit/degenerate case/cases
+cas particulier~/limite~/dégénéré~
+linearis~/lineariz~/linéaris~
+small/petits/petites angles/motion~/displacement~/mouvements/déplacements/oscillations/variations
+only joint
+joint # alone/only/locked/fixed/blocked
+unit/equal/identical (link) length/lengths
+longueurs unitaire~/égale~
+true/vrai or/ou false/faux
+"""
+OF_A_PART = """
+contribution/contributions/apport/apports
+due to
+first/second/premier/second term/part/terme
+without/sans the/le/la/les
+with/of/for one/a (single) link/joint
+avec une seule
+only joint
+joint # alone/only
+joint/joints/elbow/shoulder/wrist/axis/axes/link/links/articulation/articulations/coude/épaule/poignet (#) (is/are/being/est/sont) locked/fixed/blocked/welded/frozen/bloqué~/fixé~/figé~/soudé~
+at rest
+unit/equal/identical (link) length/lengths/links
+longueurs unitaire~/égale~
+"""
+NEARLY = """
+first/second/leading/third/premier/deuxième/erster/zweiter order/ordre/ordnung
+erster/primera näherung/aproximación
+approximat~/linearis~/lineariz~/linéaris~/neglect~/néglige~/vernachlässig~/näherungsweise/roughly
+à peu près
+as an approximation
+good approximation
+ignoring
+for/if/pour/für/para small/de/kleine/pequeños (petits/petites) (angles) (winkel) (ángulos)
+small/petits/petites/kleine angle/angles/motion/motions/displacement/displacements/mouvements/déplacements/variations/oscillations/winkel
+angles are small
+up to a/the/terms (of) (sign/factor/constant/second/third)
+up to sign
+au signe près
+constante/facteur près
+bis auf
+salvo el signo
+absolute value
+either sign
+from the sign
+within (one/a/two/#) percent
+≪
+"""
+OF_NO_CLAIM = """
+would/might/could/were/expected/serait/aurait/pourrait/wäre/würde/sería
+never/jamais
+don' t
+il ne faut pas $
+instead/rather of/than
+in place of
+au lieu de/d'
+plutôt que
+statt/anstatt
+en lugar de
+replace/remplacez/remplacer/ersetze
+cross out
+^ where * has $
+unlike/contrary
+contrairement
+not to be
+on the other hand
+student/students/pupil/pupils/neighbour/élève/étudiant/étudiante/schüler/alumno/alumna/someone/somebody/copie/exam * write/writes/wrote/answers/answered/claims/says/écrit/lit/schreibt/escribe/read
+claims/claimed/prétend/asserts/behauptet/afirma/answers/répond
+according to
+leaflet/rumour/web
+someone/student/pupil/élève/étudiant/alumno
+prove/show/verify or disprove/refute
+montrer ou réfuter
+true/vrai/richtig/verdadero or/ou/oder/o false/faux/falsch/falso
+which/lequel/laquelle (one) (of) (these) is/est right/correct/true
+whether
+are you sure
+dire/vérifiez si
+does/is/are it/that/this/the * follow/true/right/correct (that) $
+could it be
+est-il/est-ce/a-t-on
+ist/stimmt es/das
+es cierto/verdad/correcto que
+as in the case
+comme dans le cas
+"""
+SUPPOSED = """
+suppose/supposing/assume/assuming/imagine/pretend/supposons/supposant/admettons/admettant/angenommen/supongamos (,) (by) (contradiction) (for) (a) (the) (sake) (of) (argument) (moment) (now) (that) (que) (par) (l') (absurde) $
+on suppose (que) $
+contradiction , (let) $
+as a hypothesis
+if we/one/it had/were
+had/were it/we (found/the) (case) (that) $
+par l' absurde
+si l' on avait
+si on avait
+angenommen
+solve/solving/résoudre/résolvons $
+solution/solutions/root/roots of/to/de $
+we look/search for $
+we must (to) (solve/find/have) $
+we have/need/want to (solve/find/have) $
+find … such that
+such that $
+so as to have $
+satisfying/vérifiant $
+telle~/tel/tels que $
+on cherche/veut $
+^ & assuming/supposing/provided/unless/except/sauf * , $
+^ & as long as * , $
+^ & in the absence of * , $
+^ & en supposant * , $
+^ & à moins que * , $
+^ & tant que * , $
+^ & if/when/whenever/si/quand/lorsque/lorsqu' we/one/you/i/on/nous/l' (on) (now) assum~/suppos~/neglect~/ignor~/lock~/fix~/block~/weld~/had/bloqu~/fig~/soud~/néglig~/admet~ * , (then/alors) (we/on) (get/have/find/obtain/a/obtient/trouve) $
+"""
+ON_CONDITION = """
+^ & if/when/whenever/si/quand/lorsque/lorsqu' * , (then/alors) (we/on) (get/have/find/obtain/a/obtient/trouve) $
+"""
+WE_DO = """
+^ & if/when/whenever/si/quand/lorsque/lorsqu' we/one/you/i/on/nous/l'
+"""
+LIMITED_BEHIND = """
+^ (only) (and) (et) if/when/whenever/provided/assuming/supposing/unless/except/lorsque/lorsqu'/quand/pourvu/sauf/si/falls/wenn/sofern/cuando
+^ (only) (and) as long as
+^ à condition que
+^ tant que
+^ instead/rather of/than
+^ au lieu de
+^ plutôt que
+^ with joint
+^ for unit/equal
+^ avec l' articulation
+^ this holds/is for the/a
+"""
+
+# -- another point, frame, origin or axis than the tool's in the base
+
+OTHER_POINT = """
+position/positions/coordinate/coordinates/height/heights/abscissa~/ordinate~/location/velocity/speed/jacobian/coordonnées/hauteur/abscisse/ordonnée/vitesse/posición/coordenadas/velocidad of/du/del (the) elbow/coude/codo
+elbow' s/itself/position/coordinates/height/velocity/speed
+elbow/coude/codo/ellbogen is/lies/sits/has/est/se/a/está/tiene/liegt at/bei/en/in/position/velocity/height/with/pour/by/trouve/situe/given
+elbow/coude/codo/ellbogen is/lies/has/est/está $
+elbow/coude/codo : $
+for the elbow (joint) $
+is/be/est the/le elbow/coude $
+end/ends of (the) first link
+end of link #
+position of joint #
+midpoint/mid-point/milieu/barycentre
+middle of (the) (first/second/third/last) link
+cent~ of mass/gravity
+cent~ of (the) (first/second/third/last) link/bar/rod
+centre de masse/gravité
+centro de masa/gravedad
+"""
+OTHER_FRAME = """
+in/from/dans/relative/respect (to) (the/le) frame/repère 1/2/3/4/5/6/7/8/9
+in/into/im (the/a/its/their) tool/tool'/body/moving/gripper/end-effector/effector/effector'/hand/wrist (s) frame/coordinates/axes
+frame of the (end) tool/gripper/hand/effector/end-effector
+repère (de/du) (l'/la) (lié) (à) (l') outil/effecteur/pince/main
+repère mobile
+im werkzeugkoordinatensystem
+im koordinatensystem des werkzeugs
+en el sistema de la herramienta
+"""
+OTHER_ORIGIN = """
+origin (of) (the) (base) (frame) (is/lies) (placed) at/in (the) elbow/wrist/tip
+origin * at joint 2/3/4
+origin lies ¤ below/above
+counted/measured/relative/seen from/to the elbow
+origine (est) (placée) au/à (l') coude/poignet
+(is/stands) at (a) height ¤ above
+base is raised/lifted
+stands/mounted on a pedestal
+base est surélevée/relevée
+y-axis (is/are/zeigt/est) (points/pointing/directed/dirigé) (nach) (vers) (le) (positive) down~/unten/bas/abajo
+¤ (is) points/pointing/positive/counted down~
+"""
+
+# -- angles that are not those of the arm
+
+LEVEL = """
+measured/counted/taken/reckoned/given/mesuré~/compté~/comptée/gemessen/gezählt/mide/miden (with) (from/against/depuis/desde/relative/respect/à/gegen) (to/partir) (de) (the/l'/la/le/die) horizontal/horizontale/horizontalen/ground/floor/sol/x-axis
+respect to (the) horizontal/ground/floor/x-axis
+gegen die horizontale/waagerechte (gemessen)
+angle/angles/winkel/ángulo * with/between/and/to/avec/et/mit/con (the/l'/la) horizontal/horizontale/horizontalen/x-axis/ground
+absolute (joint) angle~/coordinate~
+angle/angles/ángulo/ángulos/winkel (¤) (and/et/y/und) (¤) (are/is/est/sont/son/sind) (all) absolu/absolus/absolute/absolut/absoluto/absolutos
+¤ (and/et) (¤) (are/is/est/sont) absolute/absolus/absolu
+is not relative to the first/previous link
+"""
+TURNED = """
+measured/counted/mesuré~/compté~/gemessen/taken from/depuis/desde/gegen (the/la/die) vertical~/y-axis
+angle * with/between/and/avec/et (the/la) vertical/verticale/y-axis
+clockwise
+sens horaire
+sens des aiguilles
+im uhrzeigersinn
+sentido horario
+"""
+# -- lengths and columns that are not those of the arm
+
+OTHER_LENGTH = """
+¤ is/denotes/est/ist (the) half/moitié/halbe
+¤ … half-length/half-lengths
+¤ is/denotes the distance * (to) the middle/centre/center
+¤ est la moitié
+"""
+OTHER_COLUMNS = """
+columns belong to ¤ and ¤
+first column belongs to ¤
+"""
+SWAPPED = """
+¤ … (the) (length/angle) (of/de) (the/du) second/elbow * (and/et) ¤ * first/premier/shoulder
+¤ … (the) (length) (of) (the) first link , ¤ * second
+¤ turns the first link and ¤ the second
+"""
+JOINING = "but and now then so thus hence mais et or donc aber und pero y".split()
