@@ -201,6 +201,7 @@ def _read_blocks(
             quotes.pop()
         elif token.type in ("math_block", "math_block_label"):
             displays.extend(_block_displays(content, line, erratum, cell, section))
+            displays.extend(said_above(token.info, line, section) if token.info else ())  # $$ … $$ (wrong): no label
             is_behind = True
         elif token.type == "amsmath":
             displays.append(Display(line, content, erratum, cell, section, opening=AMS))

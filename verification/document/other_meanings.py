@@ -10,11 +10,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from armproof.verification.document.model import Display, Document
-from armproof.verification.document.sentences import hears, hears_denied, words_of
+from armproof.verification.document.sentences import hears, hears_denied, with_axes, words_of
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks
     r"horizontal|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
-    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|\\theta_\{?2\}?\s*,\s*\\theta_\{?1|q_\{?2\}?\s*,\s*q_\{?1",
+    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|\\theta_\{?2\}?\s*(?:,|&|\\\\)\s*\\theta_\{?1|q_\{?2\}?\s*(?:,|&|\\\\)\s*q_\{?1|aiguille|twice|double|\$2 ?[al]_|numbered|gripper|tool|boden|suelo|inclination|direction of",
     re.IGNORECASE,
 )
 _SENTENCE = re.compile(r"(?:[^.;!?\n]|[.;!?](?!\s)|\n(?!\s*\n))+[.;!?]?")
@@ -29,7 +29,10 @@ _OF_FRAME = re.compile(
 )
 _OF_Q = re.compile(r"(?:\\mathbf\{)?q\}?\s*=\s*\\?(?:left)?(?:[\[(]|\\begin\{[bp]matrix\})(.*)")
 _FORMULA = re.compile(r"\$([^$]*)\$|\\\((.*?)\\\)")
-_PLURAL = re.compile(r"\b(?:angles|both|all|winkel|ángulos|deux)\b", re.IGNORECASE)
+_PLURAL = re.compile(
+    r"\b(?:angles|both|all|each|every|chaque|rotations?|turns|positi[fv]e?|winkel|ángulos|deux|numbered)\b",
+    re.IGNORECASE,
+)
 
 ALL, BEHIND, FRAME = (
     "all",
@@ -92,8 +95,8 @@ def _meanings(text: str) -> Iterator[Meaning]:
         if MAY_MEAN.search(sentence) is None:
             continue
         line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
-        words = words_of(" ".join(sentence.split()))
-        formulas = [each[0] or each[1] for each in _FORMULA.findall(" ".join(sentence.split()))]
+        plain = with_axes(" ".join(sentence.split()))
+        words, formulas = words_of(plain), [each[0] or each[1] for each in _FORMULA.findall(plain)]
         if letters := tuple(_letters(words, formulas)):
             yield Meaning(line, letters)
         if (frame := _OF_FRAME.search(words)) is not None:
@@ -109,19 +112,20 @@ def _meanings(text: str) -> Iterator[Meaning]:
 
 def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
     r"""Yield the letters that a sentence gives another meaning; `ALL` for all angles, `BEHIND` for all but the first, J for that."""
-    for name in ("LEVEL", "TURNED"):
+    for name in ("LEVEL", "NOT_RELATIVE", "TURNED"):
         begin = hears(name, words)
-        if begin is None or hears_denied(name, words) or words[: begin.start()].rstrip().endswith(("counter", "anti")):
+        is_denied = name != "NOT_RELATIVE" and hears_denied(name, words)
+        if begin is None or is_denied or words[: begin.start()].rstrip().endswith(("counter", "anti")):
             continue
         subjects = [
             each for formula in formulas[: words.count("¤", 0, begin.end())] for each in _LETTER.findall(formula)
         ]
-        if name == "LEVEL":
+        if name != "TURNED":
             yield from (f"{BEHIND} {each}" for each in subjects)
         else:
             yield from (f"{ALL} {each}" for each in subjects)
         if _PLURAL.search(words) and not any(re.search(r"\d", each) for each in subjects):  # all θ_i, too
-            yield BEHIND if name == "LEVEL" else ALL
+            yield BEHIND if name != "TURNED" else ALL
     for name in ("OTHER_LENGTH", "SWAPPED"):
         if (half := hears(name, words)) is not None:
             first = words.count("¤", 0, half.start())

@@ -36,9 +36,14 @@ falsch/falsche/falscher/falsches/fälschlich/fälschlicherweise/irrtümlich/unri
 häufiger/häufige/typischer/typische fehler
 error/errores frecuente/frecuentes/común/comunes/típico/habitual
 ✗/✘/❌
+blunder~/typo/typos/slip/untenable/meaningless/senseless/contradict~/errs/erred/nonsensical/bogus/flawed/faulty/inaccurate
+makes no sense
+index/sign/term/factor * missing
+piège (classique) (est)
+irrtum/denkfehler/trugschluss/unsinn/unzutreffend/widerspricht/contredit/contresens/bévue/aberrant/aberrante/equivocado/equivocada/disparate/contradice
 """
 DENIAL = """
-not/never/nobody/cannot/t/no-one/neither (…) have/get/obtain/find/equal/use/write/say/conclude/believe/think/mean/follow/possible (that) $
+not/never/nobody/cannot/~n'/no-one/neither (t) (…) have/get/obtain/find/equal/use/write/say/conclude/believe/think/mean/follow/possible (that) $
 pas/jamais (…) écrire/avoir/conclure/croire/poser/dire (que) $
 n' écrivez/écris pas/jamais $
 n' a/ont/avons/aura pas/jamais $
@@ -50,6 +55,7 @@ s' ensuit pas/nullement
 (and) (but) not/non/nicht $
 (was) stimmt nicht
 nicht stimmt
+not/never/nobody/nothing/neither/no/cannot/~n'/rien/pas/jamais/aucun/aucune/nicht/kein/keine/nie/nunca/jamás/non * that/que/qu'/dass/che/is/est/ist $
 """
 HARMLESS = """
 not/nicht/pas/non/no only/just/merely/seulement/uniquement/nur/solo
@@ -61,13 +67,20 @@ not/no/never/cannot (…) wrong/wrongly/false/incorrect/mistake/mistaken/impossi
 pas/nicht/kein/no (…) faux/fausse/falsch/falscher/falso/incorrecto/inexact
 avoid~/prevent~/remedy/without/éviter/évite~/sans/vermeide~/evitar (…) mistake~/error~/misconception~/erreur~/wrong/fehler
 false/wrong position/ground/side/way/hand
+right inverse/angle/angles/side/hand/triangle
+error metric/norm/signal/measure/model/bound/function
+not/no/nobody/cannot/never/~n'/pas/nul/nulle/nicht/kein/keine/ohne/sans (…) doubt~/deny/denied/denies/dispute~/doute/difficult/difficulty/hard/surprise~/surprising/wonder~/secret/coincidence/accident/pity/forget/forgotten/overlook/hide/ignore/escape~/prevent~/exaggeration/étonn~/surpren~/oublier/hasard/mal/peine/difficile/zweifel~/schwer/schwierig/vergessen/wunder~/mühe/repeat/prove/proof/derive/démontrer/mention/forgotten
+not without reason
+never/nunca/jamais forget/oublier/olvidar
+no/sin es/hay/cabe duda/difícil/extraño
+cannot but
 """
 REMEDY = """
 right/correct/corrected/correctly/instead/rather/but/remember/mais/plutôt/corrigé/corrigée/sondern/sino/richtig
 should be
 """
 LIGHT = """
-a/above/again/all/also/an/and/are/as/be/been/beginners/beware/but/can/certainly/classic/common/frequent/typical/usual/clearly/contains/could/course/definitely/do/does/did/find/for/has/have/he/here/however/i/in/is/it/its/just/last/line/many/may/might/must/never/no/note/now/
+a/above/again/alas/hélas/first/second/third/such/make/makes/reader/attentive/says/say/book/textbook/author/spotted/rien/tout/leider/all/also/an/and/are/as/be/been/beginners/beware/but/can/certainly/classic/common/frequent/typical/usual/clearly/contains/could/course/definitely/do/does/did/find/for/has/have/he/here/however/i/in/is/it/its/just/last/line/many/may/might/must/never/no/note/now/
 obviously/of/often/one/only/or/people/plainly/previous/printed/quite/really/see/seen/shall/should/simply/some/still/students/sure/surely/that/the/there/these/this/to/unfortunately/was/we/were/what/where/which/why/will/with/would/write/wrote/you/
 claim/conclusion/display/entry/equality/equation/exponent/expression/factor/formula/formulae/formulas/identity/index/matrix/relation/result/sign/statement/term/
 attention/aussi/bien/c'/ce/ceci/cela/cette/ci-dessus/clairement/dans/de/dernière/donc/elle/en/est/et/il/indice/l'/la/le/les/ligne/malheureusement/mais/n'/ne/on/ou/où/pourquoi/que/qui/résultat/signe/sont/terme/un/une/verra/voit/y/à/
@@ -92,6 +105,12 @@ DENIED_BEHIND = """
 ^ (mais) (ce) (qui) (cela) (ceci) (elle) (cette) (formule) (égalité) n'/ne est/vaut/tient (vraie) (vrai) (exacte) (valable) que
 ^ (mais) (et) (aber) (und) (gilt) (pero) seulement/uniquement/nur/solo/sólo für/wenn/falls/si/pour/en/quand/lorsque/para/cuando/bei
 ^ (which) (this) (it) (that) (is) (holds) (true) (right) for/at/if/when ¤ alone/only
+^ (please) do not/never believe/use/write/trust/copy this/it/that
+^ (please) don' t believe/use/write/trust/copy this/it/that
+^ (please) delete/ignore/strike/forget/discard/disregard this/it/that/the
+^ (and) (this) (that) (which) (is) (so) (holds) (but) for ¤ only/alone
+^ (but) for no other
+^ which/this/that/ce (qui) requires/assumes/presupposes/suppose/erfordert ¤
 """
 DENIED_BEFORE = """
 ^ (it) (is) only/solely if/when/for/at/in/where ¤
@@ -110,6 +129,9 @@ erreur/erreurs fréquente~/courante~/classique~
 formule/formules/solution/démonstration fausse~
 häufige/häufiger/typische/typischer fehler
 errores/error comunes/frecuentes/común/frecuente
+blunder~/trap/traps/piège/pièges/fallen
+faux raisonnement
+wrong $
 """
 
 # -- what supposes a display, asks for it, quotes it, or says that it is of a case or nearly so
@@ -190,6 +212,8 @@ montrer ou réfuter
 true/vrai/richtig/verdadero or/ou/oder/o false/faux/falsch/falso
 which/lequel/laquelle (one) (of) (these) is/est right/correct/true
 whether
+prouvez/démontrez/montrez ou infirmez/réfutez
+(discuss/comment) (on) the claim/statement $
 are you sure
 dire/vérifiez si
 does/is/are it/that/this/the * follow/true/right/correct (that) $
@@ -236,6 +260,12 @@ ON_CONDITION = """
 WE_DO = """
 ^ & if/when/whenever/si/quand/lorsque/lorsqu' we/one/you/i/on/nous/l'
 """
+ASKED_BEHIND = """
+true/false/right/wrong/correct/so/agree/think/it/case/vrai/faux/exact/juste/accord/richtig/falsch/das/cierto/verdadero/falso/correcto/why ? $
+true/false/right/wrong/correct/vrai/faux/exact/juste/richtig/falsch/verdadero/falso * ? $
+est-ce/est-il * ? $
+justify/justifiez
+"""
 LIMITED_BEHIND = """
 ^ (only) (and) (et) if/when/whenever/provided/assuming/supposing/unless/except/lorsque/lorsqu'/quand/pourvu/sauf/si/falls/wenn/sofern/cuando
 ^ (only) (and) as long as
@@ -254,11 +284,13 @@ LIMITED_BEHIND = """
 
 OTHER_POINT = """
 position/positions/coordinate/coordinates/height/heights/abscissa~/ordinate~/location/velocity/speed/jacobian/coordonnées/hauteur/abscisse/ordonnée/vitesse/posición/coordenadas/velocidad of/du/del (the) elbow/coude/codo
-elbow' s/itself/position/coordinates/height/velocity/speed
+elbow/elbow' (s) itself/position/coordinates/height/velocity/speed
 elbow/coude/codo/ellbogen is/lies/sits/has/est/se/a/está/tiene/liegt at/bei/en/in/position/velocity/height/with/pour/by/trouve/situe/given
 elbow/coude/codo/ellbogen is/lies/has/est/está $
 elbow/coude/codo : $
 for the elbow (joint) $
+where the (two) links/bars meet
+i . e . the end
 is/be/est the/le elbow/coude $
 end/ends of (the) first link
 end of link #
@@ -272,13 +304,16 @@ centro de masa/gravedad
 """
 OTHER_FRAME = """
 in/from/dans/relative/respect (to) (the/le) frame/repère 1/2/3/4/5/6/7/8/9
-in/into/im (the/a/its/their) tool/tool'/body/moving/gripper/end-effector/effector/effector'/hand/wrist (s) frame/coordinates/axes
-frame of the (end) tool/gripper/hand/effector/end-effector
+^ (expressed/written/resolved) in/with (respect) (to) (the/a) tool/tool'/body/moving/gripper/gripper'/end-effector/effector/effector'/hand/wrist (s) frame/coordinates/axes
+expressed/resolved/written/given/computed/measured/represented/described/components/coordinates/vectors/quantities/everything … in/along/to (respect) (to) (the/a/its/their) (axes/frame) (of) (the) (end) tool/tool'/body/moving/gripper/gripper'/end-effector/effector/effector'/hand/wrist (s) (frame/coordinates/axes) $
+expressed/resolved/written/given/computed/measured/represented/described/components/coordinates/vectors/quantities/everything … in/along/to (respect) (to) (the/a/its/their) tool/tool'/body/moving/gripper/end-effector/effector'/hand/wrist (s) frame/coordinates/axes
+^ in/into/dans/im/en (the) frame of the (end) tool/gripper/hand/effector/end-effector
 repère (de/du) (l'/la) (lié) (à) (l') outil/effecteur/pince/main
 repère mobile
 im werkzeugkoordinatensystem
 im koordinatensystem des werkzeugs
 en el sistema de la herramienta
+seen * from/on the tool/gripper/hand
 """
 OTHER_ORIGIN = """
 origin (of) (the) (base) (frame) (is/lies) (placed) at/in (the) elbow/wrist/tip
@@ -290,30 +325,32 @@ origine (est) (placée) au/à (l') coude/poignet
 base is raised/lifted
 stands/mounted on a pedestal
 base est surélevée/relevée
-y-axis (is/are/zeigt/est) (points/pointing/directed/dirigé) (nach) (vers) (le) (positive) down~/unten/bas/abajo
-¤ (is) points/pointing/positive/counted down~
+y-axis … down~/unten/bas/abajo
 """
 
 # -- angles that are not those of the arm
 
 LEVEL = """
-measured/counted/taken/reckoned/given/mesuré~/compté~/comptée/gemessen/gezählt/mide/miden (with) (from/against/depuis/desde/relative/respect/à/gegen) (to/partir) (de) (the/l'/la/le/die) horizontal/horizontale/horizontalen/ground/floor/sol/x-axis
+angle/angles/winkel/ángulo/ángulos/both/all/each/¤ * to/from/with/against/of/and/à/depuis/desde/avec/et/l'/gegen/zur/zum/con/mit/und/la/die (the/l'/la/le/die/der) (fixed/base/world) horizontal/horizontale/horizontalen/ground/floor/sol/boden/suelo/x-axis
 respect to (the) horizontal/ground/floor/x-axis
-gegen die horizontale/waagerechte (gemessen)
-angle/angles/winkel/ángulo * with/between/and/to/avec/et/mit/con (the/l'/la) horizontal/horizontale/horizontalen/x-axis/ground
-absolute (joint) angle~/coordinate~
+¤ * direction/orientation/inclination of * in the base frame
+absolute (joint) angles/coordinates
 angle/angles/ángulo/ángulos/winkel (¤) (and/et/y/und) (¤) (are/is/est/sont/son/sind) (all) absolu/absolus/absolute/absolut/absoluto/absolutos
-¤ (and/et) (¤) (are/is/est/sont) absolute/absolus/absolu
-is not relative to the first/previous link
+¤ (and/et) (¤) (are/is/est/sont) (the) (an) (l') absolute/absolus/absolu
+¤ est l' angle absolu
+"""
+NOT_RELATIVE = """
+is/are not relative/measured (to/from) the first/previous link
 """
 TURNED = """
-measured/counted/mesuré~/compté~/gemessen/taken from/depuis/desde/gegen (the/la/die) vertical~/y-axis
+measured/counted/mesuré~/compté~/gemessen/taken from/depuis/desde/gegen/with (respect) (to) (the/la/die) vertical~/y-axis
 angle * with/between/and/avec/et (the/la) vertical/verticale/y-axis
 clockwise
 sens horaire
 sens des aiguilles
 im uhrzeigersinn
 sentido horario
+numbered * from the tip/tool/end/gripper/hand
 """
 # -- lengths and columns that are not those of the arm
 
@@ -322,6 +359,8 @@ OTHER_LENGTH = """
 ¤ … half-length/half-lengths
 ¤ is/denotes the distance * (to) the middle/centre/center
 ¤ est la moitié
+twice/double (as) (long) (as) ¤
+double de ¤
 """
 OTHER_COLUMNS = """
 columns belong to ¤ and ¤

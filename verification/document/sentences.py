@@ -31,8 +31,9 @@ _ALTERNATIVES = re.compile(  # $s_3 = 0$ or
     r"(?:\s*(?:\$[^$]+\$|\\\(.+?\\\)|:math:`[^`]+`)\s*,?\s*(?:or|and|ou|et|o|y|oder|und)?)+\s*\Z"
 )
 _FORMULA = re.compile(r"\$\$?[^$]*\$\$?|\\\(.*?\\\)|:math:`[^`]*`")
-_AXIS = re.compile(
-    r"\$\s*([xyz])(?:_0)?\s*\$[ -]?(?:axis|achse)|\b([xyz])[ -](?:axis|achse)|\b(?:axe|eje) \$\s*([xyz])(?:_0)?\s*\$",
+AXIS = re.compile(
+    r"\$\s*([xyz])(?:_0)?\s*\$[ -]?(?:axis|achse|direction|coordinate)|\b([xyz])[ -](?:axis|achse|direction)|\b(?:axe|eje) \$\s*([xyz])(?:_0)?\s*\$"
+    r"|(?<=with )\$\s*(y)\s*\$",
     re.IGNORECASE,
 )
 _LAYOUT = re.compile(
@@ -108,12 +109,13 @@ def without_harmless(text: str) -> str:
 
 
 def _is_error(words: str) -> bool:
-    return re.fullmatch(r"(?:error|erreur|fehler|×) (?:[!.] )?", words, re.IGNORECASE) is not None
+    return re.fullmatch(r"(?:error|erreur|fehler|typo|nope|no|non|nein|×) (?:[!.] )?", words, re.IGNORECASE) is not None
 
 
 def heading_denies(section: str) -> bool:
     """Whether a heading says that what stands below it is wrong: "A common mistake"."""
-    return hears("DENYING_HEADING", words_of(section)) is not None
+    words = words_of(section)
+    return hears("DENYING_HEADING", words) is not None or (hears("WRONG", words) is not None and _denies(words))
 
 
 def is_of_a_case(section: str) -> bool:
@@ -136,10 +138,15 @@ def last_sentence(text: str) -> str:
 
 def words_of(text: str) -> str:
     """Return a sentence word by word, each with a blank behind it: formulas as ¤, x-axis one word, marks of their own."""
-    text = _AXIS.sub(lambda found: f"{next(filter(None, found.groups()))}-axis", text)
+    text = with_axes(text)
     text = _FORMULA.sub(lambda found: " ¤ ≪ " if "\\ll" in found.group() else " ¤ ", text)
     text = _LAYOUT.sub(" ", text.replace("’", "'").replace("'", "' "))
     return " ".join(re.sub(r"([,:.;!?])(?=\s|\Z|[,:.;!?])", r" \1 ", text).split()) + " "
+
+
+def with_axes(text: str) -> str:
+    """Return a text in which the $x$ axis is the x-axis."""
+    return AXIS.sub(lambda found: f"{next(filter(None, found.groups()))}-axis", text)
 
 
 def _denies(words: str, is_behind: bool = False) -> bool:
@@ -178,7 +185,7 @@ def _limits_above(text: str) -> bool:
     """Whether a text that goes on from the display above it says when, or how nearly, that holds; or asks whether."""
     sentence = _STOP.split(" ".join(text.split()), maxsplit=1)[0]
     words = words_of(sentence)
-    if words.endswith("? ") or re.match(r"[^.;!]*\?", text.strip()):
+    if hears("ASKED_BEHIND", words):
         return True
     is_short, goes_on = words.count(" ") <= 6, words[:1].islower()
     if goes_on and hears("LIMITED_BEHIND", words):
@@ -192,9 +199,12 @@ def hears(name: str, words: str) -> re.Match[str] | None:
 
 
 def hears_denied(name: str, words: str) -> bool:
-    """Whether "not" or "no" stands shortly before a phrase."""
+    """Whether "not" or "no" stands shortly before a phrase of a table, or in it."""
     found = _phrases(name).search(words)
-    return found is not None and _phrases("NOT").search(" ".join(words[: found.start()].split()[-4:]) + " ") is not None
+    if found is None:
+        return False
+    before = words[: found.start()].split()[-4:]
+    return hears("NOT", f"{' '.join([*before, found.group()])} ") is not None
 
 
 @cache
