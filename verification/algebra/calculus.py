@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from fractions import Fraction
 from math import prod
 
@@ -134,6 +134,23 @@ def are_rates(cells: Sequence[Scalar]) -> bool:
     """Whether every cell is a rate by itself, as in q̇."""
     symbols = [symbol_of(cell) for cell in cells]
     return bool(symbols) and all(symbol is not None and is_rate(symbol) for symbol in symbols)
+
+
+def degree_in(value: Scalar, symbols: Collection[str]) -> int | None:
+    """Return of which degree a value is in symbols, terms alike; None where they are not, or roots and arc functions stand in it.
+
+    Of lengths it tells what a value measures: -2 p_z d_3 is an area, and no coordinate.
+    """
+    if any(kind in ("radical", "arc") for kind, _ in value.generators):
+        return None
+    parts = [
+        {
+            sum(power for (kind, name), power in powers.items() if kind == "symbol" and name in symbols)
+            for powers, _ in value.ring.terms(part)
+        }
+        for part in (value.numerator, value.denominator)
+    ]
+    return parts[0].pop() - parts[1].pop() if all(len(each) == 1 for each in parts) else None
 
 
 def symbols_in(values: Iterable[Scalar]) -> set[str]:

@@ -28,7 +28,7 @@ from armproof.verification.evaluation.blocks import cells_of, rows_of_letters
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
-from armproof.verification.naming.conventions import conventional, is_usual
+from armproof.verification.naming.conventions import is_usual
 from armproof.verification.naming.state import Stated, Told
 from armproof.verification.verdict import HOLDS, Verdict
 
@@ -158,7 +158,7 @@ class Circumstances:
         if not self.names.is_open(name):
             return
         members, value = self.checker.members, chain.members[1]
-        usual = is_usual(name) and conventional(name, self.names.arm, self.names.transforms)  # type: ignore[arg-type]
+        usual = is_usual(name) and self.names.usual(name)  # type: ignore[arg-type]
         if usual or isinstance(bare(value), n.Name):
             return
         (found,) = self.checker.conventions.bind([members.evaluate(value)])

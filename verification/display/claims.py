@@ -18,7 +18,7 @@ from armproof.verification.equations.at_stated_values import is_mostly_right
 from armproof.verification.equations.case_conditions import check_cases
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.compositions import is_composition
-from armproof.verification.equations.differentials import is_of_rates, with_rates
+from armproof.verification.equations.differentials import is_of_rates, of_small_ones, with_rates
 from armproof.verification.equations.doubts import is_of_arm
 from armproof.verification.equations.each_joint import holds_for_each_joint, index_of, slip_of_law, with_inverses
 from armproof.verification.equations.elementary import axis_of_another_frame, is_elementary_rotation
@@ -28,6 +28,7 @@ from armproof.verification.equations.given_values import GivenValues, named_sign
 from armproof.verification.equations.inequalities import check_relation, is_numbers, parts_of
 from armproof.verification.equations.misreadings import without_misreading
 from armproof.verification.equations.named_signs import unless_of_a_sign
+from armproof.verification.equations.order_of_factors import unless_exchanged
 from armproof.verification.equations.outcome import Outcome, hold
 from armproof.verification.equations.printed_factors import factors_otherwise
 from armproof.verification.equations.readings import counted, side_by_side, without_count
@@ -394,6 +395,11 @@ class Claims:
     def _related(self, part: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         if part.relations[0] == "=":
             return self._clear_chain(part, equation, line, define)
+        if (small := of_small_ones(part, self.names)) is not None:
+            near = self._claimed(small, equation, line, False)
+            if all(each.verdict in DECIDED for each in near):
+                near[0].also(say(Kind.FIRST_ORDER))
+                return near
         return [check_relation(self.checker, part, equation)]
 
     def _claimed(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
@@ -402,6 +408,8 @@ class Claims:
         for outcome in found or ():
             outcome.role = Role.LAW
         outcomes = found or self._decided(chain, equation, line, define)
+        if self.names.arm is None:
+            outcomes = unless_exchanged(outcomes, chain, self.names)
         for outcome in outcomes if define else ():
             self.given.remember(outcome.gives, line)
         if define and any(o.tells(Kind.NUMBERS_OF_NOWHERE) for o in outcomes):

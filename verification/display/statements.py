@@ -22,20 +22,24 @@ from armproof.verification.display.claims import Claims
 from armproof.verification.display.prepared import asked, beside_arcs, of_all_joints, prepared
 from armproof.verification.equations.cells_left_out import with_cells
 from armproof.verification.equations.chain import ChainChecker
-from armproof.verification.equations.decimals import angle_without_unit
+from armproof.verification.equations.given_values import named_sign
 from armproof.verification.equations.named_signs import unless_signs_clash
 from armproof.verification.equations.outcome import Outcome, with_role
+from armproof.verification.equations.polar import gives_meanings, polar_pair
 from armproof.verification.equations.series import unless_added, written_out
 from armproof.verification.equations.shorthands import digits_of, is_among
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.statements import PREVIOUS
+from armproof.verification.naming.conventions import is_usual
 from armproof.verification.verdict import DECIDED, HOLDS, Role, Verdict
 
 SCRIPTED = re.compile(r"\\?[A-Za-z.…⋯]+(?:\s*[_^]\s*(?:\{[^{}]*\}|[^\\{]))*")  # \sum_{i=1}^{2}
 _ARC = re.compile(
     r"arc|tan|acos|asin|\^\s*\{?\s*-|(?:cos|sin)[\s{(]*(?:\\left)?[\s({]*-?\d\d", re.IGNORECASE
 )  # where an inverse function may stand, however spelled, or a number of degrees in a cosine
+_DEGREES = 10  # a whole number from here on is hardly an angle in radians
 
 
 @dataclass
@@ -70,6 +74,11 @@ class _Display:
     def asked(self) -> list[n.Statement]:
         """The statements, with what is asked for as an equation."""
         return [asked(statement) for statement in self.statements]
+
+    @property
+    def has_next(self) -> bool:
+        """Whether a statement stands behind the one at hand."""
+        return self.index + 1 < len(self.statements)
 
     @cached_property
     def is_connected(self) -> bool:
@@ -116,6 +125,8 @@ class Statements:
         if of_singularities and told.line == line and (found := self._of_singularities(statements, line)):
             return found
         display = _Display(statements, line, define, latex)
+        if define and len(statements) > 1:
+            self._name_ahead(statements, line)
         while display.index < len(statements):
             self.ring.budget.check()
             self._take_next(display)
@@ -127,7 +138,8 @@ class Statements:
         if is_of_any:
             unwritten = say(Kind.TERMS_UNWRITTEN, text="\\dots")
             display.outcomes = [outcome.unless_refuted(unwritten) for outcome in display.outcomes]
-        if number := angle_without_unit(statements):
+        is_refuted = any(each.verdict is Verdict.REFUTED for each in display.outcomes)
+        if is_refuted and (number := _angle_without_unit(statements)):
             degrees = say(Kind.DEGREES_UNMARKED, number=number)
             display.outcomes = [outcome.unless_refuted(degrees) for outcome in display.outcomes]
         if own := self._own_shorthand(statements):
@@ -142,6 +154,19 @@ class Statements:
         if first_chain is not None and define:
             self.names.state.subject = first_chain.members[0]
         return display.outcomes, display.counterexample
+
+    def _name_ahead(self, statements: list[n.Statement], line: int) -> None:
+        """Y = -2 B_1 d_3, B_1 = …, or s_2 = ε √(1 - c_2²), ε = ±1: what a display says of a letter holds for all of it."""
+        spoken: set[str] = set()
+        chains = [each for each in statements if isinstance(each, n.Chain)]
+        for each in chains if len(chains) == len(statements) else ():
+            name = bare(each.members[0])
+            sign = named_sign(each)
+            if sign is not None and self.names.defines_sign(sign):
+                self.names.state.signs.name(sign, line)
+            elif isinstance(name, n.Name) and name.key in spoken and self.names.is_open(name) and not is_usual(name):
+                self.claims.chain(each, 1, line, define=True)
+            spoken |= {b.key for m in each.members for b in n.walk(m) if isinstance(b, n.Name)}
 
     def _own_shorthand(self, statements: list[n.Statement]) -> Finding | None:
         """Return the doubt where a c_{12} is written that the text says to be something else than it usually is."""
@@ -189,9 +214,21 @@ class Statements:
         if implication is not None:
             self._take_implication(display, implication)
         elif isinstance(statement, n.Chain):
-            self._take_chain(display, statement)
+            if not self._take_pair(display):
+                self._take_chain(display, statement)
         else:
             display.index += 1
+
+    def _take_pair(self, display: _Display) -> bool:
+        """Take p_x = r cos φ, p_y = r sin φ, which give r and φ their meaning; False where no such pair stands next."""
+        pair = polar_pair(*display.statements[display.index : display.index + 2]) if display.has_next else None
+        if pair is None or not display.define:
+            return False
+        found = gives_meanings(self.checker, pair, display.equation, display.line)
+        display.outcomes.extend(found or ())
+        display.equation += 2 if found else 0
+        display.index += 2 if found else 0
+        return bool(found)
 
     def _take_chain(self, display: _Display, chain: n.Chain) -> None:
         statements, index = display.statements, display.index
@@ -341,3 +378,11 @@ def _as_alternatives(statements: list[n.Statement]) -> list[n.Statement]:
         return statements
     between = [(n.Connective("or", "or"), each) for each in statements[1:]]
     return [*statements[:1], *(each for pair in between for each in pair)]
+
+
+def _angle_without_unit(nodes: list[n.Statement]) -> str:
+    """Return the whole number that a sine, cosine or tangent is taken of, as of an angle in degrees: 30 of cos 30; "" without."""
+    calls = (b for node in nodes for b in n.walk(node) if isinstance(b, n.Call) and b.function in ("cos", "sin", "tan"))
+    numbers = (n.ungrouped(argument) for call in calls for argument in call.arguments)
+    found = (each for each in numbers if isinstance(each, n.Number) and not each.decimals and each.value >= _DEGREES)
+    return next((str(each.value) for each in found), "")

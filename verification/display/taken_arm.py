@@ -9,7 +9,7 @@ from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.conventions import conventional, is_usual
+from armproof.verification.naming.conventions import is_usual
 from armproof.verification.naming.quantities import leads_outwards, tells_frame
 from armproof.verification.naming.state import DocumentState, links_told
 from armproof.verification.verdict import TakenArm, Verdict
@@ -71,7 +71,7 @@ class OfTakenArm:
 
     def _is_of_any_tool(self, name: n.Name) -> bool:
         """Whether a name stands for a quantity of the last frame without saying so, or did until it was refuted."""
-        usual = conventional(name, self.arm, self.names.transforms) if self.arm is not None and is_usual(name) else ()
+        usual = self.names.usual(name) if self.arm is not None and is_usual(name) else ()
         quantity = self.checker.quantity_of(name) or next(iter(usual), None)
         return quantity is not None and not tells_frame(name, quantity)
 

@@ -15,7 +15,7 @@ from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import ShapeError
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
-from armproof.verification.naming.conventions import AXES, conventional
+from armproof.verification.naming.conventions import AXES
 
 IN_PLANE = (1, 2)
 
@@ -82,5 +82,5 @@ class BySize:
             return None
         if plain.key in (*names.quantities, *names.state.definitions) or names.known_symbol(plain.key) is not None:
             return None
-        usual = conventional(replace(plain, sup=""), names.arm, names.transforms)
+        usual = names.usual(replace(plain, sup=""))
         return next((each for each in usual if each.kind == "origin" and each.scalar), None)

@@ -162,7 +162,8 @@ class ChainChecker:
             return anew
         if now.defined is not None:
             outcomes = self.redefinitions.judge(now.chain, outcomes, now.defined, now.check)
-        outcomes = [self.redefinitions.unless_repeated(outcome, line) for outcome in outcomes]
+        if self.names.state.definitions:
+            outcomes = [self.redefinitions.unless_repeated(outcome, line) for outcome in outcomes]
         for outcome in outcomes:
             outcome.read_as = outcome.read_as or (self.members.read_as(outcome.true.node) if outcome.true else "")
         if (doubt := self._other_direction(now, outcomes)) is not None:
@@ -220,7 +221,7 @@ class ChainChecker:
         if now.define:
             if self.names.state.inferred.keys() - now.settled:
                 heed_places(self.names, members, now.settled, now.line)
-            if (target := target_pose(members, self.names)) is not None:
+            if now.is_open and (target := target_pose(members, self.names)) is not None:
                 self.names.state.inferred[target[0]] = target[1]
                 return now.check(now.chain)
             if now.is_open and (found := awaited(members)) is not None:
@@ -272,7 +273,9 @@ class ChainChecker:
 
     def _with_letters_anew(self, now: _Pass, outcomes: list[Outcome]) -> list[Outcome] | None:
         """Return the outcomes where letters of a matrix get another meaning than before; nobody knows then what they mean."""
-        letters = letters_meant_anew(outcomes) if now.define else frozenset()
+        if not (now.define and self.names.state.definitions):
+            return None
+        letters = letters_meant_anew(outcomes)
         if not letters & self.names.state.definitions.keys():
             return None
         self.names.forget(letters)

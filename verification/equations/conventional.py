@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import cached_property
 
+from armproof.verification.algebra.calculus import degree_in
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import OutsideAlgebra
 from armproof.verification.algebra.quantity import Quantity
@@ -45,7 +46,6 @@ from armproof.verification.naming.conventions import (
     LETTERS,
     LINEAR_VELOCITIES,
     applied,
-    conventional,
     is_usual,
     seen_from_wrist,
 )
@@ -248,6 +248,8 @@ class Conventions:
                     if there is Verdict.REFUTED and is_usual(name) and is_constant(pair.printed):
                         self.doubts.open.setdefault(name.key, quantity)
                 is_shown = quantity == usual and _is_rate(member.node)  # y has no other rate than its own
+                if pair is not None and self._measures_otherwise(quantity, pair.printed):
+                    continue
                 if pair is not None and (is_usual(name) or is_shown) and not is_constant(pair.printed):
                     if self.doubts.open.setdefault(name.key, quantity) == quantity:
                         self.doubts.tried[name.key] = tried
@@ -311,11 +313,21 @@ class Conventions:
         arm = self.names.arm
         if arm is None or name.base not in LETTERS or not self.names.is_open(name):
             return ()
-        found = conventional(name, arm, self.names.transforms)
+        found = self.names.usual(name)
         if isinstance(bare(node), n.Call):
             found = tuple(dict.fromkeys((*found, *applied(name, arm))))
         found = tuple(quantity for quantity in found if self.names.may_be(name, quantity))
         return tuple(each for quantity in found if (each := self._with_rows(quantity)) is not None)
+
+    def _measures_otherwise(self, quantity: Quantity, printed: Matrix) -> bool:
+        """Whether a coordinate is beside what is no length: X = -2 P_z D_3, a coefficient of X s_2 + Y c_2 = Z."""
+        if quantity.kind != "origin" or not quantity.scalar or printed.shape != (1, 1):
+            return False
+        arm = self.names.arm
+        assert arm is not None
+        slides = [symbol for symbol, joint in self.names.joints.items() if joint.kind == "prismatic"]
+        degree = degree_in(printed.rows[0][0].normal(), {*arm.lengths, *slides})
+        return degree is not None and degree > 1
 
     def _that_values_tell(self, node: n.Node, name: n.Name) -> tuple[Quantity, ...]:
         """Return the quantities that a name may be where one has exactly the value of the other side; it is no slip in any."""
@@ -441,7 +453,7 @@ class Conventions:
             now = state.inferred.get(name.key) if name is not None and name.key in state.conventional else None
             if name is None or now is None or self.names.arm is None or now.frame in shown:
                 continue
-            usual = next(iter(conventional(name, self.names.arm, self.names.transforms)), now)
+            usual = next(iter(self.names.usual(name)), now)
             if (before := self.before.get(name.key)) is not None:
                 state.infer_usual(name.key, before)
             elif now != usual:
@@ -450,7 +462,7 @@ class Conventions:
     def _give(self, name: n.Name | None) -> None:
         """x = 0: where the tool is to be, and not what x is."""
         arm = self.names.arm
-        if name is not None and arm is not None and is_usual(name) and conventional(name, arm, self.names.transforms):
+        if name is not None and arm is not None and is_usual(name) and self.names.usual(name):
             self.names.keep_as_given(name.key)
 
     def _seen_from_elsewhere(self, outcome: Outcome) -> str:
@@ -479,7 +491,7 @@ class Conventions:
         arm = self.names.arm
         if name is None or name.base not in LETTERS or definition is None or arm is None or outcome.printed is None:
             return None
-        for quantity in filter(None, map(self._with_rows, conventional(name, arm, self.names.transforms))):
+        for quantity in filter(None, map(self._with_rows, self.names.usual(name))):
             usual = Member(name, self.members.exact.quantity(quantity))
             if (pair := self._closest(usual, outcome.printed)) is not None and agree_exactly(pair):
                 return say(Kind.SECOND_MEANING, name=name.key, line=definition.line)

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.conventions import AXES, conventional
+from armproof.verification.naming.conventions import AXES
 from armproof.verification.naming.names import Names
 
 VECTORS = ("origin", "task")
@@ -37,5 +37,5 @@ def _is_vector(names: Names, key: str) -> bool:
 
 
 def _coordinate(names: Names, name: n.Name) -> Quantity | None:
-    usual = conventional(name, names.arm, names.transforms) if names.arm is not None else ()
+    usual = names.usual(name) if names.arm is not None else ()
     return next((each for each in usual if each.kind == "origin" and each.scalar), None)

@@ -21,8 +21,8 @@ from armproof.verification.verdict import Verdict
 
 FINE = 3  # decimals: a number of so many may be rounded
 LARGE = 1000  # a whole number from here on may be rounded where what it stands for is none
-DEGREES = 10  # a whole number from here on is hardly an angle in radians
 COARSE = 2  # decimals: what holds to these is neither confirmed nor refuted
+TWO_DIGITS = 10
 FEW = 3  # entries: more wrong ones than that, and another configuration is meant
 
 
@@ -81,6 +81,7 @@ def may_be_rounded(members: Members, outcome: Outcome) -> bool:
     """Whether the numbers of an equation between numbers, each half a unit off, can make it right: 18.106 − 8·0.643 = 12.964.
 
     Those of fewer than three decimals count as exact but in degrees, and of two beside a root: a length of 0.5 is no rounded one.
+    Where the last digit alone is off by one, 8.6 · 5.39 = 46.3, those of two digits are rounded ones as well.
     """
     pair = outcome.pair
     if pair is not None and (unit := _whole_unit(outcome)) is not None:
@@ -89,9 +90,11 @@ def may_be_rounded(members: Members, outcome: Outcome) -> bool:
     if pair is None or symbols_in((*pair.true.cells, *pair.printed.cells)):
         return False
     slack = dict.fromkeys(outcome.wrong, 0.0)
+    is_near = _is_last_digit_off(members, outcome)
     for side, value, other in ((outcome.true, pair.true, pair.printed), (outcome.printed, pair.printed, pair.true)):
         assert side is not None
-        for number in _rounded_numbers(side.node, COARSE if is_constant(value) and not is_constant(other) else FINE):
+        fine = COARSE if is_constant(value) and not is_constant(other) else FINE
+        for number in _of_two_digits(side.node) if is_near else _rounded_numbers(side.node, fine):
             off = n.Number(number.value + Fraction(1, 2 * 10**number.decimals))
             moved = as_matrix(members.evaluate(n.substitute(side.node, number, off)).value)
             if moved.shape != value.shape:
@@ -100,6 +103,22 @@ def may_be_rounded(members: Members, outcome: Outcome) -> bool:
                 slack[row, column] += abs(members.number(moved.rows[row][column] - value.rows[row][column]))
     apart = {(r, c): members.number(pair.true.rows[r][c] - pair.printed.rows[r][c]) for r, c in slack}
     return all(abs(size) <= slack[place] + EXACT.near for place, size in apart.items())
+
+
+def _is_last_digit_off(members: Members, outcome: Outcome) -> bool:
+    """Whether a number beside a formula of numbers is another by one in its last digit."""
+    pair, sides = outcome.pair, [*map(n.ungrouped, outcome.nodes)]
+    alone = [each for each in sides if isinstance(each, n.Number)]
+    if pair is None or not pair.is_scalar or len(alone) != 1 or not all(map(is_number, sides)):
+        return False
+    apart = members.number(pair.true.rows[0][0] - pair.printed.rows[0][0])
+    return abs(apart) <= 10.0 ** -alone[0].decimals + EXACT.near
+
+
+def _of_two_digits(node: n.Node) -> list[n.Number]:
+    """Return the decimals of a tree that have two digits or more: 8.6, and not 0.5."""
+    below = [each for each in n.walk(node) if isinstance(each, n.Number) and each.decimals]
+    return [each for each in below if abs(each.value) * 10**each.decimals >= TWO_DIGITS]
 
 
 def slacks(members: Members, node: n.Node) -> list[float]:
@@ -208,11 +227,3 @@ def _leaves_rounding(outcome: Outcome, decimals: int) -> bool:
         if all((k * 10**decimals).denominator == 1 for _, k in difference.ring.terms(difference.numerator)):
             return False
     return True
-
-
-def angle_without_unit(nodes: Iterable[n.Node]) -> str:
-    """Return the whole number that a sine, cosine or tangent is taken of, as of an angle in degrees: 30 of cos 30; "" without."""
-    calls = (b for node in nodes for b in n.walk(node) if isinstance(b, n.Call) and b.function in ("cos", "sin", "tan"))
-    numbers = (n.ungrouped(argument) for call in calls for argument in call.arguments)
-    found = (each for each in numbers if isinstance(each, n.Number) and not each.decimals and each.value >= DEGREES)
-    return next((str(each.value) for each in found), "")

@@ -1,4 +1,4 @@
-r"""Small displacements, \delta x = J \delta q and dx = J dq: what holds of them is what holds of rates."""
+r"""Displacements, \delta x = J \delta q, dx = J dq and \Delta x \approx J \Delta q: what holds of them is what holds of rates."""
 
 from __future__ import annotations
 
@@ -8,7 +8,23 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.naming.conventions import is_usual
 from armproof.verification.naming.names import Names
 
-_SIGNS = ("d", "delta")  # Δ is finite, and what is said of it is near at best
+_SIGNS = ("d", "delta")
+_FINITE = "Delta"  # what is said of it is near at best
+
+
+def of_small_ones(chain: n.Chain, names: Names) -> n.Chain | None:
+    """Return what is near of changes, Δx ≈ J Δq, as an equation of small displacements; None where a side tells of none."""
+    changes = [
+        [each for each in n.walk(member) if isinstance(each, n.Name) and each.key == _FINITE and names.is_open(each)]
+        for member in chain.members
+    ]
+    if set(chain.relations) != {"≈"} or not all(changes):
+        return None
+    members = tuple(
+        n.substitute_each(member, {id(sign): replace(sign, base=_SIGNS[1]) for sign in signs})
+        for member, signs in zip(chain.members, changes, strict=True)
+    )
+    return replace(chain, members=members, relations=("=",) * len(chain.relations))
 
 
 def with_rates(chain: n.Chain, names: Names) -> n.Chain | None:

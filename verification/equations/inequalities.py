@@ -13,6 +13,7 @@ from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
+from armproof.verification.equations.order_of_factors import are_exchanged
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.rigid import is_pose, is_rotation
 from armproof.verification.equations.worked_numbers import without_unit
@@ -56,7 +57,8 @@ def _check(checker: ChainChecker, left: n.Node, relation: str, right: n.Node, eq
     sides = checker.member(left), checker.member(right)
     known = all(side.known for side in sides)
     if relation == "≠":
-        if known and _identical(sides[0].value, sides[1].value):
+        exchanged = checker.names.arm is None and are_exchanged(left, right, checker.names)
+        if known and not exchanged and _identical(sides[0].value, sides[1].value):
             return replace(outcome, verdict=Verdict.REFUTED, findings=(say(Kind.ALWAYS_EQUAL),))
         return outcome
     if relation in ORDERS and (bound := _of_the_arm(checker, left, relation, right, outcome)) is not None:

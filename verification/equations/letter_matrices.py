@@ -21,7 +21,7 @@ from armproof.verification.errors import EvaluationError, UnboundName
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key
-from armproof.verification.naming.conventions import ENTRIES, ENTRY, conventional, is_entry
+from armproof.verification.naming.conventions import ENTRIES, ENTRY, is_entry
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import numbered_frames
 from armproof.verification.verdict import Verdict
@@ -51,7 +51,7 @@ def target_pose(members: Sequence[Member], names: Names) -> tuple[str, Quantity]
         plain = replace(node, sub="")
         known = names.quantity(plain)
         ends = (names.arm.frames[0], names.arm.frames[-1])
-        for each in (known,) if known is not None else conventional(plain, names.arm, names.transforms):
+        for each in (known,) if known is not None else names.usual(plain):
             if each.kind == "pose" and (each.reference, each.frame) == ends and each.rows is None:
                 return node.key, each
     return None
@@ -72,7 +72,7 @@ def _is_usually_a_pose(node: n.Node, names: Names) -> bool:
     name = n.bare(node)
     if names.arm is None or not isinstance(name, n.Name) or not names.is_open(name):
         return False
-    return any(each.kind == "pose" for each in conventional(name, names.arm, names.transforms))
+    return any(each.kind == "pose" for each in names.usual(name))
 
 
 def _entries_in(chain: n.Chain) -> dict[str, n.Name]:

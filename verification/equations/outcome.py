@@ -14,7 +14,7 @@ from armproof.verification.equations.sides import Member
 from armproof.verification.errors import NoValue
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.conventions import conventional, is_usual
+from armproof.verification.naming.conventions import is_usual
 from armproof.verification.naming.names import Names
 from armproof.verification.verdict import DECIDED, HOLDS, EquationResult, Role, Verdict, worst
 
@@ -231,7 +231,7 @@ def _is_expected(name: n.Name, names: Names) -> bool:
 
 def _is_of_moving_frame(name: n.Name, names: Names) -> bool:
     """Whether convention has a meaning for a name with an index, and not of the base: P_x, x_2."""
-    usual = conventional(name, names.arm, names.transforms) if names.arm is not None else ()
+    usual = names.usual(name) if names.arm is not None else ()
     return names.arm is not None and any(quantity.frame != names.arm.frames[0] for quantity in usual)
 
 

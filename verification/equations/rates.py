@@ -9,7 +9,7 @@ from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.evaluation.blocks import Block, cells_of
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
-from armproof.verification.naming.conventions import ANGULAR_VELOCITIES, LINEAR_VELOCITIES, conventional
+from armproof.verification.naming.conventions import ANGULAR_VELOCITIES, LINEAR_VELOCITIES
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import numbered_frames
 
@@ -95,7 +95,7 @@ def row_of(node: n.Node, names: Names) -> int | None:
     if plain.key in names.state.definitions:
         return None
     bound = names.quantities.get(plain.key)
-    candidates = (bound,) if bound is not None else conventional(plain, names.arm, names.transforms)
+    candidates = (bound,) if bound is not None else names.usual(plain)
     found = next((each for each in candidates if each.scalar and _is_of_tool(each, names)), None)
     if found is None or (found.kind != "velocity") != (name.dots > 0):
         return None

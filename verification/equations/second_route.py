@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from armproof.verification.algebra.angles import has_arcs
 from armproof.verification.algebra.calculus import leaves_open
+from armproof.verification.algebra.matrix import as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import TOO_LARGE, Member, Members
@@ -59,6 +60,8 @@ class SecondRoute:
             self._refute(outcome, errors.wrong(TOLERANCE), branches)
             outcome.findings = outcome.findings or (say(Kind.UP_TO_A_SIGN),)
         elif self._fails_for_lengths(outcome, branches):
+            if self.on_a_branch(outcome, errors, branches):
+                return outcome
             self._refute(outcome, errors.places, branches)
             outcome.findings = outcome.findings or (say(Kind.FOR_THESE_LENGTHS),)
         else:
@@ -243,8 +246,11 @@ class SecondRoute:
         """Whether a left side is what inverse kinematics solves for: a joint variable, a sum of such, or cos, sin, tan of it.
 
         Only there a sign or a half-turn is left to the reader; √(sin² θ) = sin θ and x = |x| are identities, and false.
+        And where φ is atan2(y, x), and tan⁻¹(y/x) besides.
         """
         node = bare(node)
+        if self._is_half_a_turn_away(node, bare(by)):
+            return True
         calls = [below for below in n.walk(by) if isinstance(below, n.Call)]
         by_itself = any(below == node for below in n.walk(by)) and not _is_of_both_sides(node, by)
         if by_itself or any(call.function in ("abs", "norm") for call in calls):
@@ -262,6 +268,19 @@ class SecondRoute:
             isinstance(b, plain) and (not isinstance(b, n.Name) or self.members.is_symbol(b) or self._is_free_angle(b))
             for b in n.walk(node)
         )
+
+    def _is_half_a_turn_away(self, node: n.Node, by: n.Node) -> bool:
+        """Whether a letter is defined as atan2(y, x), and what is said of it now is the arctangent of y/x."""
+        formula = self._named(node)
+        if not (
+            isinstance(formula, n.Call)
+            and isinstance(by, n.Call)
+            and (formula.function, by.function) == ("atan2", "atan")
+        ):
+            return False
+        y, x, ratio = (as_scalar(self.members.evaluate(each).value) for each in (*formula.arguments, *by.arguments))
+        both = isinstance(y, Scalar) and isinstance(x, Scalar) and isinstance(ratio, Scalar)
+        return both and (ratio * x - y).is_zero()  # type: ignore[operator]
 
     def _is_free_angle(self, name: n.Name) -> bool:
         """Whether a letter is an angle of a document that is about no arm: φ of Euler's angles."""
@@ -287,7 +306,7 @@ class SecondRoute:
             from armproof.verification.equations.sampled_errors import with_lengths
 
         signs = self.exact.ring.signs_chosen and any(map(self._has_roots, outcome.nodes))
-        if outcome.pair is not None and not signs:
+        if outcome.pair is not None and not (signs or _holds_arcs(outcome)):
             return
         for unit in (1, LARGE):
             for sampled in with_lengths(own, self.names.state.stated, unit):

@@ -9,7 +9,6 @@ from armproof.verification.equations.compositions import arguments_fit
 from armproof.verification.equations.sides import Members
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
-from armproof.verification.naming.conventions import conventional
 from armproof.verification.naming.quantities import numbered_frames
 
 MOST_LINKS = 12
@@ -84,7 +83,7 @@ class Spellings:
         if start == end and start in self.names.arm.frames:  # O_3O_3
             return n.Matrix(((n.Number(Fraction(0), span=node.span),),) * 3, span=node.span)
         between = n.Name("O", f"{start}to{end}", pre_sup=second.pre_sup, span=node.span)
-        return between if conventional(between, self.names.arm, self.names.transforms) else None
+        return between if self.names.usual(between) else None
 
     def _is_point(self, name: n.Name) -> bool:
         """Whether a letter may be a point of a figure: it is no matrix A_1, and the document gives it no value."""

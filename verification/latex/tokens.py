@@ -180,6 +180,7 @@ class Spelling:
     screws: frozenset[str] = frozenset()  # the letters of twists in exponents: S of e^{[S_1]θ_1}, xi where it has a hat
     unit: str = ""  # mm or cm, in which it calculates: behind a number it says no more than m does in metres
     indices: frozenset[str] = frozenset()  # of θ, q, c and s, the first of several
+    normals: str = "noa"  # its letters of the columns of the tool's rotation
     loads: frozenset[str] = frozenset()  # the components of forces and moments that it writes anywhere: F_x, M_z
 
     def joint_signs(self, digits: str) -> tuple[int, ...]:

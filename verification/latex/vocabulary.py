@@ -83,7 +83,7 @@ STYLES = (
     "bold|symbf|symup|textup|textnormal|mathds|Bbb|frak|cal|sf|tt|vb|va|vu|uvec|boldvec|ensuremath|cancel|phantom|smash|mathstrut|mathord|mathbin|mathrel"
 )
 SPACES = (
-    r"displaystyle|textstyle|scriptstyle|scriptscriptstyle|limits|nolimits|nonumber|notag|hline|hfill|noindent|"
+    r"displaystyle|textstyle|scriptstyle|scriptscriptstyle|limits|nolimits|nonumber|notag|hline|hdashline|hfill|noindent|"
     r"normalsize|small|footnotesize|scriptsize|tiny|large|Large|centering|allowbreak|"
     r"thinspace|medspace|thickspace|negthinspace|space|middle|[bB]igg?[lrm]?|toprule|midrule|bottomrule|strut|relax|null"
 )

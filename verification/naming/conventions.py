@@ -41,10 +41,10 @@ USUAL = frozenset(
     "p P x y z X Y Z R T H J v V omega Omega phi varphi WC wc EE".split()
 )  # seldom anything else, of an arm
 AXES = "xyz"
-NORMALS = "noa"  # the columns of the tool's rotation
+NORMALS = "noa"  # the columns of the tool's rotation, of which a document may have others
 COLUMNS = {"n": "x", "s": "y", "o": "y", "a": "z"}  # of a rotation: n_6^0, s_6^0, a_6^0
 ENTRY = "r"
-ENTRIES = frozenset((ENTRY, *NORMALS))  # of a rotation: in a matrix they mean what stands in their place
+ENTRIES = frozenset((ENTRY, *NORMALS, "s"))  # of a rotation: in a matrix they mean what stands in their place
 LETTERS = POSITIONS | POSES | LINEAR_VELOCITIES | ANGULAR_VELOCITIES | TWISTS | ORIENTATIONS | MANIPULABILITIES
 LETTERS |= FUNCTIONS | frozenset(
     "R J O P Delta x y z X Y Z r n s o a WC wc EE".split()
@@ -63,8 +63,13 @@ def reads_as_length(letter: str) -> bool:
     return letter[:1] in ("l", "L") or letter[:2] in ("a_", "d_") or letter in ("r", "rho")
 
 
-def conventional(name: n.Name, arm: Arm, transforms: str) -> tuple[Quantity, ...]:
-    """Return what a name may stand for on an arm by convention, the likelier first; nothing where it is no usual name."""
+def conventional(name: n.Name, arm: Arm, transforms: str, normals: str = NORMALS) -> tuple[Quantity, ...]:
+    """Return what a name may stand for on an arm by convention, the likelier first; nothing where it is no usual name.
+
+    `normals` are the document's letters of the columns of the tool's rotation: sna in France, nsa, noa.
+    """
+    if name.base in normals and name.sub in tuple(AXES):
+        name = replace(name, base=NORMALS[normals.index(name.base)])
     if name.base == "WC" and (name.pre_sub, name.pre_sup, name.sup) == ("0", "", ""):  # {}_0WC_x: seen from the base
         name = replace(name, pre_sub="", pre_sup="0")
     if name.sub in TARGETS and name.pre_sub and name.pre_sup:  # {}^0_ET_{target}: that of the joint angles asked for
@@ -158,6 +163,7 @@ def _all(base: str, index: str, reference: str, arm: Arm, placed: bool) -> Itera
             yield Quantity("velocity", frame, given, rows=(1, 2, 6))  # (v_x, v_y, ω)
     if base == "J":
         yield from _blocks(index, reference, arm)
+        yield from _quarters(index, reference, arm)
     kind = "manipulability" if base in MANIPULABILITIES else "determinant" if base == "Delta" else ""
     if kind and not index and not placed:
         yield from (Quantity(kind, frame, reference, scalar=True) for frame in dict.fromkeys((_last(arm), _tool(arm))))
@@ -206,6 +212,14 @@ def _blocks(index: str, reference: str, arm: Arm) -> Iterator[Quantity]:
         behind = index.removeprefix(letters).lstrip("_,")
         if index.startswith(letters) and (frame := _frame(behind, arm) if behind else _last(arm)) is not None:
             yield Quantity("jacobian", frame, reference, rows=rows)
+
+
+def _quarters(index: str, reference: str, arm: Arm) -> Iterator[Quantity]:
+    """J_{11} … J_{22}: the quarters of the Jacobian, v above ω, the joints of the wrist apart; without a wrist J_{11} and J_{21} alone."""
+    if not re.fullmatch("[12]{2}", index) or (index[1] == "2" and len(arm.joints) < 6):
+        return
+    rows, columns = (((1, 2, 3), (4, 5, 6))[int(digit) - 1] for digit in index)
+    yield Quantity("jacobian", _last(arm), reference, rows=rows, columns=columns if len(arm.joints) == 6 else None)
 
 
 def _twists(name: n.Name, reference: str, arm: Arm) -> Iterator[Quantity]:

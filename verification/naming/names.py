@@ -19,6 +19,7 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import NUMBERS, one_of
 from armproof.verification.latex.reader import Reader
+from armproof.verification.naming.conventions import conventional
 from armproof.verification.naming.quantities import implied_quantity, numbered_frames, tells_frame, transform_pair
 from armproof.verification.naming.state import Definition, DocumentState, undecided
 
@@ -27,6 +28,7 @@ OF_SCREWS = re.compile(r"[LHWD](?:_\d)?")  # lengths beside twists, and what are
 NO_NUMBERS = frozenset("g p v omega xi".split())
 OF_JOINTS = r"(?:[tT]heta|q|(?:theta|q|d)_\d(?:,(?:theta|q|d)_\d)*)\)"
 COMPONENT = re.compile(r"[xyz]|\w+,[xyz]")
+MOVES = frozenset("RT")  # along or about the axis that stands below: R_x R_z is not R_z R_x
 
 
 @once_per_arm  # asked for at every name of a tree
@@ -256,11 +258,15 @@ class Names:
         """Whether the arm has a frame behind its last numbered one."""
         return self.arm is not None and self.arm.frames[-1] != numbered_frames(self.arm)[-1]
 
+    def usual(self, name: n.Name) -> tuple[Quantity, ...]:
+        """Return what a name may stand for by convention, the likelier first."""
+        return conventional(name, self.arm, self.transforms, self.reader.spelling.normals) if self.arm else ()
+
     def is_free(self, name: n.Name) -> bool:
         """Whether an unbound name is a free scalar: in a document of general statements, a letter with indices."""
         if self.arm is not None or name.pre_sub or name.pre_sup:
             return False
-        component = len(name.base) == 1 and bool(COMPONENT.fullmatch(name.sub))
+        component = len(name.base) == 1 and name.base not in MOVES and bool(COMPONENT.fullmatch(name.sub))
         component = component or (name.base == "L" and name.sub.isdigit())  # a link's length; L alone is much else
         if self.reader.spelling.screws and (name.base in NO_NUMBERS or OF_SCREWS.fullmatch(name.key)):
             return name.base not in NO_NUMBERS

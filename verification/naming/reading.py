@@ -18,6 +18,7 @@ from armproof.verification.latex.reader import Reader, key_as_latex
 from armproof.verification.latex.tokens import PRE_SCRIPTS, Spelling, canonical_script
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.latex.vocabulary import FUNCTIONS, LETTERS
+from armproof.verification.naming.conventions import NORMALS
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import read_quantity
 
@@ -60,6 +61,7 @@ _LENGTH = re.compile(
 )  # p_1 cos θ_1
 
 
+_NORMAL = re.compile(r"(?<![A-Za-z\\])([nsoa])\s*_\s*\{?\s*[xyz](?![A-Za-z])")
 _LOAD = re.compile(r"(?<![A-Za-z\\])([FfM])\s*_\s*\{?\s*([xyz])(?![A-Za-z])")
 _SCREW = re.compile(  # e^{[S_1]θ_1}, exp([B_1]θ_1), e to a ξ_1 with a hat
     r"(?:(?<![A-Za-z\\])e\s*\^\s*\{|\\exp\s*(?:\\left)?\s*[({])\s*-?\s*(?:(?:\\left\s*)?\[|\\(?:wide)?hat\s*\{?)"
@@ -125,9 +127,15 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
     lengths = frozenset(f"{letter}_{index}" for letter, index in _LENGTH.findall(text))
     return Spelling(
         words, frozenset(apart), comma, variables, angle, sums, _masses(said), own, _refers_below(text), lengths,
-        frozenset(_SCREW.findall(text)), _own_unit(document.displays), frozenset(of_theta | of_q | of_cosine),
+        frozenset(_SCREW.findall(text)), _own_unit(document.displays), frozenset(of_theta | of_q | of_cosine), _normals(said),
         frozenset(f"{letter}_{axis}" for letter, axis in _LOAD.findall(said)),
     )  # fmt: skip
+
+
+def _normals(said: str) -> str:
+    """Return the letters of the columns of the tool's rotation, in the order in which s_x and n_x come first."""
+    found = "".join(dict.fromkeys(_NORMAL.findall(said)))
+    return f"{found.replace('a', '')}a" if set(found) in ({"s", "n"}, {"s", "n", "a"}) else NORMALS
 
 
 def _own_unit(displays: Iterable[Display]) -> str:

@@ -78,7 +78,19 @@ def test_every_environment_holds_a_matrix(judge: Judge, environment: str) -> Non
 
 @pytest.mark.parametrize(
     "row",
-    [r" \\ ", r"\\[1ex]", r"\\[4pt] ", r" \\\\ ", "\n\\\\\n", r"\\", r" \\ \hline ", r" \\ \\ ", r" \\*", r" \cr "],
+    [
+        r" \\ ",
+        r"\\[1ex]",
+        r"\\[4pt] ",
+        r" \\\\ ",
+        "\n\\\\\n",
+        r"\\",
+        r" \\ \hline ",
+        r" \\ \hdashline ",
+        r" \\ \\ ",
+        r" \\*",
+        r" \cr ",
+    ],
 )
 @pytest.mark.parametrize("cell", [" & ", "&", " && ", " &\n "])
 def test_rows_and_cells_may_be_set_off_in_any_way(judge: Judge, row: str, cell: str) -> None:
