@@ -13,7 +13,7 @@ from armproof.verification.algebra.matrix import Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.document.heading import sections_around
-from armproof.verification.document.other_meanings import BEHIND
+from armproof.verification.document.other_meanings import ALL, BEHIND, JACOBIAN
 from armproof.verification.document.postures import SINGULAR, kind_of_joints
 from armproof.verification.document.sentences import GENERAL
 from armproof.verification.equations.case_conditions import comparisons_of
@@ -217,8 +217,8 @@ class Circumstances:
     def unless_meant_otherwise(self, outcome: Outcome, meant: Sequence[str]) -> Outcome:
         """Leave open what is written with a letter that the text gives another meaning than the arm has for it."""
         written = {below.key for node in outcome.nodes for below in n.walk(node) if isinstance(below, n.Name)}
-        if "J" in meant and "J" in written:
-            return outcome.left_open(say(Kind.MEANT_OTHERWISE, name="J"))
+        if JACOBIAN in meant and JACOBIAN in written:
+            return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=JACOBIAN))
         if outcome.pair is not None:
             written |= symbols_in(
                 [
@@ -237,6 +237,8 @@ class Circumstances:
     def _meant_by(self, meant: str) -> set[str]:
         r"""Return the joints and lengths that a letter, or the word for all angles, names: of `BEHIND` those that are measured from a joint before them."""
         which, _, latex = meant.partition(" ")
+        if which not in (ALL, BEHIND):
+            return set()
         of_arm = {*self.given.lengths} | self._turned(which == BEHIND)
         if not latex:
             return self._turned(which == BEHIND)

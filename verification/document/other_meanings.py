@@ -10,14 +10,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from armproof.verification.document.model import Display, Document
-from armproof.verification.document.sentences import hears, hears_denied, with_axes, words_of
+from armproof.verification.document.sentences import MOST_CHARACTERS, hears, hears_denied, with_axes, words_of
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks
     r"horizontal|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
-    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|\\theta_\{?2\}?\s*(?:,|&|\\\\)\s*\\theta_\{?1|q_\{?2\}?\s*(?:,|&|\\\\)\s*q_\{?1|aiguille|twice|double|\$2 ?[al]_|numbered|gripper|tool|boden|suelo|inclination|direction of",
+    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|numbered|gripper|tool|boden|suelo|inclination|direction of",
     re.IGNORECASE,
 )
-_SENTENCE = re.compile(r"(?:[^.;!?\n]|[.;!?](?!\s)|\n(?!\s*\n))+[.;!?]?")
+_SENTENCE = re.compile(r"(?:\\[;!]|[^.;!?\n]|[.;!?](?!\s)|\n(?!\s*\n))+[.;!?]?")
 _SHOWN = re.compile(  # what is no sentence
     r"\$\$.*?\$\$|\\\[.*?\\\]|\\begin\{((?:equation|align|gather|multline|eqnarray|flalign|alignat|displaymath|verbatim|lstlisting|tabular)\*?)\}.*?\\end\{\1\}"
     r"|<!--.*?-->|```.*?```|^%[^\n]*|^\s{0,3}#[^\n]*|\\(?:sub)*section\*?\{[^\n]*",
@@ -34,11 +34,8 @@ _PLURAL = re.compile(
     re.IGNORECASE,
 )
 
-ALL, BEHIND, FRAME = (
-    "all",
-    "behind",
-    "frame",
-)  # the angles of all joints; and of those that turn as one before them does
+ALL, BEHIND = "all", "behind"  # the angles of all joints; those that turn about the direction of one before
+FRAME, JACOBIAN = "frame", "J"  # the origin of one; that whose columns are those of joints in another order
 _NEAR_ABOVE, _NEAR_BELOW = 4, 8  # lines between a sentence and a display beside it
 
 
@@ -92,7 +89,7 @@ def _meanings(text: str) -> Iterator[Meaning]:
     shown = _SHOWN.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
     for found in _SENTENCE.finditer(shown):
         sentence = found.group()
-        if MAY_MEAN.search(sentence) is None:
+        if len(sentence) > MOST_CHARACTERS or MAY_MEAN.search(sentence) is None:
             continue
         line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
         plain = with_axes(" ".join(sentence.split()))
@@ -111,7 +108,7 @@ def _meanings(text: str) -> Iterator[Meaning]:
 
 
 def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
-    r"""Yield the letters that a sentence gives another meaning; `ALL` for all angles, `BEHIND` for all but the first, J for that."""
+    r"""Yield the letters that a sentence gives another meaning; `ALL` for all angles, `BEHIND` for all but the first, `JACOBIAN`."""
     for name in ("LEVEL", "NOT_RELATIVE", "TURNED"):
         begin = hears(name, words)
         is_denied = name != "NOT_RELATIVE" and hears_denied(name, words)
@@ -141,7 +138,7 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
     if (columns := hears("OTHER_COLUMNS", words)) is not None:
         orders.append(_indices(" ".join(formulas[words.count("¤", 0, columns.start()) :])) + [1][: "first" in words])
     if any(indices != sorted(indices) for indices in orders):
-        yield "J"
+        yield JACOBIAN
 
 
 def _indices(latex: str) -> list[int]:

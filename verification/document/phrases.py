@@ -38,7 +38,7 @@ error/errores frecuente/frecuentes/común/comunes/típico/habitual
 ✗/✘/❌
 blunder~/typo/typos/slip/untenable/meaningless/senseless/contradict~/errs/erred/nonsensical/bogus/flawed/faulty/inaccurate
 makes no sense
-index/sign/term/factor * missing
+index/sign/term/factor (is) missing
 piège (classique) (est)
 irrtum/denkfehler/trugschluss/unsinn/unzutreffend/widerspricht/contredit/contresens/bévue/aberrant/aberrante/equivocado/equivocada/disparate/contradice
 """
@@ -46,6 +46,10 @@ DENIAL = """
 not/never/nobody/cannot/~n'/no-one/neither (t) (…) have/get/obtain/find/equal/use/write/say/conclude/believe/think/mean/follow/possible (that) $
 pas/jamais (…) écrire/avoir/conclure/croire/poser/dire (que) $
 n' écrivez/écris pas/jamais $
+nicht schreiben/setzen/sagen $
+no hay/debe/se que/debe escribir/poner $
+aurait/auriez/avez tort de/d'
+further from the truth
 n' a/ont/avons/aura pas/jamais $
 no/nicht reason/grund why/for/warum $
 tempted/tenté to/d'/de write/think/say/conclude/écrire
@@ -69,7 +73,7 @@ avoid~/prevent~/remedy/without/éviter/évite~/sans/vermeide~/evitar (…) mista
 false/wrong position/ground/side/way/hand
 right inverse/angle/angles/side/hand/triangle
 error metric/norm/signal/measure/model/bound/function
-not/no/nobody/cannot/never/~n'/pas/nul/nulle/nicht/kein/keine/ohne/sans (…) doubt~/deny/denied/denies/dispute~/doute/difficult/difficulty/hard/surprise~/surprising/wonder~/secret/coincidence/accident/pity/forget/forgotten/overlook/hide/ignore/escape~/prevent~/exaggeration/étonn~/surpren~/oublier/hasard/mal/peine/difficile/zweifel~/schwer/schwierig/vergessen/wunder~/mühe/repeat/prove/proof/derive/démontrer/mention/forgotten
+not/no/nobody/cannot/never/~n'/pas/nul/nulle/nicht/kein/keine/ohne/sans (…) doubt~/deny/denied/denies/dispute~/doute/difficult/difficulty/hard/surprise~/surprising/wonder~/secret/coincidence/accident/pity/forget/forgotten/overlook/hide/ignore/escape~/prevent~/exaggeration/étonn~/surpren~/oublier/hasard/mal/peine/difficile/zweifel~/schwer/schwierig/vergessen/wunder~/mühe/repeat/prove/proof/derive/démontrer/mention/forgotten/obvious/trivial/clear/evident/évident/new/object
 not without reason
 never/nunca/jamais forget/oublier/olvidar
 no/sin es/hay/cabe duda/difícil/extraño
@@ -80,7 +84,7 @@ right/correct/corrected/correctly/instead/rather/but/remember/mais/plutôt/corri
 should be
 """
 LIGHT = """
-a/above/again/alas/hélas/first/second/third/such/make/makes/reader/attentive/says/say/book/textbook/author/spotted/rien/tout/leider/all/also/an/and/are/as/be/been/beginners/beware/but/can/certainly/classic/common/frequent/typical/usual/clearly/contains/could/course/definitely/do/does/did/find/for/has/have/he/here/however/i/in/is/it/its/just/last/line/many/may/might/must/never/no/note/now/
+a/above/again/alas/hélas/easy/easily/given/clear/first/second/third/such/make/makes/reader/attentive/says/say/book/textbook/author/spotted/rien/tout/leider/all/also/an/and/are/as/be/been/beginners/beware/but/can/certainly/classic/common/frequent/typical/usual/clearly/contains/could/course/definitely/do/does/did/find/for/has/have/he/here/however/i/in/is/it/its/just/last/line/many/may/might/must/never/no/note/now/
 obviously/of/often/one/only/or/people/plainly/previous/printed/quite/really/see/seen/shall/should/simply/some/still/students/sure/surely/that/the/there/these/this/to/unfortunately/was/we/were/what/where/which/why/will/with/would/write/wrote/you/
 claim/conclusion/display/entry/equality/equation/exponent/expression/factor/formula/formulae/formulas/identity/index/matrix/relation/result/sign/statement/term/
 attention/aussi/bien/c'/ce/ceci/cela/cette/ci-dessus/clairement/dans/de/dernière/donc/elle/en/est/et/il/indice/l'/la/le/les/ligne/malheureusement/mais/n'/ne/on/ou/où/pourquoi/que/qui/résultat/signe/sont/terme/un/une/verra/voit/y/à/
@@ -213,9 +217,10 @@ true/vrai/richtig/verdadero or/ou/oder/o false/faux/falsch/falso
 which/lequel/laquelle (one) (of) (these) is/est right/correct/true
 whether
 prouvez/démontrez/montrez ou infirmez/réfutez
+counterexample/counter-example/contre-exemple
 (discuss/comment) (on) the claim/statement $
 are you sure
-dire/vérifiez si
+dire/vérifiez/vérifier si
 does/is/are it/that/this/the * follow/true/right/correct (that) $
 could it be
 est-il/est-ce/a-t-on
@@ -225,7 +230,7 @@ as in the case
 comme dans le cas
 """
 SUPPOSED = """
-suppose/supposing/assume/assuming/imagine/pretend/supposons/supposant/admettons/admettant/angenommen/supongamos (,) (by) (contradiction) (for) (a) (the) (sake) (of) (argument) (moment) (now) (that) (que) (par) (l') (absurde) $
+suppose/supposing/assume/assuming/imagine/pretend/believe/supposons/supposant/admettons/admettant/angenommen/supongamos (,) (by) (contradiction) (for) (a) (the) (sake) (of) (argument) (moment) (now) (that) (que) (par) (l') (absurde) $
 on suppose (que) $
 contradiction , (let) $
 as a hypothesis
@@ -316,7 +321,7 @@ en el sistema de la herramienta
 seen * from/on the tool/gripper/hand
 """
 OTHER_ORIGIN = """
-origin (of) (the) (base) (frame) (is/lies) (placed) at/in (the) elbow/wrist/tip
+origin (of) (the) (base) (frame) (is/lies) (placed) at/in (the) elbow
 origin * at joint 2/3/4
 origin lies ¤ below/above
 counted/measured/relative/seen from/to the elbow

@@ -39,9 +39,10 @@ AXIS = re.compile(
 _LAYOUT = re.compile(
     r"\\(?:begin|end)\s*\{\w+\*?\}|\\[A-Za-z]+\*?|[{}()\[\]\"“”«»*~>|¿¡]|(?<!\w)_+(?=\w)|(?<=\w)_+(?!\w)|(?<!\S)[-–—]+(?!\S)"
 )
-_STOP = re.compile(r"[.;!?](?=\s+\S)")
+_STOP = re.compile(r"(?<!\\)[.;!?](?=\s+\S)")
 _IS_OVER = re.compile(r"[.!]\W*\Z")
 _LIGHT = frozenset(re.split(r"[/\s]+", phrases.LIGHT.strip()))
+MOST_CHARACTERS = 500  # of a sentence that is read
 _MOST = 14  # words before a denial of what stands above it
 _FARTHEST = 10  # and behind one of what stands below
 
@@ -62,7 +63,7 @@ def said_in_general(text: str, line: int, section: str) -> Iterator[Display]:
 
 def said_below(text: str, line: int, section: str) -> Iterator[Display]:
     """Yield what the last sentence of a text, formulas and all, says of the display that follows."""
-    sentence = last_sentence(" ".join(text.split()))
+    sentence = last_sentence(" ".join(text.split()))[-MOST_CHARACTERS:]
     words = words_of(sentence)
     if denies_below(text):
         yield Display(line, DENIED, section=section, opening=INLINE)
@@ -77,13 +78,13 @@ def said_below(text: str, line: int, section: str) -> Iterator[Display]:
 
 def denies_above(text: str) -> bool:
     """Whether a text begins with a denial of what stands above it: "This is wrong."."""
-    words = words_of(_STOP.split(" ".join(text.split()), maxsplit=1)[0])
+    words = words_of(_STOP.split(" ".join(text.split()), maxsplit=1)[0][:MOST_CHARACTERS])
     return hears("DENIED_BEHIND", words) is not None or _is_error(words) or _denies(words, is_behind=True)
 
 
 def denies_below(text: str) -> bool:
     """Whether a text leads to what it denies: "It is not true that"."""
-    sentence = last_sentence(" ".join(text.split()))
+    sentence = last_sentence(" ".join(text.split()))[-MOST_CHARACTERS:]
     words = words_of(sentence)
     if _IS_OVER.search(sentence) and words.count(" ") > 3:
         return False
@@ -105,7 +106,7 @@ def denies_within(text: str) -> bool:
 
 def without_harmless(text: str) -> str:
     """Return the words of a text without its denials that deny nothing: "not trivial", "no approximation"."""
-    return _phrases("HARMLESS").sub("", words_of(text))
+    return _phrases("HARMLESS").sub("", words_of(text).lower())
 
 
 def _is_error(words: str) -> bool:
@@ -154,7 +155,7 @@ def _denies(words: str, is_behind: bool = False) -> bool:
 
     "Nothing is wrong" and "not only" do not; behind a display what is denied must be that, and not so in some case alone.
     """
-    tags = [(str(found.lastgroup), found.start(), found.end()) for found in _tagged().finditer(words)]
+    tags = [(str(found.lastgroup), found.start(), found.end()) for found in _tagged().finditer(words.lower())]
     for place, (tag, start, end) in enumerate(tags):
         follower, begin, stop = tags[place + 1] if place + 1 < len(tags) else ("", 0, 0)
         if tag == "NOT" and follower == "TRUE" and words.count(" ", end, begin) <= 2:
@@ -183,7 +184,7 @@ def _supposes(words: str, is_over: bool) -> bool:
 
 def _limits_above(text: str) -> bool:
     """Whether a text that goes on from the display above it says when, or how nearly, that holds; or asks whether."""
-    sentence = _STOP.split(" ".join(text.split()), maxsplit=1)[0]
+    sentence = _STOP.split(" ".join(text.split()), maxsplit=1)[0][:MOST_CHARACTERS]
     words = words_of(sentence)
     if hears("ASKED_BEHIND", words):
         return True
@@ -195,12 +196,12 @@ def _limits_above(text: str) -> bool:
 
 def hears(name: str, words: str) -> re.Match[str] | None:
     """Return where a phrase of a table stands in the words of a sentence."""
-    return _phrases(name).search(words)
+    return _phrases(name).search(words.lower())
 
 
 def hears_denied(name: str, words: str) -> bool:
     """Whether "not" or "no" stands shortly before a phrase of a table, or in it."""
-    found = _phrases(name).search(words)
+    found = _phrases(name).search(words.lower())
     if found is None:
         return False
     before = words[: found.start()].split()[-4:]
@@ -216,17 +217,17 @@ def _elsewhere() -> frozenset[str]:
 def _tagged() -> re.Pattern[str]:
     """Return the pattern of the phrases that make up a denial, a group a kind; what is harmless goes first."""
     kinds = ("HARMLESS", "DENIAL", "WRONG", "NOT", "TRUE", "REMEDY")
-    return re.compile("|".join(f"(?P<{kind}>{_pattern(getattr(phrases, kind))})" for kind in kinds), re.IGNORECASE)
+    return re.compile("|".join(f"(?P<{kind}>{_pattern(getattr(phrases, kind))})" for kind in kinds))
 
 
 @cache
 def _phrases(name: str) -> re.Pattern[str]:
-    return re.compile(_pattern(getattr(phrases, name)), re.IGNORECASE)
+    return re.compile(_pattern(getattr(phrases, name)))
 
 
 def _pattern(table: str) -> str:
-    """Return the pattern of the phrases of a table, a line each, in what `words_of` returns."""
-    return "|".join(rf"(?<!\S){''.join(map(_of_word, line.split()))}" for line in table.strip().split("\n"))
+    """Return the pattern of the phrases of a table, a line each, in the small letters of what `words_of` returns."""
+    return rf"(?<!\S)(?:{'|'.join(''.join(map(_of_word, line.split())) for line in table.strip().split(chr(10)))})"
 
 
 def _of_word(word: str) -> str:
