@@ -11,7 +11,7 @@ from dataclasses import replace
 from functools import cached_property
 
 from armproof.verification.algebra.calculus import degree_in
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.matrix import Matrix, is_zero
 from armproof.verification.algebra.protocol import OutsideAlgebra
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
@@ -52,6 +52,7 @@ from armproof.verification.naming.conventions import (
 from armproof.verification.verdict import Verdict
 
 MOST_ROWS = 3  # of a Jacobian whose determinant is only looked for
+_MEASURES = ("manipulability", "determinant")
 
 
 class Conventions:
@@ -230,6 +231,8 @@ class Conventions:
             candidates = (usual,) if usual is not None else candidates[:1]
         for quantity in candidates:
             tried = self._tried(member.node, name, quantity)
+            if quantity.kind in _MEASURES and tried.known and is_zero(tried.value):
+                continue  # w of a frame that moves in no direction
             for other in known if tried.known else ():
                 if name.base in LINEAR_VELOCITIES and _has_rows(tried) != _has_rows(other) == 3:
                     continue  # v is the whole velocity beside six rows alone

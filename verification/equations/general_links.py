@@ -158,7 +158,7 @@ class GeneralStatements:
         elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for _, m in members for b in n.walk(m))
         known = ANGLES | (LENGTHS if elementary else frozenset())
         letters = frozenset[tuple[str, str]]().union(*(found for found, _ in members))
-        if not letters or any(base not in known for base, _ in letters):
+        if not letters or any(base not in known for base, _ in letters) or any(map(_has_q_alone, chain.members)):
             return None
         outcomes = self._general.check(chain, equation, line, False)
         if all(outcome.verdict in HOLDS for outcome in outcomes):
@@ -278,3 +278,10 @@ def replace_arm(checker: ChainChecker) -> Any:
     from armproof.verification.evaluation.exact import ExactAlgebra
 
     return ExactAlgebra(checker.exact.ring, None)
+
+
+def _has_q_alone(node: n.Node) -> bool:
+    """Whether q stands in no function: it is all joint variables, or a quaternion, and no angle."""
+    if isinstance(node, n.Call):
+        return node.function in ("abs", "norm") and any(map(_has_q_alone, n.children(node)))
+    return (isinstance(node, n.Name) and node.base == "q" and not node.sub) or any(map(_has_q_alone, n.children(node)))

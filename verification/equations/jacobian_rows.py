@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import square_rows
 from armproof.verification.equations.outcome import Outcome, hold
@@ -16,11 +17,13 @@ from armproof.verification.equations.sides import Members
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
+from armproof.verification.naming.quantities import numbered_frames, tells_frame
 from armproof.verification.naming.state import JacobianRows
 from armproof.verification.verdict import DECIDED, Verdict
 
 WHOLE = (1, 2, 3, 4, 5, 6)
 PLANE = (1, 2)
+MOST_JOINTS = 3  # of an arm whose determinants are taken only to see which frame is meant
 
 
 class RowsOfJacobians:
@@ -47,6 +50,8 @@ class RowsOfJacobians:
             inner = below.base if isinstance(below, n.Postfix) else below.arguments[0]  # type: ignore[attr-defined]
             name = self.members.jacobian_name(inner, True)
             is_open = name is not None and name.key not in shown
+            if name is not None and is_open:
+                self._take_tool(name)
             rows = self._square(name) if name is not None and (is_open or shown[name.key].rows == WHOLE) else None
             if name is None or rows is None:
                 continue
@@ -197,6 +202,33 @@ class RowsOfJacobians:
                 name = self.members.jacobian_name(member, True)
                 if name is not None and name.key in self.names.state.shown:
                     yield name
+
+    def _take_tool(self, name: n.Name) -> None:
+        """Let J be the tool's where the last frame stands still while a joint moves: there det J is zero at every configuration."""
+        plain, arm = replace(name, dots=0), self.names.arm
+        quantity = self.names.quantity(plain)
+        if arm is None or quantity is None or not self.names.has_tool or len(arm.joints) > MOST_JOINTS:
+            return
+        if (
+            quantity.frame != numbered_frames(arm)[-1]
+            or plain.key in self.names.quantities
+            or tells_frame(plain, quantity)
+        ):
+            return
+        still, moving = (self._measure(replace(quantity, frame=each)) for each in (quantity.frame, arm.frames[-1]))
+        if still is not None and moving is not None and still.is_zero() and not moving.is_zero():
+            self.names.state.inferred[plain.key] = replace(quantity, frame=arm.frames[-1])
+
+    def _measure(self, quantity: Quantity) -> Scalar | None:
+        """Return the determinant of the square rows of a Jacobian; None where it has none."""
+        whole = self.members.exact.quantity(quantity)
+        if not isinstance(whole, Matrix):
+            return None
+        rows = tuple(range(whole.shape[0])) if whole.shape[0] == whole.shape[1] else square_rows(whole)
+        if rows is None:
+            return None
+        determinant = whole.block(rows, range(whole.shape[1])).determinant()
+        return determinant if isinstance(determinant, Scalar) else None
 
     def _square(self, name: n.Name) -> tuple[int, ...] | None:
         value, quantity = self.members.evaluate(replace(name, dots=0)).value, self.names.quantity(replace(name, dots=0))

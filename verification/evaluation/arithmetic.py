@@ -284,6 +284,8 @@ def postfix_value(evaluator: Evaluating, node: n.Postfix) -> Value:
 
 def inverse(evaluator: Evaluating, matrix: Matrix) -> Matrix:
     """Return the inverse of a square matrix; raises ShapeError where it has none."""
+    if matrix.shape[1] == 1 < matrix.shape[0]:  # q^{-1} is that of a quaternion
+        raise EvaluationError(say(Kind.NO_INVERSE_OF_SIZE, size=matrix.size))
     if matrix.shape[0] != matrix.shape[1]:
         raise ShapeError(say(Kind.NO_INVERSE_OF_SIZE, size=matrix.size))
     one = evaluator.algebra.rational(Fraction(1))
