@@ -1,7 +1,7 @@
 """The phrases by which sentences change what a display says, each table by what they do there; `sentences.py` reads them.
 
 A line is a phrase in English, French, German or Spanish, its words as they stand. `a/b` is either word, `(a)` may be missing,
-`~` ends or begins a word in any way, `…` is up to four words, `*` any, `¤` a formula, `#` a digit, `&` what joins sentences ("but",
+`~` ends or begins a word in any way, `…` is up to four words, `*` any, `%` any but formulas, `¤` a formula, `#` a digit, `&` what joins sentences ("but",
 "mais"); `^` is the beginning of the sentence and `$` its end. A comma may stand behind each word, and an apostrophe ends one.
 """
 
@@ -251,16 +251,16 @@ so as to have $
 satisfying/vérifiant $
 telle~/tel/tels que $
 on cherche/veut $
-^ & assuming/supposing/provided/unless/except/sauf * , $
-^ & as long as * , $
-^ & in the absence of * , $
-^ & en supposant * , $
-^ & à moins que * , $
-^ & tant que * , $
-^ & if/when/whenever/si/quand/lorsque/lorsqu' we/one/you/i/on/nous/l' (on) (now) assum~/suppos~/neglect~/ignor~/lock~/fix~/block~/weld~/had/bloqu~/fig~/soud~/néglig~/admet~ * , (then/alors) (we/on) (get/have/find/obtain/a/obtient/trouve) $
+^ & assuming/supposing/provided/unless/except/sauf % , $
+^ & as long as % , $
+^ & in the absence of % , $
+^ & en supposant % , $
+^ & à moins que % , $
+^ & tant que % , $
+^ & if/when/whenever/si/quand/lorsque/lorsqu' we/one/you/i/on/nous/l' (on) (now) assum~/suppos~/neglect~/ignor~/lock~/fix~/block~/weld~/had/bloqu~/fig~/soud~/néglig~/admet~ % , (then/alors) (we/on) (get/have/find/obtain/a/obtient/trouve) $
 """
 ON_CONDITION = """
-^ & if/when/whenever/si/quand/lorsque/lorsqu' * , (then/alors) (we/on) (get/have/find/obtain/a/obtient/trouve) $
+^ & if/when/whenever/si/quand/lorsque/lorsqu' % , (then/alors) (we/on) (get/have/find/obtain/a/obtient/trouve) $
 """
 WE_DO = """
 ^ & if/when/whenever/si/quand/lorsque/lorsqu' we/one/you/i/on/nous/l'

@@ -232,7 +232,7 @@ def _pattern(table: str) -> str:
 
 def _of_word(word: str) -> str:
     special = {
-        "^": r"\A", "$": r"(?:[,:.!?] )*\Z", "…": r"(?:\S+ ){0,4}?", "*": r"(?:[^:;.\s]+ )*?", ",": ", ",
+        "^": r"\A", "$": r"(?:[,:.!?] )*\Z", "…": r"(?:\S+ ){0,4}?", "*": r"(?:[^:;.\s]+ )*?", "%": r"(?:[^:;.\s¤]+ )*?", ",": ", ",
         "&": rf"(?:(?:{'|'.join(phrases.JOINING)}) (?:, )?)*",
     }  # fmt: skip
     if word in special:
