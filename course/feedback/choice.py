@@ -162,8 +162,11 @@ class Number:
 
     def is_like(self, given: np.ndarray, wrong: np.ndarray) -> bool:
         """Whether an answer is a known wrong one, which may have been rounded."""
-        return given.shape == wrong.shape and (
-            all(map(nearly, given.tolist(), wrong.tolist())) or all(map(_to_its_digits, given.tolist(), wrong.tolist()))
+        right = np.atleast_1d(np.array(self.value, dtype=float))
+        if given.shape != wrong.shape or (given.shape == right.shape and ((given == right) & (wrong != right)).any()):
+            return False
+        return all(map(nearly, given.tolist(), wrong.tolist())) or all(
+            map(_to_its_digits, given.tolist(), wrong.tolist())
         )
 
     def judge(self, answer: Any) -> Feedback:

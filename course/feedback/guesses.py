@@ -18,6 +18,7 @@ _MOST_DECIMALS = 6
 _SHORTENED = 0.02  # of a number, that is lost with its last digits
 _MOST_CUT = 0.1  # that is lost at most
 _SHORT = 4
+_MANY = 3  # digits, of a number that may have been cut off
 _ROUNDED = 0.01  # by how much a number changes at most when it is rounded
 _SMALL = 1e-9
 _EXCHANGED, _LOST = noted("two neighbouring digits are exchanged"), noted("one digit is missing")
@@ -69,10 +70,13 @@ def explained(given: float, right: float, guesses: Iterable[Guess], share: float
 
 
 def nearly(given: float, value: float, is_exact: bool = False) -> bool:
-    """Whether a number is a value, to the digits that it has."""
-    return (
-        isfinite(given)
-        and abs(value - given) <= (0 if is_exact else min(_unit(given, given) / 2, _ROUNDED * abs(given))) + _SMALL
+    """Whether a number is a value, to the digits that it has: rounded, or cut off behind three of them."""
+    if not isfinite(given):
+        return False
+    unit = _unit(given, given)
+    is_cut = digits_of(given) >= _MANY and 0 <= (value - given) * (1 if given > 0 else -1) < unit
+    return abs(value - given) <= (0 if is_exact else min(unit / 2, _ROUNDED * abs(given))) + _SMALL or (
+        is_cut and not is_exact
     )
 
 
@@ -125,12 +129,12 @@ def digits_astray(given: float, right: float) -> Iterator[Guess]:
         yield Guess(float(sign + text[:k] + text[k + 1 :]), lambda: look_up(_LOST), is_exact=True)
     for k in places if len(places) > 1 else ():
         yield Guess(float(sign + text[:k] + text[k] + text[k:]), lambda: look_up(_TWICE), is_exact=True)
-    for k in places if max(map(_digits, (given, right))) > 2 else ():
+    for k in places if max(map(digits_of, (given, right))) > 2 else ():
         for digit in "0123456789":
             yield Guess(float(sign + text[:k] + digit + text[k + 1 :]), lambda: look_up(_ONE_WRONG), is_exact=True)
 
 
-def _digits(number: float) -> int:
+def digits_of(number: float) -> int:
     """Return how many digits a number has, without zeros at its ends."""
     return len(f"{abs(number):.6g}".replace(".", "").strip("0"))
 

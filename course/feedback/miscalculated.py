@@ -33,6 +33,10 @@ def done_otherwise(tree: n.Node) -> Iterator[n.Node]:
         for other in _otherwise(node):
             yield n.substitute(tree, node, other)
     yield from (edit.node for edit in dropping_edits(tree, _NONE) if edit.finding.kind is not Kind.WRONG_NUMBER)
+
+
+def done_twice(tree: n.Node) -> Iterator[n.Node]:
+    """Yield the formulas in which two like things are done otherwise: two signs, or two terms left out of a long sum."""
     yield from (edit.node for edit in sign_pairs(tree))
     if isinstance(tree, n.Sum) and 3 < len(tree.terms) <= _MOST_TERMS:
         for some in combinations(tree.terms, len(tree.terms) - 2):
@@ -54,6 +58,8 @@ def _otherwise(node: n.Node) -> Iterator[n.Node]:
         yield replace(node, numerator=_ONE)
         yield replace(node, numerator=_ONE, denominator=n.Group(n.Product((node.numerator, node.denominator), ("⋅",))))
         yield from _as_far_as_the_first_term(node)
+    elif isinstance(node, n.Product):
+        yield from _without_brackets(node)
     elif is_trigonometric(node):
         yield from _other_angles(node)
 
@@ -64,6 +70,17 @@ def _without_root(under: n.Node) -> Iterator[n.Node]:
     total = bare(under)
     if isinstance(total, n.Sum) and all(isinstance(term, n.Power) for _, term in total.terms):
         yield n.Group(n.Sum(tuple((sign, term.base) for sign, term in total.terms if isinstance(term, n.Power))))
+
+
+def _without_brackets(node: n.Product) -> Iterator[n.Node]:
+    """Yield a product with the last factor's brackets left out, so that its first term alone is multiplied; and the sum of two factors."""
+    *others, last = node.factors
+    total = bare(last)
+    if isinstance(total, n.Sum) and len(total.terms) > 1:
+        (sign, first), *rest = total.terms
+        yield n.Group(n.Sum(((sign, replace(node, factors=(*others, first))), *rest)))
+    if len(others) == 1 and not any(map(is_trigonometric, n.walk(node))):
+        yield n.Group(n.Sum((("+", others[0]), ("+", last))))
 
 
 def _as_far_as_the_first_term(node: n.Quotient) -> Iterator[n.Node]:

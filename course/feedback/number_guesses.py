@@ -6,7 +6,7 @@ import operator
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
-from itertools import combinations, permutations
+from itertools import chain, combinations, permutations
 
 import numpy as np
 
@@ -26,6 +26,7 @@ _FEW_STATED = 3  # numbers, of which one is soon taken for the answer
 _TWO_LETTERS = 2
 _FEW_LETTERS = 4
 _NOTHING = 1e-9
+_CLOSE = 0.1  # of a number, that is lost with parts that are rounded on the way
 _ALONG = 0.01  # the sine of twice an angle that stands along an axis, to two digits
 TWICE, HALF = noted("this is twice what is asked"), noted("this is half of what is asked")
 _MISSING, _TOO_MUCH = noted("{name} is missing"), noted("{name} does not belong in it")
@@ -45,6 +46,7 @@ class Asked:
         stated: numbers that the task's text gives.
         worked: how it follows from them; None where that is not known.
         beside: what others give instead.
+        further: the formulas among these, in which a slip may stand, too.
     """
 
     right: float
@@ -55,6 +57,7 @@ class Asked:
     stated: tuple[float, ...] = ()
     worked: Worked | None = None
     beside: tuple[Guess, ...] = ()
+    further: tuple[Worked, ...] = ()
 
     def guesses(self, given: float) -> Iterator[Guess]:
         """Yield what mistakes would give, the usual ones first."""
@@ -73,8 +76,11 @@ class Asked:
         if self.worked is not None:
             yield from self.worked.parts()
             yield from self.worked.slips()
-            yield from () if is_soon else self._copied()
         yield from self._another()
+        yield from self._other_functions()
+        if self.worked is not None:
+            yield from self.worked.pairs()
+            yield from () if is_soon else self._copied()
         yield from self._turned() if self.unit == "rad" else ()
         if self.worked is not None:
             yield from self._of_parts(far) if self.worked.is_short else ()
@@ -164,9 +170,9 @@ class Asked:
         part = self.worked.share_of(name)
         if abs(part) < _NOTHING:
             return (_TOO_MUCH, value), (_TOO_MUCH, -value)
-        if abs(abs(part) - abs(value)) < _NOTHING:
-            return (_MISSING, -part), (_TWICE, part)
-        return ()
+        if abs(self.worked.with_values({name: 2 * value}) - self.right - part) > _NOTHING:
+            return ()
+        return (_MISSING, -part), (_TWICE, part)
 
     def _of_sums(self, known: Mapping[str, float]) -> Iterator[Guess]:
         """Yield the sums of three and of four given values."""
@@ -184,6 +190,14 @@ class Asked:
         for label, value in self.others.items():
             yield Guess(value, partial(instead, label))
             yield Guess(-value, partial(instead, f"−{label}"))
+
+    def _other_functions(self) -> Iterator[Guess]:
+        """Yield sine and cosine of the angle whose tangent is asked."""
+        for name in _CIRCULAR if self.label.startswith("tan") else ():
+            words = partial(
+                _with_function, noted("this is the {function} of the angle: its tangent is asked"), _FUNCTIONS[name]
+            )
+            yield Guess(float(getattr(np, name)(np.arctan(self.right))), words)
 
     def _turned(self) -> Iterator[Guess]:
         """Yield an angle whole and half turns away, and in other units."""
@@ -215,6 +229,23 @@ class Asked:
                 turn * np.pi / 2 - right, lambda: look_up("this is the complement: the angle to the other axis")
             )
 
+    def by_hand(self, given: float) -> Iterator[Guess]:
+        """Yield what slips of the reckoning give: digits that are not written, carried over, kept on the way, or read right."""
+        yield from shortened(given, self.right)
+        if self.worked is not None:
+            yield from self.worked.miscarried()
+            yield from self._rounded(True)
+            yield from self.worked.off_by_one()
+            yield from self._rounded(False)
+
+    def _rounded(self, is_of_the_rule: bool) -> Iterator[Guess]:
+        found = self.worked.rounded(is_of_the_rule) if self.worked is not None else ()
+        yield from (guess for guess in found if abs(guess.value - self.right) < _CLOSE * abs(self.right))
+
+    def slips_beside(self) -> Iterator[Guess]:
+        """Yield what a formula that others take gives with one thing done otherwise."""
+        return chain.from_iterable(worked.slips() for worked in self.further)
+
     def doubled(self) -> Iterator[Guess]:
         """Yield the double, the half and the square, and what a turn more makes of a number that is no angle."""
         yield Guess(2 * self.right, lambda: look_up(TWICE))
@@ -232,6 +263,8 @@ class Asked:
             yield Guess(self.right - value, partial(written, _TOO_MUCH, name=label))
         for label, value in others.items():
             yield Guess(value**2, partial(written, noted("this is the square of {other}"), other=label))
+        for (one, a), (other, b) in permutations(others.items(), 2) if self.unit == "–" else ():
+            yield Guess(a / b, partial(instead, f"{one} / {other}"))
         if len(others) > 1:
             for (one, a), (other, b) in combinations(others.items(), 2):
                 for sign, joint, value in (("", "+", a + b), ("", "−", a - b), ("−", "+", b - a), ("−", "−", -a - b)):

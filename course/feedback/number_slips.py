@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from itertools import combinations
 
 import numpy as np
 
-from armproof.course.feedback.guesses import explained, instead, nearly
+from armproof.course.feedback.guesses import Guess, explained, instead, nearly
 from armproof.course.feedback.number_guesses import HALF, OF_ANGLES, TWICE, Asked
 from armproof.course.feedback.steps import NO_STEPS, Beside, Steps
 from armproof.course.feedback.worked import IN_RADIANS, LETTER, Worked
@@ -30,9 +31,14 @@ _ALL = 1.0  # of them, where all that is told was written down by a task's autho
 _MOST_ASTRAY = 2  # things too many or too few: a larger number would be the answer itself
 _POWERS_OF_TEN = (100, 1000)
 _TENS = (_LARGEST_FACTOR, *_POWERS_OF_TEN)
+_OF_LENGTHS = {
+    100: noted("wrong by a factor of 100: is a length in centimetres?"),
+    1000: noted("wrong by a factor of 1000: is a length in millimetres?"),
+}
 _LONE_FACTORS = (2, 3, 4, *_TENS)  # of one number: seven comes by chance
 _NEAR = 2e-3  # of numbers that were rounded, where the mistake is sought
 _NEAR_SHORT = 1e-4  # of one that has many digits, where the right one has few
+_SMALL_ANGLE = 0.1  # rad, of which a length may have the number of degrees
 _USUAL_ANGLE = 5  # degrees: of a direction that is taken for another
 _NEAR_ANGLE = 0.06  # of it
 _NEAR_LENGTH = 0.004  # of coordinates that were rounded to three digits
@@ -90,31 +96,33 @@ def number_slip(
     """
     values = dict(zip(labels, right.tolist(), strict=True))
     wrong = np.flatnonzero(wrong_numbers(given, right)).tolist()
-    others = [{name: value for name, value in values.items() if name != label} for label in labels]
+    others = [_without(label, values) for label in labels]
     letters = {**known, **way.angles}
-    worked = {
-        k: Worked(latex, {**letters, **letters_of(others[k])}, tuple(stated), frozenset(way.angles))
-        for k, latex in enumerate(way.ways)
-        if latex
-    }
+    worked = worked_out(right, labels, known, stated, way)
     near_by = Beside(tuple(beside), {**letters, **letters_of(values)})
     own = dict(zip(labels, given.tolist(), strict=True))
+    of_angles = [Guess(float(np.degrees(angle)), partial(instead, f"{plain_text(symbol_as_latex(name))} = {np.degrees(angle):g}°"))
+                 for name, angle in way.angles.items() if abs(angle) > _SMALL_ANGLE] if unit in ("m", "m/s") else []  # fmt: skip
     asked = {
-        k: Asked(float(right[k]), labels[k], unit, others[k], known, tuple(stated), worked.get(k), tuple(near_by.of_one(k, given, wrong)))
+        k: Asked(float(right[k]), labels[k], unit, others[k], known, tuple(stated), worked.get(k), (*near_by.of_one(k, given, wrong), *of_angles), near_by.formulas)
         for k in wrong
     }  # fmt: skip
     if whole := (
         near_by.of_all(given)
-        or next(_whole(given, right, unit), "")
+        or next(_whole(given, right, unit, bool(worked)), "")
         or _of_another_value(given, right, worked, way.angles)
         or ("" if any(_carried(asked[k], own[labels[k]], own) for k in wrong) else _reordered(given, right, labels))
         or _reordered_with_signs(given, right, asked)
         or _of_any_angle(given, right, worked, way.angles)
         or _turned(given, right, labels)
         or _exchanged({k: float(given[k]) for k in wrong}, worked)
+        or (look_up("rounded to too few digits") if _are_all_rounded(given, right) else "")
     ):
         return whole
     of: dict[str, list[str]] = {}
+    is_astray = _is_no_direction(given, right) and not all(explained(float(given[k]), float(right[k]), each.beside, _ALL) for k, each in asked.items())  # fmt: skip
+    if is_astray:
+        return look_up("a direction has the length 1, yours has not")
     for k in wrong:
         words = _of_one(asked[k], float(given[k]), own, len(wrong) == 1)
         of.setdefault(words, []).append(labels[k])
@@ -123,6 +131,23 @@ def number_slip(
     return look_up("; ").join(
         written("{label}: {words}", label=separator(labels).join(labels), words=words) for words, labels in of.items() if words
     )  # fmt: skip
+
+
+def worked_out(
+    right: np.ndarray, labels: Sequence[str], known: Mapping[str, float], stated: Sequence[float], way: Steps
+) -> dict[int, Worked]:
+    """Return how each number follows from what is given and from the others, by its place; nothing of what is not reckoned."""
+    values = dict(zip(labels, right.tolist(), strict=True))
+    letters, angles = {**known, **way.angles}, frozenset(way.angles)
+    return {
+        k: Worked(latex, {**letters, **letters_of(_without(labels[k], values))}, tuple(stated), angles)
+        for k, latex in enumerate(way.ways)
+        if latex
+    }
+
+
+def _without(label: str, values: Mapping[str, float]) -> dict[str, float]:
+    return {name: value for name, value in values.items() if name != label}
 
 
 def _of_another_value(
@@ -194,7 +219,7 @@ def letters_of(values: Mapping[str, float]) -> dict[str, float]:
     return {name: value for name, value in spelt.items() if LETTER.fullmatch(name)}
 
 
-def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
+def _whole(given: np.ndarray, right: np.ndarray, unit: str, is_reckoned: bool) -> Iterator[str]:
     """Yield what explains all wrong numbers at once."""
     wrong = wrong_numbers(given, right)
     if all(map(_is_rounded, given.tolist(), right.tolist())):
@@ -204,6 +229,9 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
         return
     if near(np.abs(given), np.abs(right)):
         yield look_up("the sign is wrong")
+    for factor, words in _OF_LENGTHS.items() if unit == "rad/s" and is_reckoned else ():
+        if near(given * factor, right) or near(given, right * factor):
+            yield look_up(words)
     if (
         right.size > 1
         and not (right.size == 3 and near(np.linalg.norm(right), 1))  # a direction
@@ -229,8 +257,6 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
     if right.size == 3 and near(np.linalg.norm(right), 1) and near(right, np.round(right)):
         if near(given @ right, 0) and near(np.linalg.norm(given), 1):
             yield look_up("the length is right, the direction is not: yours is at right angles to it")
-        if not near(np.linalg.norm(given), 1):
-            yield look_up("a direction has the length 1, yours has not")
         return
     is_of_counts = unit == "–" and right.min() >= 0 and near(right, np.round(right))
     if is_of_counts and np.count_nonzero(wrong) > 1 and near(np.abs(given - right)[wrong], 1):
@@ -238,6 +264,16 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str) -> Iterator[str]:
             yield counted("one too few", "{number} too few", 1)
         if (given > right)[wrong].all():
             yield counted("one too many", "{number} too many", 1)
+
+
+def _is_no_direction(given: np.ndarray, right: np.ndarray) -> bool:
+    """Whether a direction along an axis is asked, and no direction is given."""
+    return (
+        right.size == 3
+        and near(np.linalg.norm(right), 1)
+        and near(right, np.round(right))
+        and not near(np.linalg.norm(given), 1)
+    )
 
 
 def _reordered(given: np.ndarray, right: np.ndarray, labels: Sequence[str]) -> str:
@@ -293,6 +329,18 @@ def wrong_numbers(given: np.ndarray, right: np.ndarray) -> np.ndarray:
     return far if far.any() else ~np.isclose(given, right, rtol=_TOLERANCE)
 
 
+def _are_all_rounded(given: np.ndarray, right: np.ndarray) -> bool:
+    """Whether several numbers, none of them whole, are the right ones cut off or rounded behind the first or second decimal."""
+    off = ~np.isclose(given, right, rtol=_TOLERANCE)
+    short = (cut(right * 10**places) / 10**places for places in (1, 2) for cut in (_rounded, np.trunc))
+    return int(np.count_nonzero(off)) > 1 and any(bool(near(given, each) and each[off].all()) for each in short)
+
+
+def _rounded(numbers: np.ndarray) -> np.ndarray:
+    """Return numbers rounded as by hand, a half away from zero."""
+    return np.asarray(np.sign(numbers) * np.floor(np.abs(numbers) + 0.5 + _TOLERANCE))
+
+
 def _is_rounded(given: float, right: float) -> bool:
     """Whether a number is the right one to the decimals that it has, two digits at least; or nearly one that has many digits.
 
@@ -345,6 +393,8 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
         or _of_another(given, asked)
         or explained(given, right, asked.identities(), _MOST_TRUE)
         or explained(given, right, asked.alone(given), _ALL)
+        or next((guess.words() for guess in asked.by_hand(given) if nearly(given, guess.value, guess.is_exact)), "")
+        or explained(given, right, asked.slips_beside())
         or _factor_of_one(given, asked)
         or _of_reach(given, asked)
         or _by_size(asked, given, is_only)
@@ -363,10 +413,17 @@ def _carried(asked: Asked, given: float, own: Mapping[str, float]) -> str:
     if worked is None:
         return ""
     astray = {name for name in worked.letters & {*letters} if not near(letters[name], worked.known[name])}
-    if not astray or not near(given, worked.with_values({name: letters[name] for name in astray})):
+    if not astray:
         return ""
-    names = [label for label in own if letters_of({label: 0.0}).keys() & astray]
-    return written("this follows from your {names}: nothing else is wrong with it", names=separator(names).join(names))
+    labels = [label for label in own if letters_of({label: 0.0}).keys() & astray]
+    names = separator(labels).join(labels)
+    followed = replace(worked, known={**worked.known, **{name: letters[name] for name in astray}})
+    if near(given, followed.value):
+        return written("this follows from your {names}: nothing else is wrong with it", names=names)
+    if near(given, worked.value) or not np.isfinite(followed.value):
+        return ""
+    words = explained(given, followed.value, followed.slips())
+    return written("with your {names}: {words}", names=names, words=words) if words else ""
 
 
 def _share(given: float, right: float) -> str:

@@ -19,7 +19,7 @@ def drawn(make: Callable[..., Task], **ranges: tuple[float, float]) -> Callable[
 
     def own(seed: str) -> Task:
         numbers = {name: _draw(f"{seed}/{make.__module__}/{name}", *ends) for name, ends in ranges.items()}
-        return replace(make(**numbers), numbers=numbers)
+        return replace(make(**numbers), numbers=numbers, usual=make)
 
     return own
 

@@ -10,7 +10,8 @@ from functools import cached_property, partial
 import numpy as np
 
 from armproof.course.feedback.guesses import Guess, instead, nearly
-from armproof.course.feedback.worked import LETTER, Worked
+from armproof.course.feedback.worked import IN_RADIANS, LETTER, Worked
+from armproof.models.language import look_up
 from armproof.verification.latex.plain import plain_text
 
 _NUMBER = re.compile(r"(-?\d+(?:\.\d+)?)(\^\\circ)?")
@@ -19,7 +20,7 @@ _LIST = re.compile(r"\[(.*)\]", re.DOTALL)
 
 
 @dataclass(frozen=True)
-class Line:
+class Equation:
     """One line of LaTeX, `v = \\omega r`: a name and what it is."""
 
     name: str
@@ -37,10 +38,10 @@ class Line:
         return tuple(part.strip() for part in found[1].split(",")) if found else ()
 
 
-def line_of(text: str) -> Line:
-    """Return a line that is written as `name = formula`, or as a formula alone."""
+def equation_of(text: str) -> Equation:
+    """Return what is written as `name = formula`, or as a formula alone."""
     name, _, latex = text.rpartition(" = ")
-    return Line(name.strip(), latex.strip())
+    return Equation(name.strip(), latex.strip())
 
 
 @dataclass(frozen=True)
@@ -68,7 +69,7 @@ class Steps:
 
     @cached_property
     def _given(self) -> dict[str, tuple[float, str]]:
-        lines = map(line_of, self.lines[: -self.asked])
+        lines = map(equation_of, self.lines[: -self.asked])
         found = {_key(line.name): _NUMBER.fullmatch(line.latex) for line in lines}
         return {name: (float(number[1]), number[2] or "") for name, number in found.items() if number is not None}
 
@@ -82,24 +83,28 @@ class Steps:
     @cached_property
     def last(self) -> tuple[str, ...]:
         """The lines of what is asked; "" where there is nothing to reckon."""
-        return tuple("" if line_of(text).is_given else text for text in self.lines[-self.asked :]) if self.lines else ()
+        return (
+            tuple("" if equation_of(text).is_given else text for text in self.lines[-self.asked :])
+            if self.lines
+            else ()
+        )
 
     @cached_property
     def shown(self) -> tuple[str, ...]:
         """The lines that lead from what is given to what is asked, where there is one between them."""
-        between = tuple(text for text in self.lines[: -self.asked] if not line_of(text).is_given)
+        between = tuple(text for text in self.lines[: -self.asked] if not equation_of(text).is_given)
         return (*between, *filter(None, self.last)) if between else ()
 
     @cached_property
-    def _unfolded(self) -> list[Line]:
+    def _unfolded(self) -> list[Equation]:
         """The lines with those above them put in, but for what is asked: it stays a letter."""
-        found: list[Line] = []
-        for line in map(line_of, self.lines):
+        found: list[Equation] = []
+        for line in map(equation_of, self.lines):
             latex = line.latex
             for above in found[: len(self.lines) - self.asked]:
                 if LETTER.fullmatch(_key(above.name)) and not above.is_given:
                     latex = re.sub(rf"(?<![A-Za-z\\]){re.escape(above.name)}(?!\w)", lambda _, above=above: f"({above.latex})", latex)  # type: ignore[misc]  # fmt: skip
-            found.append(Line(line.name, latex))
+            found.append(Equation(line.name, latex))
         return found
 
 
@@ -126,24 +131,39 @@ class Beside:
     def of_all(self, given: np.ndarray) -> str:
         """Return which list the numbers are, as it is, doubled, halved or with the other sign; empty where they are none."""
         for times, shown in _TIMES.items():
-            for line in map(line_of, self.lines):
+            for line in map(equation_of, self.lines):
                 if self._is_whole(line, given.size) and self._agree(line, given / times, range(given.size)):
                     return instead(shown + plain_text(line.name))
+                in_radians = Equation(line.name, line.latex.replace(r"^\circ", ""))
+                if (
+                    in_radians != line
+                    and self._is_whole(line, given.size)
+                    and self._agree(in_radians, given / times, range(given.size))
+                ):
+                    return instead(shown + plain_text(line.name)) + look_up("; ") + look_up(IN_RADIANS)
         return ""
 
     def of_one(self, place: int, given: np.ndarray, wrong: Sequence[int]) -> Iterator[Guess]:
         """Yield what one of the numbers may be instead; of a list with a name, where all that are wrong are its."""
-        for line in map(line_of, self.lines):
-            if self._is_whole(line, given.size) and not self._agree(line, given, wrong):
+        for line in map(equation_of, self.lines):
+            if self._is_whole(line, given.size) and not self._agree(
+                line, given, wrong if len(wrong) > 1 else range(given.size)
+            ):
                 continue
             latex = line.cells[place] if len(line.cells) == given.size > 1 else "" if line.cells else line.latex
             if latex and (line.name or not _NUMBER.fullmatch(latex)):
                 yield Guess(self._value(latex), partial(_told, line.name, latex, self.known))
 
-    def _is_whole(self, line: Line, count: int) -> bool:
+    @cached_property
+    def formulas(self) -> tuple[Worked, ...]:
+        """What stands there as a formula without a name."""
+        lines = map(equation_of, self.lines)
+        return tuple(Worked(line.latex, self.known) for line in lines if not (line.name or line.cells or line.is_given))
+
+    def _is_whole(self, line: Equation, count: int) -> bool:
         return bool(line.name) and len(line.cells) == count and all(line.cells)
 
-    def _agree(self, line: Line, given: np.ndarray, places: Iterable[int]) -> bool:
+    def _agree(self, line: Equation, given: np.ndarray, places: Iterable[int]) -> bool:
         return all(nearly(float(given[k]), self._value(line.cells[k])) for k in places)
 
     def _value(self, latex: str) -> float:

@@ -67,6 +67,7 @@ class Task:
         derivation: the way to the solution, line by line.
         own: makes the task of a seed, with numbers of its own; see `drawn`.
         numbers: those numbers, by their letters (m).
+        usual: makes the task with the numbers that the lesson prints, where this one has others.
         printed: what the lesson prints for a seed, by what it prints usually.
         lesson, lang: the name of its lesson and its language, given when the lesson takes it.
     """
@@ -81,6 +82,7 @@ class Task:
     derivation: Derivation = field(default_factory=Derivation)
     own: Callable[[str], Task] | None = None
     numbers: Mapping[str, float] = field(default_factory=dict)
+    usual: Callable[[], Task] | None = None
     printed: Mapping[str, str] = field(default_factory=dict)
     lesson: str = ""
     lang: str = ""
@@ -201,6 +203,8 @@ class Task:
             return Feedback(Outcome.ERROR, str(problem))
         if feedback.outcome in (Outcome.WRONG, Outcome.LETTERS) and own():
             return replace(feedback, message=own())
+        if feedback.outcome is Outcome.WRONG and isinstance(asks, Number) and self.usual is not None and self.usual().asks.judge(answer).is_right:  # fmt: skip
+            return replace(feedback, message=look_up("right with the numbers that the lesson prints: yours are others"))
         return with_the_rest(feedback)
 
     def _asked(self) -> Question:
@@ -217,10 +221,10 @@ class Task:
         except ArmproofError:
             return ""
         known = [(_signature_of(self.asks, wrong), wrong.words) for wrong in own]
-        exact = next((words for signature, words in known if _are_equal(given, signature)), "")
+        exact = [words for signature, words in known if _are_equal(given, signature)]
         if not exact and isinstance(self.asks, Number):
-            exact = next((words for signature, words in known if self.asks.is_like(given, signature)), "")
-        return exact or self._several(given, known)
+            exact = [words for signature, words in known if self.asks.is_like(given, signature)][:1]
+        return look_up("; or: ").join(dict.fromkeys(exact)) or self._several(given, known)
 
     def _several(self, given: Any, known: Sequence[tuple[Any, str]]) -> str:
         """Return the sentences of known wrong answers of which each is wrong elsewhere, and that together make this one."""

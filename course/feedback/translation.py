@@ -20,7 +20,9 @@ def changed_task(task: Task, change: Change) -> Task:
     derivation = replace(task.derivation, lines=lines)
     asks = _asked(task.asks, change)
     words = change(task.title), change(task.text)
-    return Task(task.name, *words, asks, hints, task.right, wrong, derivation, task.own, task.numbers, task.printed)
+    return Task(
+        task.name, *words, asks, hints, task.right, wrong, derivation, task.own, task.numbers, task.usual, task.printed
+    )
 
 
 def _asked(asks: Any, change: Change) -> Any:

@@ -5,14 +5,21 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
-from itertools import chain
+from functools import cached_property, partial
+from itertools import combinations
 
 import numpy as np
 
 from armproof.course.feedback.claim import Claim
-from armproof.course.feedback.guesses import Guess, alone, instead
-from armproof.course.feedback.miscalculated import done_otherwise, leaves_of, misread, number_node, without_degrees
+from armproof.course.feedback.guesses import Guess, alone, instead, nearly
+from armproof.course.feedback.miscalculated import (
+    done_otherwise,
+    done_twice,
+    leaves_of,
+    misread,
+    number_node,
+    without_degrees,
+)
 from armproof.models.errors import counted, written
 from armproof.models.language import look_up, noted, number_text, separator
 from armproof.verification.diagnosis.slips import Letters, dropping_edits, is_trigonometric
@@ -31,9 +38,17 @@ _SPELLINGS = (
     (re.compile(r"^-\(([^()+\- ]+)\)$"), r"-\1"),
 )
 IN_RADIANS = noted("an angle in degrees is taken as radians")
-_PLACES = (2, 1)  # decimals that are left of a number on the way
+_EITHER = noted("this is {one} or {other}, which are the same here")
+_CARRIED = noted("a one that is carried over or borrowed is lost")
+_OFF_BY_ONE = noted("one digit is off by one: a slip in the reckoning")
+_EARLY = noted("rounded too early: {short:g} in place of {part}")
+_ONES = (0.01, 0.1, 1, 10)  # that are carried over
+_DECIMALS = 6
+_AWAY = 0.1  # at most, of a given value and of another one
+_PLACES = (2, 1, 0)  # decimals that are left of a number on the way
 _STEPS = 12  # of the secant
 _SMALL = 1e-9
+_NEAR = 1e-5  # of a number that is reckoned with the digits that are written
 _MOST_APART = 3  # times, of a given value and of another given one that is told in its place
 _MOST_FREE = 2  # of any other
 
@@ -135,8 +150,48 @@ class Worked:
         if self.angles:
             in_degrees = {name: float(np.degrees(self.known[name])) for name in self.angles}
             yield Guess(self.with_values(in_degrees), lambda: look_up(IN_RADIANS))
-        yield from self._told(done_otherwise(self._tree))
-        yield from self._told(self._confused([leaf for leaf in leaves_of(self._tree) if isinstance(leaf, n.Name)]))
+        for trees in self._slipped:
+            for tree in trees:
+                yield Guess(self._value(tree), partial(self._said_of, tree, trees))
+
+    def pairs(self) -> Iterator[Guess]:
+        """Yield what the formula gives with two like things done otherwise."""
+        return self._told(done_twice(self._tree))
+
+    @cached_property
+    def _slipped(self) -> tuple[list[n.Node], list[n.Node]]:
+        """The formulas with one thing done otherwise, and those with one letter in place of another."""
+        letters = [leaf for leaf in leaves_of(self._tree) if isinstance(leaf, n.Name)]
+        return [*done_otherwise(self._tree)], [*self._confused(letters)]
+
+    def _said_of(self, tree: n.Node, trees: Sequence[n.Node]) -> str:
+        """Return what a formula with a slip is; both, where another of these gives the same number of the given values and of others not."""
+        other = next((other for other in trees if self._are_alike_here(tree, other)), None)
+        return self._said(tree) if other is None else written(_EITHER, one=self._shown(tree), other=self._shown(other))
+
+    def _are_alike_here(self, one: n.Node, other: n.Node) -> bool:
+        """Whether two formulas give one number of the given values, and two of others."""
+        return (
+            abs(self._value(one) - self._value(other))
+            < _SMALL
+            < abs(self._elsewhere_of(one) - self._elsewhere_of(other))
+        )
+
+    def coincidences(self) -> Iterator[tuple[float, str, str]]:
+        """Yield the numbers that two slips give, alike here and not elsewhere, and what is said of each of them alone."""
+        for trees in self._slipped:
+            found = [(self._value(tree), self._elsewhere_of(tree), tree) for tree in trees]
+            for (value, elsewhere, one), (same, apart, other) in combinations(found, 2):
+                if abs(value - same) < _SMALL < abs(elsewhere - apart):
+                    yield value, self._said(one), self._said(other)
+
+    def _elsewhere_of(self, tree: n.Node) -> float:
+        """Return what a formula would give if other values were given, none of them in a simple relation to another."""
+        stated = {value: k for k, value in enumerate(dict.fromkeys(map(abs, self.stated)), 1)}
+        others = {id(leaf): number_node(self._value(leaf) + _AWAY * np.sin(stated[self._value(leaf)]))
+                  for leaf in leaves_of(tree) if isinstance(leaf, n.Number) and self._value(leaf) in stated}  # fmt: skip
+        known = {name: value + _AWAY * np.cos(k) for k, (name, value) in enumerate(sorted(self.known.items()))}
+        return replace(self, known=known)._value(n.substitute_each(tree, others))
 
     def confusions(self) -> Iterator[Guess]:
         """Yield what it gives with one given value in place of another, of those that it takes and of all that are given."""
@@ -147,13 +202,35 @@ class Worked:
         return self._told(self._taken())
 
     def long_shots(self) -> Iterator[Guess]:
-        """Yield what it gives with a part rounded before it is used, and with two things done otherwise."""
-        return self._told(chain(self._rounded(), self._twice()))
+        """Yield what it gives with two things done otherwise."""
+        return self._told(self._twice())
+
+    def miscarried(self) -> Iterator[Guess]:
+        """Yield the sum with a one that is carried over, or borrowed, left out."""
+        total = bare(self._tree)
+        terms = (
+            [(1 if sign == "+" else -1) * self._value(term) for sign, term in total.terms]
+            if isinstance(total, n.Sum) and len(total.terms) > 1
+            else []
+        )
+        for one in _ONES if terms else ():
+            over = sum(np.sign(term) * (round(abs(term) / one, _DECIMALS) % 1) for term in terms)
+            carried = one * np.floor(round(over, _DECIMALS))
+            if carried:
+                yield Guess(self.value - carried, lambda: look_up(_CARRIED), is_exact=True)
+
+    def off_by_one(self) -> Iterator[Guess]:
+        """Yield the number with its first or second decimal off by one."""
+        for one in (0.1, -0.1, 0.01, -0.01):
+            yield Guess(self.value + one, lambda: look_up(_OFF_BY_ONE), is_exact=True)
 
     def _told(self, trees: Iterable[n.Node]) -> Iterator[Guess]:
         for tree in trees:
-            said = alone if isinstance(_term_alone(bare(tree)), n.Name | n.Number) else instead
-            yield Guess(self._value(tree), lambda tree=tree, said=said: said(self._shown(tree)))  # type: ignore[misc]
+            yield Guess(self._value(tree), partial(self._said, tree))
+
+    def _said(self, tree: n.Node) -> str:
+        said = alone if isinstance(_term_alone(bare(tree)), n.Name | n.Number) else instead
+        return said(self._shown(tree))
 
     def _taken(self) -> Iterator[n.Node]:
         """Yield the formula with one given value that is misread."""
@@ -185,14 +262,30 @@ class Worked:
         yield from self.parts()
         yield from self._told(edit.node for edit in dropping_edits(self._tree, Letters()))
 
-    def _rounded(self) -> Iterator[n.Node]:
-        """Yield the formula with one of its parts rounded, or cut off, before it is used."""
+    def rounded(self, is_of_the_rule: bool) -> Iterator[Guess]:
+        """Yield what it gives with a part rounded, or cut off, before it is used: a part of the rule, as 15/8, or one of given values; no angle."""
+        angles = {
+            id(part)
+            for node in n.walk(self._tree)
+            if is_trigonometric(node)
+            for part in n.walk(node)
+            if part is not node
+        }
         for node in n.walk(self._tree):
             value = self._value(node)
-            for places in _PLACES if node is not self._tree and np.isfinite(value) else ():
+            is_reckoned = (
+                node is not self._tree and id(node) not in angles and not isinstance(bare(node), n.Name | n.Number)
+            )
+            is_reckoned &= is_of_the_rule is not any(leaf in self._given for leaf in leaves_of(node))
+            for places in _PLACES if is_reckoned and np.isfinite(value) else ():
                 for short in (round(value, places), float(np.trunc(value * 10**places) / 10**places)):
-                    if short and abs(short - value) > _SMALL:
-                        yield n.substitute(self._tree, node, number_node(short))
+                    has_digits = abs(short) >= 10 ** (1 - places) or not places
+                    if short and has_digits and abs(short - value) > _SMALL:
+                        other = self._value(n.substitute(self._tree, node, number_node(short)))
+                        yield Guess(other, partial(self._rounded_early, node, short))
+
+    def _rounded_early(self, node: n.Node, short: float) -> str:
+        return written(_EARLY, part=self._shown(node), short=short)
 
     def _twice(self) -> Iterator[n.Node]:
         """Yield the formula with two things done otherwise."""
@@ -208,8 +301,14 @@ class Worked:
             ratio = value / self._value(leaf)
             shown, own = f"{value:.4g}", f"{self._value(leaf):.4g}"
             most = _MOST_APART if shown in values else _MOST_FREE
-            if 1 / most < ratio < most and shown != own and len(shown) <= len(own):
-                found.append((shown not in values, len(shown), abs(ratio - 1), value, self._shown(leaf)))
+            if len(shown) > len(own):
+                shown = f"{value:.{len(own.partition('.')[2])}f}"
+            if not 1 / most < ratio < most or shown == own or len(shown) > len(own):
+                continue
+            made = self._value(n.substitute(self._tree, leaf, number_node(float(shown))))
+            is_likely = shown in values or _is_misread(shown, own)
+            if abs(made - given) < _SMALL or (is_likely and nearly(given, made)):
+                found.append((shown not in values, len(shown), abs(ratio - 1), float(shown), self._shown(leaf)))
         if not found:
             return ""
         *_, value, name = min(found)
@@ -225,7 +324,7 @@ class Worked:
         other, below = 1.1 * one or 0.1, self.value - given
         for _ in range(_STEPS):
             here = off(other)
-            if abs(here) < _SMALL * abs(given) + _SMALL:
+            if abs(here) < _NEAR * abs(given) + _SMALL:
                 return other
             if here == below or not np.isfinite(here):
                 return 0.0
@@ -280,6 +379,11 @@ class Worked:
     @cached_property
     def _evaluate(self) -> Callable[[n.Node], np.ndarray | None]:
         return self._claim.evaluated_over({name: np.array([value]) for name, value in self.known.items()})
+
+
+def _is_misread(shown: str, own: str) -> bool:
+    """Whether a number has one digit otherwise than another one, or lacks the last ones."""
+    return own.startswith(shown) or (len(shown) == len(own) and sum(map(str.__ne__, shown, own)) == 1)
 
 
 def _written(leaf: n.Name | n.Number) -> str:

@@ -60,11 +60,11 @@ sizes = [6, 7, 7, 1]
 lesson.size.check(sizes)
 
 # %% [markdown]
-# Each joint contributes its column times its rate. $J_{L1} = [-0.4, 0.3, 0]^T$ and $J_{L2} = [-0.2, 0.5, 0]^T$; the rates are $-1$ and $2$.
+# Each joint contributes its column times its rate. $J_{L1} = [-0.8, 0.3, 0]^T$ and $J_{L2} = [-0.3, 0.5, 0]^T$; the rates are $-2$ and $3$.
 
 # %%
 ### BEGIN SOLUTION
-velocity = [0, 0.7, 0]
+velocity = [0.7, 0.9, 0]
 ### END SOLUTION
 lesson.contribution.check(velocity)
 
@@ -96,11 +96,11 @@ lesson.antisymmetric.check(S)
 # %% [markdown]
 # ## Two kinds of joints
 #
-# A body turns about z at 2 rad/s. Which velocity has its point $[0.3, 0.4, 0.5]^T$?
+# A body turns about z at 3 rad/s. Which velocity has its point $[0.3, 0.4, 0.65]^T$?
 
 # %%
 ### BEGIN SOLUTION
-of_point = [-0.8, 0.6, 0]
+of_point = [-1.2, 0.9, 0]
 ### END SOLUTION
 lesson.turning.check(of_point)
 
@@ -133,7 +133,7 @@ z_1 = r"\begin{bmatrix} S_1 \\ -C_1 \\ 0 \end{bmatrix}"
 lesson.axes.check(z_1)
 
 # %% [markdown]
-# And $z_2$ of the planar 3R arm, at $\theta_1 = 40°$, $\theta_2 = 70°$?
+# And $z_2$ of the planar 3R arm, at $\theta_1 = 40°$, $\theta_2 = 72°$?
 
 # %%
 sketch(load_arm("planar_3r"), table=False)

@@ -67,12 +67,12 @@ draw_kind(find_kind("sketch"), load_arm("scara"))
 #
 # ## Predict
 #
-# Before any formula: stretch the arm along $x_0$ and turn joint 1 alone at 1 rad/s. Take $a_1 = 0.325$ m and
+# Before any formula: stretch the arm along $x_0$ and turn joint 1 alone at 1.2 rad/s. Take $a_1 = 0.325$ m and
 # $a_2 = 0.275$ m. Write the velocity of the tool point, $[v_x, v_y, v_z]$ in m/s.
 
 # %%
 ### BEGIN SOLUTION
-velocity = [0, 0.325 + 0.275, 0]
+velocity = [0, 1.2 * (0.325 + 0.275), 0]
 ### END SOLUTION
 lesson.prediction.check(velocity)
 

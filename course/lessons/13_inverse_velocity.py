@@ -94,12 +94,12 @@ def polar_inverse(theta, r):
 lesson.polar_inverse.check(polar_inverse)
 
 # %% [markdown]
-# The document states this inverse with no condition. Find out what it asks near the axis: the gripper is 0.05 m from
-# it and moves across the arm at 0.1 m/s. How fast does the joint turn (rad/s)?
+# The document states this inverse with no condition. Find out what it asks near the axis: the gripper is 0.06 m from
+# it and moves across the arm at 0.15 m/s. How fast does the joint turn (rad/s)?
 
 # %%
 ### BEGIN SOLUTION
-rate = 0.1 / 0.05
+rate = 0.15 / 0.06
 ### END SOLUTION
 lesson.polar_rate.check(rate)
 

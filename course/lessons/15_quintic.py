@@ -224,22 +224,22 @@ show_tracking(coefficients, t_f=0.8)
 # %% [markdown]
 # The straight line asks for more torque than the plot shows. The cubic starts with the jump that you computed; your
 # quintic starts from zero. Last question: by which factors do peak speed and peak acceleration grow if this motion is
-# to take half the time? Write both.
+# to take a third of the time? Write both.
 
 # %%
 ### BEGIN SOLUTION
-factors = [2, 4]
+factors = [3, 9]
 ### END SOLUTION
-lesson.halved.check(factors)
+lesson.quicker.check(factors)
 
 # %% [markdown]
 # ## An arm that you have not seen
 #
-# A ram goes out by 0.4 m in 2 s on a quintic that starts and ends at rest. How fast is it at its peak (m/s)?
+# A ram goes out by 0.4 m in 5 s on a quintic that starts and ends at rest. How fast is it at its peak (m/s)?
 
 # %%
 ### BEGIN SOLUTION
-peak = 0.375
+peak = 0.15
 ### END SOLUTION
 lesson.transfer.check(peak)
 

@@ -98,11 +98,11 @@ def rpy(phi, theta, psi):
 lesson.rpy.check(rpy)
 
 # %% [markdown]
-# Now back. The first column is $s = [0.48, 0.36, -0.8]^T$, and $\cos\theta > 0$. Give $\sin\theta$, $\cos\theta$ and $\tan\phi$.
+# Now back. The first column is $s = [0.768, 0.576, -0.28]^T$, and $\cos\theta > 0$. Give $\sin\theta$, $\cos\theta$ and $\tan\phi$.
 
 # %%
 ### BEGIN SOLUTION
-pitch = [0.8, 0.6, 0.75]
+pitch = [0.28, 0.96, 0.75]
 ### END SOLUTION
 lesson.pitch.check(pitch)
 

@@ -203,12 +203,12 @@ lesson.amplitude.check(r_and_alpha)
 # %% [markdown]
 # So $X = r\cos(\theta_1 + \alpha)$ and $Y = r\sin(\theta_1 + \alpha)$, and $\theta_1$ is the angle of the target less $\alpha$.
 #
-# Links of 0.4 m and 0.3 m, target $X = 0.5$ m, $Y = 0$, $\psi = 0$. One posture has $\theta_2 = \pi/2$ and
-# $\theta_1 = -\text{atan2}(0.3, 0.4)$. Give $[\theta_1, \theta_2, \theta_4]$ of the other.
+# Links of 0.48 m and 0.2 m, target $X = 0.52$ m, $Y = 0$, $\psi = 0$. One posture has $\theta_2 = \pi/2$ and
+# $\theta_1 = -\text{atan2}(0.2, 0.48)$. Give $[\theta_1, \theta_2, \theta_4]$ of the other.
 
 # %%
 ### BEGIN SOLUTION
-theta_1 = np.arctan2(0.3, 0.4)
+theta_1 = np.arctan2(0.2, 0.48)
 other = [theta_1, -np.pi / 2, theta_1 - np.pi / 2]
 ### END SOLUTION
 lesson.second_posture.check(other)

@@ -287,31 +287,31 @@ LESSON = Lesson(
         Task(
             name="polar_rate",
             title="The polar arm: near the axis",
-            text="The gripper of the polar arm stands $r = 0.05$ m from the axis of its revolute joint and is to move across the arm at 0.1 m/s. "
+            text="The gripper of the polar arm stands $r = 0.06$ m from the axis of its revolute joint and is to move across the arm at 0.15 m/s. "
             "How fast does the revolute joint turn, in rad/s (the amount)?",
             asks=Number(
-                2.0,
+                2.5,
                 unit="rad/s",
-                steps=("r = 0.05", "0.1/r"),
-                beside=("0.1/(2 r)", "0.1/r^2", "r/0.1^2", r"2 \pi", "0.1 r^2"),
+                steps=("r = 0.06", "0.15/r"),
+                beside=("0.15/(2 r)", "0.15/(r/2)", "0.15/r^2", "r/0.15^2", r"2 \pi", "0.15 r^2"),
             ),
             hints=(
                 "Only the second row of $J_L^{-1}$ is needed.",
                 "Across the arm is the direction $(-\\sin\\theta, \\cos\\theta)$; the second row of $J_L^{-1}$ is this direction divided by $r$.",
                 "Divide the speed by the distance.",
             ),
-            right=(2.0, "2", lambda: 0.1 / 0.05),
+            right=(2.5, "2.5", lambda: 0.15 / 0.06),
             wrong=(
-                Wrong(0.005, "speed times distance: the rate falls as the arm grows longer, so divide", own=True),
+                Wrong(0.009, "speed times distance: the rate falls as the arm grows longer, so divide", own=True),
                 Wrong(
-                    0.1,
-                    "0.1 is the speed of the gripper in m/s; at 1 m from the axis it would be the rate too",
+                    0.15,
+                    "0.15 is the speed of the gripper in m/s; at 1 m from the axis it would be the rate too",
                     own=True,
                 ),
-                Wrong(0.5, "the other way round: the speed of the gripper is divided by the distance", own=True),
-                Wrong(np.degrees(2.0), "that is in degrees per second", own=True),
-                Wrong(-2.0, "the amount is asked for, without a sign", own=True),
-                Wrong(40.0, "divided by the square of the distance: the determinant divides once", own=True),
+                Wrong(0.4, "the other way round: the speed of the gripper is divided by the distance", own=True),
+                Wrong(np.degrees(2.5), "that is in degrees per second", own=True),
+                Wrong(-2.5, "the amount is asked for, without a sign", own=True),
+                Wrong(0.15 / 0.06**2, "divided by the square of the distance: the determinant divides once", own=True),
             ),
         ),
         Task(

@@ -519,7 +519,7 @@ LESSON = Lesson(
             title="At the wrist's singular configuration",
             text="Put $\\theta_5 = 0$. Give two numbers: the rank of the 6×6 Jacobian at a generic posture of the other joints, and the rate $\\dot\\theta_6$ that undoes $\\dot\\theta_4 = 1$, so that the gripper is at rest "
             "(joints 1, 2, 3, 5 rest too).",
-            asks=Number((5, -1), labels=("the rank", "the rate of joint 6")),
+            asks=Number((5, -1), labels=("the rank", "the rate of joint 6"), steps=("6 - 1", "-1")),
             hints=(
                 "Where do the axes of joints 4 and 6 lie when $\\theta_5 = 0$?",
                 "They are one line: the columns 4 and 6 of the Jacobian are then equal.",
@@ -539,6 +539,7 @@ LESSON = Lesson(
                 ),
                 Wrong([1, -1], "two equal columns take away one direction, not all", own=True),
                 Wrong([0, -1], "a determinant of zero takes away one direction, not all", own=True),
+                Wrong([5, 0.5], "joint 6 turns backwards, and undoes all of it", own=True),
                 Wrong([5, -2], "joint 6 turns back as fast as joint 4 forward, not twice as fast", own=True),
                 Wrong([5, 2], "backwards, and as fast as joint 4: not twice as fast", own=True),
                 Wrong([5, -0.5], "the axes are one line: joint 6 has to undo all of it, not half", own=True),

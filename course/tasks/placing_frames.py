@@ -165,7 +165,12 @@ LESSON = Lesson(
             name="numbers",
             title="Steps 1 and 2: count",
             text="How many links has the drill rig (the base counts), how many joints, and how many rows has its table? Give the three numbers.",
-            asks=Number((5, 4, 4), labels=("the number of links", "the number of joints", "the number of rows")),
+            asks=Number(
+                (5, 4, 4),
+                labels=("the number of links", "the number of joints", "the number of rows"),
+                steps=("4 + 1", "4", "4"),
+                beside=("[4 - 1, ,]", r"[, , 4 \cdot 4]", r"[, , 4 \cdot 5]"),
+            ),
             hints=(
                 "Each joint stands between two links.",
                 "The links are numbered 0, 1, … and link 0 is the base.",
@@ -281,7 +286,24 @@ LESSON = Lesson(
             title="Step 3: the origin on the common normal",
             text="Axis 1 is the $z$ axis. Axis 2 goes through the point $[0.3, 0.4, 1]^T$ and is parallel to $y$. Give $O_1$ of the modified"
             " convention, and the length $a_1$ of the common normal: four numbers $[x, y, z, a_1]$, in metres.",
-            asks=Number((0, 0, 1, 0.3), unit="m", labels=("x", "y", "z", "a_1")),
+            asks=Number(
+                (0, 0, 1, 0.3),
+                unit="m",
+                labels=("x", "y", "z", "a_1"),
+                beside=(
+                    "p = [0.3, 0.4, 1,]",
+                    r"[, , , \sqrt{(0.3^2 + 0.4^2)}]",
+                    r"[, , , \sqrt{(0.3^2 + 1^2)}]",
+                    r"[, , , \sqrt{(0.4^2 + 1^2)}]",
+                    r"[, , , \sqrt{(0.3^2 + 0.4^2 + 1^2)}]",
+                    "[, , , 0.3^2 + 0.4^2]",
+                    r"[, , , 0.3 \cdot 0.4]",
+                    "[, , , 0.3 + 0.4]",
+                    "[, , , 0.3 + 0.4 + 1]",
+                    "[, , , (0.3 + 0.4)/2]",
+                    "[0.3/2, 0.4/2, 1/2, 0.3/2]",
+                ),
+            ),
             hints=(
                 "The common normal is at right angles to both axes. Along which direction does it lie?",
                 "It lies along $x$, the only direction across $z$ and $y$. At which height does it touch axis 2?",

@@ -185,7 +185,7 @@ def _predict(a_3=0.45, d_3=0.42):
                 "y = 0",
                 r"z = a_3 \sin\theta_2 + d_3 \cos(\theta_2 + \theta_3)",
             ),
-            beside=(r"\sqrt{(a_3^2 + d_3^2)}", "(a_3 + d_3) y_0 = [0, a_3 + d_3, 0]"),
+            beside=(r"\sqrt{(a_3^2 + d_3^2)}", "a_3 d_3", "(a_3 + d_3) y_0 = [0, a_3 + d_3, 0]"),
         ),
         hints=(
             "Start from the figure and turn the shoulder by 90°: where is the elbow now?",
@@ -197,7 +197,7 @@ def _predict(a_3=0.45, d_3=0.42):
             Wrong([-d_3, 0, a_3], "the elbow turns the forearm back by 90°: θ_3 counts from the upper arm", own=True),
             Wrong([a_3, 0, d_3], "this is the zero pose of the figure", own=True),
             Wrong([0, 0, a_3 - d_3], "upper arm and forearm point the same way here: the lengths add", own=True),
-            Wrong([d_3, 0, a_3], f"x is not {d_3:g}, z is not {a_3:g}"),
+            Wrong([d_3, 0, a_3], "at zero the forearm is upright: it does not start along the upper arm", own=True),
             Wrong([a_3 + d_3, 0, 0], "at θ_2 = 90° the upper arm points up, along z_0", own=True),
         ),
         own=drawn(_predict, a_3=(0.43, 0.55), d_3=(0.3, 0.42)),
@@ -517,7 +517,7 @@ LESSON = Lesson(
             title="A check in your head",
             text="The slide on the spherical wrist prints the rotation block of ${}^4T_5$ with the third row $[0, -1, 0]$. What is the determinant of"
             " that block?",
-            asks=Number(-1),
+            asks=Number(-1, steps=("M = -1", r"-1 \cdot (-1) \cdot M")),
             hints=(
                 "Expand along the third row: it has one entry that is not zero.",
                 "The entry stands at (3, 2), so its cofactor has the sign $(-1)^{3+2} = -1$.",
@@ -529,7 +529,7 @@ LESSON = Lesson(
                 Wrong(
                     0, "the block is regular: the first and the third column are unit vectors at right angles", own=True
                 ),
-                Wrong(2, "the number is not 2"),
+                Wrong(2, "the determinant of unit vectors at right angles is 1 or −1, nothing else", own=True),
                 Wrong([-1, 1], "one number, not 2"),
                 Wrong(
                     3,

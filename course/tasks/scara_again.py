@@ -149,7 +149,7 @@ def _amplitude_sympy(sp):
     return sp.Matrix([sp.sqrt(k1**2 + k2**2), sp.atan2(k2, k1)])
 
 
-BEND = float(np.arctan2(0.3, 0.4))  # of the posture: links of 0.4 and 0.3, the tool 0.5 away
+BEND = float(np.arctan2(0.2, 0.48))  # of the posture: links of 0.48 and 0.2, the tool 0.52 away
 
 
 # -- the inverse of document 001's SCARA -------------------------------------------------------------------------------
@@ -391,7 +391,11 @@ LESSON = Lesson(
             name="axes_down",
             title="Document 000: the axes",
             text="All axes $z_0$ to $z_3$ are vertical. Give their third entries in frame 0, four numbers, from the rotations $R^0_0$ to $R^0_3$.",
-            asks=Number((1, 1, -1, -1), labels=("z_0", "z_1", "z_2", "z_3")),
+            asks=Number(
+                (1, 1, -1, -1),
+                labels=("z_0", "z_1", "z_2", "z_3"),
+                steps=(r"\alpha_2 = 180^\circ", "1", "1", r"\cos\alpha_2", r"\cos\alpha_2"),
+            ),
             hints=(
                 "Each is the entry (3, 3) of its rotation.",
                 "In which link is the half turn about $x$?",
@@ -798,14 +802,14 @@ LESSON = Lesson(
         Task(
             name="second_posture",
             title="Document 004: the second posture",
-            text="Links $a_1 = 0.4$ m and $a_2 = 0.3$ m, target $X = 0.5$ m, $Y = 0$, $\\psi = 0$. One posture has $\\theta_2 = +\\pi/2$ and $\\theta_1 ="
-            " -\\text{atan2}(0.3, 0.4)$. Give $[\\theta_1, \\theta_2, \\theta_4]$ of the other, in radians.",
+            text="Links $a_1 = 0.48$ m and $a_2 = 0.2$ m, target $X = 0.52$ m, $Y = 0$, $\\psi = 0$. One posture has $\\theta_2 = +\\pi/2$ and $\\theta_1 ="
+            " -\\text{atan2}(0.2, 0.48)$. Give $[\\theta_1, \\theta_2, \\theta_4]$ of the other, in radians.",
             asks=Number(
                 (BEND, -np.pi / 2, BEND - np.pi / 2),
                 unit="rad",
                 labels=("θ_1", "θ_2", "θ_4"),
-                steps=(r"\theta_1 = \text{atan2}(0.3, 0.4)", r"\theta_2 = -\pi/2", r"\theta_4 = \theta_1 + \theta_2"),
-                beside=(r"\arctan 0.3", r"\arcsin 0.3", r"\arcsin(0.3/0.4)", r"\arccos(0.3/0.4)"),
+                steps=(r"\theta_1 = \text{atan2}(0.2, 0.48)", r"\theta_2 = -\pi/2", r"\theta_4 = \theta_1 + \theta_2"),
+                beside=(r"\arctan 0.2", r"\arcsin 0.2", r"\arcsin(0.2/0.48)", r"\arccos(0.2/0.48)"),
             ),
             hints=(
                 "The other sign of the arccos.",
@@ -815,7 +819,7 @@ LESSON = Lesson(
             right=(
                 [BEND, -np.pi / 2, BEND - np.pi / 2],
                 np.array([BEND, -np.pi / 2, BEND - np.pi / 2]),
-                (np.arcsin(0.6), -np.arccos(0), np.arcsin(0.6) - np.arccos(0)),
+                (np.arcsin(5 / 13), -np.arccos(0), np.arcsin(5 / 13) - np.arccos(0)),
             ),
             wrong=(
                 Wrong([-BEND, -np.pi / 2, -BEND - np.pi / 2], "θ_1 changes as well: k_2 has the other sign", own=True),

@@ -247,7 +247,7 @@ LESSON = Lesson(
             wrong=(
                 Wrong([2, 2, 0], "stretched, the elbow cannot be on either side: +0 and -0 are one angle", own=True),
                 Wrong([1, 1, 0], "inside the ring there is an elbow on each side of the line to the target", own=True),
-                Wrong([2, 1, 1], "the number beyond it is not 1"),
+                Wrong([2, 1, 1], "no posture reaches a point beyond the outer circle", own=True),
                 Wrong([2, 1, 2], "an arccos of more than 1 has no value, with either sign", own=True),
                 Wrong([4, 2, 0], "two elbows, not four"),
                 Wrong(2, "3 numbers"),

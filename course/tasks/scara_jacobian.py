@@ -119,41 +119,50 @@ def _omega_first(q, a_1, a_2):
 
 def _prediction(a_1=0.325, a_2=0.275):
     """Return the task `prediction` for an arm of these lengths (m)."""
+    speed = 1.2 * (a_1 + a_2)
     return Task(
         name="prediction",
         title="Predict a velocity",
-        text="The arm is stretched along $x_0$: $\\theta_1 = \\theta_2 = 0$. Joint 1 turns at 1 rad/s, the other joints rest. With "
+        text="The arm is stretched along $x_0$: $\\theta_1 = \\theta_2 = 0$. Joint 1 turns at 1.2 rad/s, the other joints rest. With "
         f"$a_1 = {a_1:g}$ m and $a_2 = {a_2:g}$ m, what is the velocity of the tool point? Give $[v_x, v_y, v_z]$ in m/s, in frame 0.",
         asks=Number(
-            (0, a_1 + a_2, 0),
+            (0, speed, 0),
             "m/s",
             ("v_x", "v_y", "v_z"),
-            steps=("0", "a_1 + a_2", "0"),
-            beside=(r"\sqrt{(a_1^2 + a_2^2)}", "-(a_1 + a_2) x_0 = [-(a_1 + a_2), 0, 0]"),
+            steps=("r = a_1 + a_2", "0", r"1.2 \cdot r", "0"),
+            beside=(
+                r"1.2 \cdot \sqrt{(a_1^2 + a_2^2)}",
+                r"\sqrt{(a_1^2 + a_2^2)}",
+                r"1.2^2 \cdot (a_1 + a_2)",
+                r"1.2 \cdot (a_1 + a_2)^2",
+                r"1.2/(a_1 + a_2)",
+                r"(a_1 + a_2)/1.2",
+                r"-1.2 \cdot (a_1 + a_2) x_0 = [-1.2 \cdot (a_1 + a_2), 0, 0]",
+                r"[v_x, v_y, \omega] = [0, 1.2 \cdot (a_1 + a_2), 1.2]",
+            ),
         ),
         hints=(
             "The tool point runs on a circle about $z_0$. Which way does a circle run where it crosses the $x_0$ axis?",
             "Speed is rate times radius; the radius is the distance of the tool from $z_0$.",
             "The radius is $a_1 + a_2$ and the velocity is along $y_0$.",
         ),
-        right=([0, a_1 + a_2, 0], f"0, {a_1 + a_2:.4g}, 0", np.array([0.0, a_1 + a_2, 0.0])),
+        right=([0, speed, 0], f"0, {speed:.4g}, 0", np.array([0.0, speed, 0.0])),
         wrong=(
             Wrong(
-                [a_1 + a_2, 0, 0],
+                [speed, 0, 0],
                 "that is along the arm: a point that turns about an axis moves across the line to the axis",
                 own=True,
             ),
-            Wrong([0, a_1, 0], "that is the elbow: the tool is one link further from the axis", own=True),
-            Wrong([0, a_2, 0], "that is what joint 2 would give: joint 1 turns both links", own=True),
+            Wrong([0, 1.2 * a_1, 0], "that is the elbow: the tool is one link further from the axis", own=True),
+            Wrong([0, 1.2 * a_2, 0], "that is what joint 2 would give: joint 1 turns both links", own=True),
+            Wrong([0, -speed, 0], "the right-hand rule about z_0 turns x_0 towards y_0, not away from it", own=True),
             Wrong(
-                [0, -a_1 - a_2, 0], "the right-hand rule about z_0 turns x_0 towards y_0, not away from it", own=True
-            ),
-            Wrong(
-                [0, 0, a_1 + a_2],
+                [0, 0, speed],
                 "that is along the axis of joint 1: turning about an axis moves nothing along it",
                 own=True,
             ),
-            Wrong([0, 1, 0], "1 rad/s is the rate: a speed is the rate times the radius", own=True),
+            Wrong([0, 1.2, 0], "1.2 rad/s is the rate: a speed is the rate times the radius", own=True),
+            Wrong([0, a_1 + a_2, 0], "this is the radius: a speed is the rate times the radius", own=True),
         ),
         own=drawn(_prediction, a_1=(0.3, 0.45), a_2=(0.15, 0.28)),
     )

@@ -215,7 +215,17 @@ LESSON = Lesson(
             title="The approach vector",
             text="The rotation of a tool is $\\begin{bmatrix} 0 & -1 & 0 \\\\ 0 & 0 & -1 \\\\ 1 & 0 & 0 \\end{bmatrix}$, with the columns $s$, $n$, $a$."
             " Give $a$, the direction in which the gripper points, in frame 0: `[x, y, z]`.",
-            asks=Number((0, -1, 0), labels=("a_x", "a_y", "a_z")),
+            asks=Number(
+                (0, -1, 0),
+                labels=("a_x", "a_y", "a_z"),
+                beside=(
+                    "s = [0, 0, 1]",
+                    "n = [-1, 0, 0]",
+                    "s + n = [-1, 0, 1]",
+                    "s + a = [0, -1, 1]",
+                    "n + a = [-1, -1, 0]",
+                ),
+            ),
             hints=(
                 "$s$, $n$, $a$ (sliding, normal, approach) are the x, y and z axes of the tool, in frame 0.",
                 "Axes are columns, not rows.",
@@ -236,7 +246,19 @@ LESSON = Lesson(
             title="The frame of a gripper",
             text="A gripper reaches forward for an object, along $[1, 0, 0]^T$; its jaws slide up and down, along $[0, 0, 1]^T$. By the rules of the"
             " slide ($Z_e$ towards the object, $Y_e$ in the plane in which the jaws slide), give $X_e$: `[x, y, z]`.",
-            asks=Number((0, 1, 0), labels=("x", "y", "z")),
+            asks=Number(
+                (0, 1, 0),
+                labels=("x", "y", "z"),
+                beside=(
+                    "Y_e + Z_e = [1, 0, 1]",
+                    "Z_e - Y_e = [1, 0, -1]",
+                    r"(Y_e + Z_e)/\sqrt{2} = [1/\sqrt{2}, 0, 1/\sqrt{2}]",
+                    "X_e + Z_e = [1, 1, 0]",
+                    "X_e + Y_e = [0, 1, 1]",
+                    "X_e - Y_e = [0, 1, -1]",
+                    "X_e + Y_e + Z_e = [1, 1, 1]",
+                ),
+            ),
             hints=(
                 "Which of the three vectors are given?",
                 "$X_e = Y_e \\times Z_e$, since $X$, $Y$, $Z$ follow each other in a circle.",
@@ -342,14 +364,15 @@ LESSON = Lesson(
         Task(
             name="pitch",
             title="From a rotation to its pitch",
-            text="The first column of a rotation is $s = [0.48, 0.36, -0.8]^T$. With $\\cos\\theta > 0$, give $\\sin\\theta$, $\\cos\\theta$ and"
+            text="The first column of a rotation is $s = [0.768, 0.576, -0.28]^T$. With $\\cos\\theta > 0$, give $\\sin\\theta$, $\\cos\\theta$ and"
             " $\\tan\\phi$.",
             asks=Number(
-                (0.8, 0.6, 0.75),
+                (0.28, 0.96, 0.75),
                 labels=("sin θ", "cos θ", "tan φ"),
-                steps=("s_x = 0.48", "s_y = 0.36", "s_z = -0.8", "-s_z", r"\sqrt{(s_x^2 + s_y^2)}", "s_y/s_x"),
+                steps=("s_x = 0.768", "s_y = 0.576", "s_z = -0.28", "-s_z", r"\sqrt{(s_x^2 + s_y^2)}", "s_y/s_x"),
                 beside=(
-                    "s = [0.48, 0.36, -0.8]",
+                    "s = [0.768, 0.576, -0.28]",
+                    r"[, \sqrt{(1 + s_z^2)},]",
                     r"\sqrt{(1 - s_x^2)}",
                     r"\sqrt{(1 - s_y^2)}",
                     "s_y/s_z",
@@ -362,14 +385,14 @@ LESSON = Lesson(
                 "$\\cos\\theta = \\sqrt{s_x^2 + s_y^2}$, where it is positive.",
                 "$\\tan\\phi = s_y / s_x$: the factor $\\cos\\theta$ goes out.",
             ),
-            right=([0.8, 0.6, 0.75], "0.8, 0.6, 0.75", np.array([0.8, 0.6, 0.75])),
+            right=([0.28, 0.96, 0.75], "0.28, 0.96, 0.75", np.array([0.28, 0.96, 0.75])),
             wrong=(
-                Wrong([-0.8, 0.6, 0.75], "the third entry is −sin θ", own=True),
-                Wrong([0.8, -0.6, 0.75], "cos θ is asked to be positive", own=True),
-                Wrong([0.8, 0.6, 4 / 3], "tan φ is upside down: sine over cosine, s_y over s_x", own=True),
-                Wrong([0.8, 0.36, 0.75], "cos θ is the length of [s_x, s_y]: 0.36 is its square", own=True),
-                Wrong([0.8, 0.48, 0.75], "s_x is cos φ cos θ: cos θ is the length of [s_x, s_y]", own=True),
-                Wrong([0.8, 0.6, 0.36], "tan φ is s_y / s_x: divide by s_x as well", own=True),
+                Wrong([-0.28, 0.96, 0.75], "the third entry is −sin θ", own=True),
+                Wrong([0.28, -0.96, 0.75], "cos θ is asked to be positive", own=True),
+                Wrong([0.28, 0.96, 4 / 3], "tan φ is upside down: sine over cosine, s_y over s_x", own=True),
+                Wrong([0.28, 0.9216, 0.75], "cos θ is the length of [s_x, s_y]: 0.9216 is its square", own=True),
+                Wrong([0.28, 0.768, 0.75], "s_x is cos φ cos θ: cos θ is the length of [s_x, s_y]", own=True),
+                Wrong([0.28, 0.96, 0.576], "tan φ is s_y / s_x: divide by s_x as well", own=True),
             ),
         ),
         Task(

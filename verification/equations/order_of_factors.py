@@ -16,6 +16,7 @@ Letter = tuple[str, int, bool]  # its key, 1 or -1 where it is inverted, whether
 MOST = 6  # factors of one power
 _HELD = (Verdict.PROVED, Verdict.CONFIRMED)
 _OF_MATRICES = ("det", "tr", "trace", "rank")
+_OF_ANY = (*_OF_MATRICES, "abs", "norm")
 
 
 def unless_exchanged(outcomes: list[Outcome], chain: n.Chain, names: Names) -> list[Outcome]:
@@ -37,15 +38,34 @@ def unless_exchanged(outcomes: list[Outcome], chain: n.Chain, names: Names) -> l
 def _stand_both_ways(chain: n.Chain, names: Names) -> bool:
     """Whether two free letters are multiplied in one order and in the other: a (b + c) = b a + c a."""
     products = [below for member in chain.members for below in n.walk(member) if isinstance(below, n.Product)]
+    numbers = _numbers(chain)
     pairs = {
         (one, other)
         for each in products
         for before, behind in pairwise(each.factors)
-        for one in _letters(before, names)
-        for other in _letters(behind, names)
+        for one in _letters(before, names) - numbers
+        for other in _letters(behind, names) - numbers
         if one != other
     }
     return any((other, one) in pairs for one, other in pairs)
+
+
+def _numbers(chain: n.Chain) -> set[str]:
+    """Return the letters that a chain itself shows to be numbers: what divides, what a function is of, and what such a letter is added to."""
+    nodes = [below for member in chain.members for below in n.walk(member)]
+    places = [below.denominator for below in nodes if isinstance(below, n.Quotient)]
+    places += [
+        each
+        for below in nodes
+        if isinstance(below, n.Call) and below.function not in _OF_ANY
+        for each in below.arguments
+    ]
+    numbers = {below.key for place in places for below in n.walk(place) if isinstance(below, n.Name)}
+    for below in nodes:
+        if isinstance(below, n.Sum):
+            terms = {bare(term).key for _, term in below.terms if isinstance(bare(term), n.Name)}
+            numbers |= terms if terms & numbers else set()
+    return numbers
 
 
 def _are_more_than_numbers(chain: n.Chain, names: Names) -> bool:
@@ -65,11 +85,11 @@ def _are_more_than_numbers(chain: n.Chain, names: Names) -> bool:
 
 
 def _letters(node: n.Node, names: Names) -> set[str]:
-    """Return the free letters of a factor that are no lengths; what stands in a function is a number."""
+    """Return the free letters of a factor that are no lengths; what stands in a function or a printed matrix is a number."""
     node = bare(node)
     if isinstance(node, n.Name):
         return {node.key} if _is_untold(node, names) and not reads_as_length(node.key) else set()
-    if isinstance(node, n.Call | n.Quotient):
+    if isinstance(node, n.Call | n.Quotient | n.Matrix):
         return set()
     return {key for below in n.children(node) for key in _letters(below, names)}
 
@@ -91,7 +111,7 @@ def are_exchanged(one: n.Node, other: n.Node, names: Names) -> bool:
 
 def _is_untold(name: n.Name, names: Names) -> bool:
     """Whether nothing says what a letter is."""
-    return names.is_free(name) and name.key not in names.state.definitions
+    return names.is_free(name) and name.key not in names.symbols and name.key not in names.state.definitions
 
 
 def _name(key: str) -> n.Name:

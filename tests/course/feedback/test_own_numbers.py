@@ -6,15 +6,19 @@ import json
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from armproof.course.authoring.beginning.copies import begin
-from armproof.course.feedback import Outcome, Task, lessons, open_lesson
+from armproof.course.feedback import Number, Outcome, Task, lessons, open_lesson
+from armproof.course.feedback.number_slips import worked_out
 from armproof.course.tasks.proofread import SPOILED
 from armproof.verification.check import verify
 from armproof.verification.verdict import Verdict
+from tests.laws import is_in_part
 
 OWN = [(lesson.name, task.name) for lesson in lessons() for task in lesson.tasks if task.own]
+DIGITS = 5e-4  # of a number that is written with four of them
 SEEDS = ["Ana", "Léo", "7", *map(str, range(100, 117))]
 
 
@@ -39,6 +43,41 @@ def test_right_answers_are_proved_and_wrong_ones_told_for_every_seed(lesson: str
     assert len(alike) <= len(tasks) // 5
 
 
+NUMBERS = [(lesson.name, task.name) for lesson in lessons() for task in lesson.tasks if isinstance(task.asks, Number)]
+
+
+def several(lesson: str, name: str) -> list[Task]:
+    """Return a task with the numbers that are printed, and with those of some seeds."""
+    seeds = [seed for k, seed in enumerate(SEEDS) if is_in_part(k, 10)] if (lesson, name) in OWN else []
+    return [getattr(open_lesson(lesson), name), *(seeded(lesson, name, seed) for seed in seeds)]
+
+
+@pytest.mark.parametrize(("lesson", "name"), NUMBERS)
+def test_no_two_known_mistakes_give_one_number_and_none_the_right_one(lesson: str, name: str) -> None:
+    for task in several(lesson, name):
+        known = [(np.array(wrong.answer, dtype=float), wrong.words) for wrong in task.wrong if wrong.own]
+        for answer, words in known:
+            assert not np.allclose(answer, np.array(task.asks.value), rtol=DIGITS)
+            alike = [other for same, other in known if same.shape == answer.shape and np.allclose(same, answer, DIGITS)]
+            assert all(other in task.check(answer.tolist()).message for other in alike), words
+
+
+@pytest.mark.parametrize(("lesson", "name"), NUMBERS)
+def test_of_two_slips_with_one_number_both_are_told_or_none(lesson: str, name: str) -> None:
+    for task in several(lesson, name):
+        asks = task.asks.told_in(task.text)
+        right = np.atleast_1d(np.array(asks.value, dtype=float))
+        ways = worked_out(right, asks.labels or [""] * right.size, asks.known, asks.stated, asks.way)
+        for place, worked in ways.items():
+            told: dict[float, set[str]] = {}
+            for value, *words in worked.coincidences():
+                told.setdefault(round(value, 9), set()).update(words)
+            for value, said in told.items():
+                answer = np.where(np.arange(right.size) == place, value, right)
+                words = asks.judge(answer.tolist()).message.partition(": ")[2]
+                assert words not in said or words.endswith("alone")  # a value, whichever the way to it
+
+
 def test_a_teacher_reproduces_the_numbers_of_a_seed() -> None:
     assert OWN != []
     task = open_lesson("scara_jacobian", seed="Ana").prediction
@@ -49,6 +88,22 @@ def test_a_teacher_reproduces_the_numbers_of_a_seed() -> None:
     assert "Your numbers" not in str(task.check(task.right[0]))
     french = open_lesson("scara_jacobian", lang="fr", seed="Ana").prediction
     assert "$a_1 = 0.365$" in french.text
+
+
+def test_the_printed_numbers_are_told_to_be_others_than_ones_own() -> None:
+    usual = open_lesson("scara_jacobian").prediction
+    task = open_lesson("scara_jacobian", seed="Ana").prediction
+    assert "right with the numbers that the lesson prints" in task.check(usual.right[0]).message
+    assert "the lesson prints" not in task.check([0, 0.7, 0]).message
+    assert (
+        "leçon imprime" in open_lesson("scara_jacobian", lang="fr", seed="Ana").prediction.check(usual.right[0]).message
+    )
+
+
+def test_a_known_wrong_number_is_none_that_is_right_where_that_one_is_wrong() -> None:
+    merged = open_lesson("kr210_table").merged
+    assert "rounded to too few digits" in merged.check([0.75, 1.5, 0.3]).message
+    assert "oblique" in merged.check([0.75, 1.501, 0.303]).message
 
 
 def test_each_seed_has_an_arm_of_the_family() -> None:

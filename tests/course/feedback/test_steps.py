@@ -7,7 +7,7 @@ import pytest
 
 from armproof.course.feedback import Number, Task, lessons
 from armproof.course.feedback.number_slips import letters_of
-from armproof.course.feedback.steps import Beside, Steps, line_of
+from armproof.course.feedback.steps import Beside, Steps, equation_of
 from armproof.course.feedback.worked import Worked
 
 SEEDS = ("anna", "bob", "17")
@@ -51,7 +51,7 @@ def known_of(asks: Number, place: int) -> dict[str, float]:
 def test_the_last_lines_give_what_is_asked(task: Task) -> None:
     asks = task.asks.told_in(task.text)
     right = np.atleast_1d(np.array(asks.value, dtype=float)).tolist()
-    last = [line_of(line) for line in asks.steps[-len(right) :]]
+    last = [equation_of(line) for line in asks.steps[-len(right) :]]
     values = [number if not line.latex else float(line.latex) if line.is_given else Worked(way, known_of(asks, k)).value
               for k, (number, line, way) in enumerate(zip(right, last, asks.way.ways, strict=False))]  # fmt: skip
     assert np.allclose(values, right[: len(values)], atol=1e-12)
@@ -60,7 +60,7 @@ def test_the_last_lines_give_what_is_asked(task: Task) -> None:
 @EVERY_NUMBER
 def test_every_line_on_the_way_is_needed(task: Task) -> None:
     asks = task.asks.told_in(task.text)
-    for k, line in enumerate(map(line_of, asks.steps[: -np.size(asks.value)])):
+    for k, line in enumerate(map(equation_of, asks.steps[: -np.size(asks.value)])):
         assert line.name
         assert any(line.name in later for later in asks.steps[k + 1 :])
 
@@ -70,11 +70,11 @@ def test_what_stands_beside_is_something_else(task: Task) -> None:
     asks = task.asks.told_in(task.text)
     right = np.atleast_1d(np.array(asks.value, dtype=float))
     beside = Beside(asks.beside, known_of(asks, -1))
-    lists = [line.cells for line in map(line_of, asks.beside) if line.name and line.cells and all(line.cells)]
+    lists = [line.cells for line in map(equation_of, asks.beside) if line.name and line.cells and all(line.cells)]
     assert not any(np.allclose([Worked(cell, beside.known).value for cell in cells], right) for cells in lists)
     guesses = [guess for k in range(right.size) for guess in beside.of_one(k, right, [])]
     assert all(np.isfinite(guess.value) and guess.words() for guess in guesses)
-    assert all(len(line_of(line).cells) in (0, right.size) for line in asks.beside)
+    assert all(len(equation_of(line).cells) in (0, right.size) for line in asks.beside)
     if right.size == 1:
         assert not any(np.isclose(guess.value, right[0]) for guess in guesses)
 
