@@ -71,6 +71,7 @@ sweep: $(READY)
 	ARMPROOF_SWEEP=1 $(VENV)/bin/python -m pytest -n $(WORKERS) --dist loadfile
 	$(VENV)/bin/python -m tests.sweeps.claims
 	$(VENV)/bin/python -m tests.sweeps.mutants_of_displays
+	$(VENV)/bin/python -m tests.sweeps.sentences
 	$(VENV)/bin/python -m tests.sweeps.singularities
 	$(VENV)/bin/python -m tests.sweeps.inverse
 	$(VENV)/bin/python -m tests.sweeps.tracking

@@ -21,6 +21,7 @@ from armproof.verification.diagnosis.accepted import with_accepted
 from armproof.verification.display.statements import Statements
 from armproof.verification.display.taken_arm import OfTakenArm, names_in
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
+from armproof.verification.document.other_meanings import FRAME
 from armproof.verification.equations.chain import ChainChecker, no_samples
 from armproof.verification.equations.foreign_index import unless_written_elsewhere
 from armproof.verification.equations.index_direction import TWO_SCRIPTS, shown_direction
@@ -484,16 +485,24 @@ class DocumentChecker:
             outcome = self.statements.claims.circumstances.judge_behind(outcome, display.said_next)
         if display.supposed:
             outcome = outcome.unless_refuted(say(Kind.IS_SUPPOSED))
-        if display.of_other_point:
+        if display.of_other_point or (display.meant and self._is_of_other_frame(display)):
             outcome = self._unless_of_the_tool(outcome)
+        if display.meant and not display.erratum and outcome.verdict in DECIDED:
+            outcome = self.statements.claims.circumstances.unless_meant_otherwise(outcome, display.meant)
         if display.denied and outcome.verdict is not Verdict.UNCHECKED:
             outcome = replace(outcome.left_open(say(Kind.DENIED)), defines=())
         return outcome
 
+    def _is_of_other_frame(self, display: Display) -> bool:
+        """Whether the sentence beside a display is of the origin of another frame than the last."""
+        frames = {each.partition(" ")[2] for each in display.meant if each.startswith(FRAME)}
+        return self.arm is not None and bool(frames - {self.arm.frames[-1]})
+
     def _unless_of_the_tool(self, outcome: Outcome) -> Outcome:
         """Leave open what is decided by a name that convention alone binds to the tool, where the text speaks of another point."""
-        named = {replace(name, dots=0).key for name in names_in(outcome)} & self.names.state.conventional
-        is_open = outcome.as_usual is None and all(re.search(r"[\d^]", key) for key in named)
+        by_convention = self.names.state.conventional | ({"J"} - {*self.names.quantities})
+        named = {replace(name, dots=0).key for name in names_in(outcome)} & by_convention
+        is_open = outcome.as_usual is None and all(re.search(r"[\d^]|_[bs]\b", key) for key in named)
         if is_open or (outcome.as_usual is None and outcome.verdict not in DECIDED):
             return outcome
         return replace(outcome.left_open(say(Kind.OF_OTHER_POINT)), as_usual=None)

@@ -13,8 +13,9 @@ from armproof.verification.algebra.matrix import Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.document.heading import sections_around
-from armproof.verification.document.lead_ins import GENERAL
+from armproof.verification.document.other_meanings import ALL, BEHIND, JACOBIAN
 from armproof.verification.document.postures import SINGULAR, kind_of_joints
+from armproof.verification.document.sentences import GENERAL
 from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
@@ -212,6 +213,56 @@ class Circumstances:
         if conditions and self._follows(conditions, outcome):
             return outcome.left_open(say(Kind.HOLDS_AS_BEHIND))
         return outcome
+
+    def unless_meant_otherwise(self, outcome: Outcome, meant: Sequence[str]) -> Outcome:
+        """Leave open what is written with a letter that the text gives another meaning than the arm has for it."""
+        written = {below.key for node in outcome.nodes for below in n.walk(node) if isinstance(below, n.Name)}
+        if JACOBIAN in meant and JACOBIAN in written:
+            return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=JACOBIAN))
+        if outcome.pair is not None:
+            written |= symbols_in(
+                [
+                    cell
+                    for side in (outcome.pair.true, outcome.pair.printed)
+                    for cell in side.cells
+                    if isinstance(cell, Scalar)
+                ]
+            )
+        for each in meant:
+            letters = self._meant_by(each)
+            if not written.isdisjoint(letters):
+                return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=min(written & letters)))
+        return outcome
+
+    def _meant_by(self, meant: str) -> set[str]:
+        r"""Return the joints and lengths that a letter, or the word for all angles, names: of `BEHIND` those that are measured from a joint before them."""
+        which, _, latex = meant.partition(" ")
+        if which not in (ALL, BEHIND):
+            return set()
+        of_arm = {*self.given.lengths} | self._turned(which == BEHIND)
+        if not latex:
+            return self._turned(which == BEHIND)
+        try:
+            return {bare_key(self.names.reader.read_expression(latex)) or ""} & of_arm
+        except ReadError:
+            return set()
+
+    def _turned(self, only_behind: bool) -> set[str]:
+        """Return the joints that turn; or those alone that a joint before them turns about the same direction."""
+        if self.names.arm is None:
+            return {*self.given.joints}
+        turning = [joint for joint in self.names.arm.joints if joint.kind == "revolute"]
+        if not only_behind:
+            return {joint.symbol for joint in turning}
+        whole = self.checker.exact.jacobian(self.names.arm.frames[-1], self.names.arm.frames[0])
+        width, found = whole.shape[1], set()
+        axes = {joint: [whole.cells[row * width + joint.index - 1] for row in (3, 4, 5)] for joint in turning}
+        for place, joint in enumerate(turning):
+            for before in turning[:place]:
+                pairs = [*zip(axes[joint], axes[before], strict=True)]
+                if all((a - b).is_zero() for a, b in pairs) or all((a + b).is_zero() for a, b in pairs):
+                    found.add(joint.symbol)
+        return found
 
     def _end_configuration(self, line: int) -> None:
         """ "In general": the configuration stated before is over. What holds there alone is not refuted behind it."""

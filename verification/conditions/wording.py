@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from armproof.verification.document.sentences import denies_within, without_harmless
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
@@ -31,7 +32,10 @@ def tell_words_that_change(statements: list[n.Statement], outcomes: list[Outcome
     words = [
         text
         for text in said
-        if CHANGES.search(text) or _PREDICATE.match(text) or text.strip(" .,()") in ("exists", "only", "seulement")
+        if CHANGES.search(without_harmless(text))
+        or denies_within(text)
+        or _PREDICATE.match(text)
+        or text.strip(" .,()") in ("exists", "only", "seulement")
     ]
     for outcome in outcomes if words else ():
         if outcome.verdict in DECIDED or outcome.role is Role.DEFINITION:

@@ -11,24 +11,28 @@ from armproof.models.catalogue import arm_names
 from armproof.verification.document.accepts import MARK, with_accepts
 from armproof.verification.document.cells import percent_cells
 from armproof.verification.document.code_tables import code_tables
-from armproof.verification.document.denials import denied_in
 from armproof.verification.document.formula_links import shows_its_latex
 from armproof.verification.document.front_matter import read_any_text, suffix_of
 from armproof.verification.document.heading import encloses
-from armproof.verification.document.lead_ins import (
+from armproof.verification.document.listings import assignments, with_listings
+from armproof.verification.document.markdown import read_markdown_file
+from armproof.verification.document.model import CODE, INLINE, Display, Document, Listing
+from armproof.verification.document.notebook import read_notebook, read_percent
+from armproof.verification.document.other_meanings import MAY_MEAN, with_other_meanings
+from armproof.verification.document.rst import read_rst
+from armproof.verification.document.sentences import (
     DENIED,
     DENIED_ABOVE,
     LIMITED_ABOVE,
     OF_NEXT,
     OTHER_POINT,
     SUPPOSED,
+    denied_in,
+    denies_above,
+    denies_below,
+    heading_denies,
     is_of_a_case,
 )
-from armproof.verification.document.listings import assignments, with_listings
-from armproof.verification.document.markdown import read_markdown_file
-from armproof.verification.document.model import CODE, INLINE, Display, Document, Listing
-from armproof.verification.document.notebook import read_notebook, read_percent
-from armproof.verification.document.rst import read_rst
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
@@ -47,6 +51,7 @@ _SAYS = re.compile(
 )
 _EQUATION = r"[^\])\"'\s]*(?:equation|\beqn?s?[\d_-]|formula|formule|ecuaci|gleichung|latex|codecogs|render/math|matri[xcz])[^\])\"']*"
 _DEFINES = re.compile(r"\\(?:(?:re|provide)?newcommand|def|let|DeclareMathOperator|newenvironment)(?![A-Za-z])")
+_INTERTEXT = re.compile(r"\\(?:short)?intertext\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
 _IMAGE = re.compile(  # by what it is called or where it is made: ![equation 3](eq3.png), <img src="…codecogs.com…">
     rf"!\[{_EQUATION}\]\([^)\n]{{1,2000}}\)|!\[[^\]\n]{{0,200}}\]\({_EQUATION}\)|<img\b[^>]{{0,500}}?(?:src|alt)=\\?[\"']{_EQUATION}"
     rf"|\\includegraphics\s*(?:\[[^\]]{{0,200}}\])?\{{{_EQUATION}\}}",
@@ -75,6 +80,8 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
 
         document = with_macros(document)
     document = _with_what_is_said(document)
+    if MAY_MEAN.search(text):
+        document = with_other_meanings(document, text)
     if (images := sum(not shows_its_latex(each) for each in _IMAGE.findall(text))) and suffix != ".py":
         told = say(Kind.IMAGES, count=images) if images > 1 else say(Kind.IMAGE)
         document = replace(document, remarks=(*document.remarks, told))
@@ -135,19 +142,30 @@ def _listings(document: Document) -> Iterator[Listing]:
 
 
 def _with_what_is_before(display: Display, all_said: Sequence[Display]) -> Display:
-    of_it = {each.latex for each in all_said}
+    of_it = {each.latex for each in all_said if each.section == display.section}
     said = [each for each in all_said if each.latex not in OF_NEXT]
     above = sum(each.section != display.section for each in said)
     outside = sum(not encloses(each.section, display.section) for each in said)
     return replace(
         display,
+        latex=_INTERTEXT.sub(lambda found: " " * len(found.group()), display.latex),
         said=tuple(each.latex for each in said),
         said_above=above,
         said_outside=outside,
-        denied=not display.erratum and (DENIED in of_it or denied_in(display.latex)),
-        supposed=not display.erratum and (SUPPOSED in of_it or is_of_a_case(display.section)),
+        denied=not display.erratum and (DENIED in of_it or _denies_itself(display)),
+        supposed=not display.erratum
+        and (SUPPOSED in of_it or (bool(display.section) and is_of_a_case(display.section))),
         of_other_point=not display.erratum and OTHER_POINT in of_it,
     )
+
+
+def _denies_itself(display: Display) -> bool:
+    """Whether a display, or its heading, says that it is wrong."""
+    between = _INTERTEXT.findall(display.latex) if "intertext" in display.latex else ()
+    if any(denies_above(text) or denies_below(text) for text in between):
+        return True
+    is_marked = "\\tag" in display.latex or "cancel" in display.latex or "text" in display.latex
+    return (is_marked and denied_in(display.latex)) or (bool(display.section) and heading_denies(display.section))
 
 
 def _with_what_is_behind(displays: Sequence[Display], behind: Sequence[Sequence[Display]]) -> Iterator[Display]:

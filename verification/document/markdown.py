@@ -23,12 +23,13 @@ from armproof.verification.document.front_matter import FrontMatter, split_front
 from armproof.verification.document.heading import begin_section
 from armproof.verification.document.html_tables import read_html_tables
 from armproof.verification.document.in_words import said_in_words
-from armproof.verification.document.lead_ins import said_at_end, said_at_start
 from armproof.verification.document.model import CODE, INLINE, Display, Document, Piece, Table
 from armproof.verification.document.postures import postures
+from armproof.verification.document.sentences import said_above, said_below, said_in_general
 from armproof.verification.document.units import with_unit
 
 PICTURE = "<img"  # the opening of a display whose LaTeX stands in the address of a picture
+_AFTER_A_LEAD = frozenset("math_block math_block_label amsmath html_block fence colon_fence".split())
 ALONE = "$ "  # the opening of a formula between single dollars that has a line of its own
 _MATRIX = re.compile(r"\\begin\{\w*matrix|\\begin\{array")
 _SAYS = re.compile(r"[=<>≈]|\\(?:approx|simeq|equiv|[lg]eq?)(?![A-Za-z])|(?:∈|\\in(?![A-Za-z]))\s*(?:\\left\s*)?[(\[]")
@@ -182,23 +183,30 @@ def _read_blocks(
     displays: list[Display] = []
     tables: list[Table] = []
     quotes = [in_erratum]  # and one a nested blockquote: whether it is an erratum
-    in_table, line = False, first
+    in_table, is_behind, line = False, False, first  # behind a display
+    lead, lead_line = "", first  # the text that may lead to what comes next
     tokens = display_reader().parse(_UNSEEN.sub(lambda found: " " * len(found.group()), body))
     for index, token in enumerate(tokens):
         erratum, content = any(quotes), token.content
         line = line if token.map is None else first + token.map[0]  # what closes has no place of its own
+        if token.type in _AFTER_A_LEAD or (token.type == "inline" and (content[:2] == "$$" or _stands_alone(token))):
+            displays.extend(said_below(lead, lead_line, section) if lead else ())
+            lead = ""
         if token.type == "html_block" and (heading := _HTML_HEADING.match(content)) is not None:
             section = begin_section(section, re.sub(r"<[^<>]*>", "", heading["text"]).strip(), int(heading["level"]))
         if token.type == "heading_open":
-            section = begin_section(section, tokens[index + 1].content, int(token.tag[1:]))
+            section, is_behind = begin_section(section, tokens[index + 1].content, int(token.tag[1:])), False
         elif token.type == "blockquote_open":
             quotes.append(_is_erratum(tokens, index))
         elif token.type == "blockquote_close":
             quotes.pop()
         elif token.type in ("math_block", "math_block_label"):
             displays.extend(_block_displays(content, line, erratum, cell, section))
+            displays.extend(said_above(token.info, line, section) if token.info else ())  # $$ … $$ (wrong): no label
+            is_behind = True
         elif token.type == "amsmath":
             displays.append(Display(line, content, erratum, cell, section, opening=AMS))
+            is_behind = True
         elif token.type == "html_block" and (in_html := [*_within_html(content, line, erratum, cell, section)]):
             displays.extend(in_html)
         elif token.type == "html_block" and "<table" in content:
@@ -208,16 +216,20 @@ def _read_blocks(
             found = formulas_in_html(content)
             displays.extend(_of_picture(latex, line + at, erratum, cell, section, alone) for at, latex, alone in found)
         elif token.type == "inline":
-            in_text = _inline_displays(token, first, erratum, cell, section)
+            in_text = _inline_displays(token, first, erratum, cell, section, is_behind and not in_table)
             displays.extend(
                 each for each in in_text if not in_table or each.opening == INLINE or _SAYS.search(each.latex)
             )
+            is_behind = token.content.rstrip().endswith("$$")
+            is_lead = not in_table and tokens[index - 1].type != "heading_open"
+            lead, lead_line = content.split("$$")[-1] if is_lead else "", line
         elif token.type in ("table_open", "table_close"):
             if in_table := token.type == "table_open":
                 tables.append(_read_table(tokens, index, first, erratum, cell, section))
         elif token.type in ("fence", "colon_fence") and (inside := _DIRECTIVE.match(token.info)) is not None:
             if inside.group("name") == "math":
                 displays.extend(_math_directive(token, line, erratum, cell, section))
+                is_behind = True
             elif token.type == "colon_fence" or inside["name"].removeprefix("prf:") in ADMONITIONS:
                 erratum = erratum or _ERRATUM.search(token.info) is not None or _begins_as_erratum(content)
                 more, more_tables = _read_blocks(_without_options(content), line + 1, cell, section, erratum)
@@ -382,21 +394,27 @@ def _block_displays(content: str, line: int, erratum: bool, cell: int | None, se
         line += part.count("\n")
 
 
-def _inline_displays(token: Token, first: int, erratum: bool, cell: int | None, section: str) -> Iterator[Display]:
+def _inline_displays(
+    token: Token, first: int, erratum: bool, cell: int | None, section: str, is_behind: bool
+) -> Iterator[Display]:
+    """Yield the displays of a text and what it says, of the display too that it stands right behind."""
     base = first + (token.map[0] if token.map else 0)
     cursor = 0
     children = token.children or []
     stands_alone = _stands_alone(token)
     text, *texts = token.content.split("$$")[::2]
-    yield from said_at_start(text, base, section)
+    if is_behind:
+        yield from said_above(text, base, section)
+    yield from said_in_general(text, base, section)
     for child, behind in zip_longest(children, children[1:]):
         if child.type == "math_inline_double":
             at = token.content.find("$$" + child.content, cursor)
             cursor = at + len(child.content) + 4
-            yield from said_at_end(text, base, section)
+            yield from said_below(text, base, section)
             yield Display(base + token.content.count("\n", 0, at), child.content, erratum, cell, section)
             text = texts.pop(0) if texts else ""
-            yield from said_at_start(text, base, section)
+            yield from said_above(text, base, section)
+            yield from said_in_general(text, base, section)
         elif child.type == "math_inline":
             quoted = re.fullmatch(r"`(.*)`", child.content, re.DOTALL)  # GitHub's $`…`$
             latex = quoted[1] if quoted else child.content
@@ -420,7 +438,6 @@ def _inline_displays(token: Token, first: int, erratum: bool, cell: int | None, 
                 base + token.content.count("\n", 0, at), token.content[at + 2 :], erratum, cell, section, closed=False
             )
             return
-    yield from said_at_end(text, base, section)
     for at, latex, alone in formulas_in_line(token.children or []):
         yield _of_picture(latex, base + at, erratum, cell, section, alone)
 

@@ -18,9 +18,9 @@ from pathlib import Path
 from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, FrontMatter, split_front_matter
 from armproof.verification.document.heading import begin_section
 from armproof.verification.document.in_words import said_in_words
-from armproof.verification.document.lead_ins import said_at_end, said_at_start
 from armproof.verification.document.model import INLINE, Display, Document, Piece
 from armproof.verification.document.postures import postures
+from armproof.verification.document.sentences import said_above, said_below, said_in_general
 from armproof.verification.document.units import with_unit
 
 _MATH = re.compile(r"(?P<margin>\s*(?:[-*+]\s+|\d+[.)]\s+)?)\.\. math::[ \t]*(?P<argument>.*)$")
@@ -114,7 +114,9 @@ def _displays(lines: list[str]) -> Iterator[Display]:
         if erratum is not None and (indent < erratum or (indent == erratum and not line.startswith(" "))):
             erratum = None
         yield from postures(line, row + 1, section)
-        yield from said_at_start(line, row + 1, section, is_behind)
+        if is_behind:
+            yield from said_above(line, row + 1, section)
+        yield from said_in_general(line, row + 1, section)
         is_behind = _MATH.match(line) is not None
         if (alone := _alone(line, row, erratum is not None, section)) is not None:
             yield alone
@@ -125,7 +127,7 @@ def _displays(lines: list[str]) -> Iterator[Display]:
             yield Display(row + 1, latex, section=section, opening=INLINE)
             if (said := said_in_words(line, role.start())) is not None:
                 yield Display(row + 1, said, section=section, opening=INLINE)
-        yield from said_at_end(line, row + 1, section)
+        yield from said_below(line, row + 1, section)
         if (found := _MATH.match(line)) is not None:
             yield from _block(lines, row, found, erratum is not None, section)
             hidden = len(found.group("margin"))

@@ -21,9 +21,9 @@ from typing import Any
 from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, FrontMatter, split_front_matter
 from armproof.verification.document.heading import begin_section
 from armproof.verification.document.in_words import said_in_words
-from armproof.verification.document.lead_ins import said_at_end, said_at_start
 from armproof.verification.document.model import CODE, INLINE, Display, Document, Table, Words
 from armproof.verification.document.postures import postures
+from armproof.verification.document.sentences import said_above, said_below, said_in_general
 from armproof.verification.document.tex_definitions import find_macros
 from armproof.verification.document.tex_macros import blank, closing_brace
 from armproof.verification.document.tex_project import Project
@@ -38,7 +38,7 @@ _WITH_ARGUMENT = re.compile(r"(?:alignat|xalignat|IEEEeqnarray|empheq)\*?")
 _ARGUMENTS = re.compile(r"\s*(?:\[(?:[^][{}]|\{[^{}]*\})*\]\s*)?\{[^{}]*\}")
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%([^\n]*)")
 _HIDDEN = re.compile(
-    r"\\begin\{(verbatim\*?|lstlisting|minted|comment|Verbatim)\}.*?\\end\{\1\}|\\iffalse(?![A-Za-z]).*?\\(?:fi|else)(?![A-Za-z])|\\verb\*?([^\w\s*]).*?\2|\\(?:short)?intertext\s*\{[^{}]*\}",
+    r"\\begin\{(verbatim\*?|lstlisting|minted|comment|Verbatim)\}.*?\\end\{\1\}|\\iffalse(?![A-Za-z]).*?\\(?:fi|else)(?![A-Za-z])|\\verb\*?([^\w\s*]).*?\2",
     re.DOTALL,
 )
 _LISTING = re.compile(r"\\begin\{(verbatim\*?|lstlisting|minted|Verbatim)\}.*?\\end\{\1\}", re.DOTALL)
@@ -130,6 +130,11 @@ _ROBOT_OF = re.compile(  # what an exercise begins with that is about the robot 
     r"(?:question|problem|exerci[sc]e|aufgabe|ejercicio|exercício|problema|problème)\s+(\d+(?:\.\d+)*)",
     re.IGNORECASE,
 )
+_PARAGRAPH = re.compile(  # up to what ends it
+    r"\s*(?:(?!\n\s*\n|\$\$|\\\[|\\(?:begin|end)\s*\{|\\(?:item|chapter|(?:sub)*section|paragraph)(?![A-Za-z])).)+",
+    re.DOTALL,
+)
+_DISPLAY_END = re.compile(r"\\\]|\$\$|\\end\s*\{(?:%s)\*?\}" % "|".join(ENVIRONMENTS))
 LEVELS = ("chapter", "section", "subsection", "subsubsection", "frametitle", "paragraph")
 EXERCISE_LEVEL = LEVELS.index("section") + 0.5
 FARTHEST = 500  # characters behind the beginning of an exercise
@@ -179,13 +184,14 @@ class _Scanner:
         while (token := _TOKEN.search(self.visible, position, self.stop)) is not None:
             between = self.visible[position : token.start()]
             yield from postures(between, self.line(position), self.section)
-            yield from said_at_start(between, self.line(position), self.section, is_behind)
+            yield from self._said(position, between, is_behind)
             is_behind = is_behind and not between.strip()
             position = token.end()
             if token.group("section"):
                 close = closing_brace(self.visible, token.end() - 1)
                 title = " ".join(self.visible[token.end() : close].split()).replace("---", "—").replace("--", "–")
                 level = LEVELS.index(token.group("section"))
+                is_behind = False
                 self.section = begin_section(
                     self.section, f"{self.exercise}: {title}" if self.exercise else title, level
                 )
@@ -194,10 +200,11 @@ class _Scanner:
             elif (opened := self._opened(token)) is not None:
                 begin, end, after = opened
                 if token.group() not in ("$", "\\(") or self._is_set_apart(begin, end):
-                    paragraph = (
-                        self.visible[max(self.start, token.start() - 400) : token.start()].rstrip().rsplit("\n\n")[-1]
-                    )
-                    yield from said_at_end(paragraph, self.line(token.start()), self.section)
+                    paragraph = _DISPLAY_END.split(self.visible[max(self.start, token.start() - 400) : token.start()])[
+                        -1
+                    ]
+                    paragraph = paragraph.rstrip().rsplit("\n\n")[-1]
+                    yield from said_below(paragraph, self.line(token.start()), self.section)
                     yield (display := self._display(token, begin, end))
                     self.spans.append((token.start(), after, display))
                     is_behind = True
@@ -218,7 +225,16 @@ class _Scanner:
                 position = self._enter(token)
             elif token.group("end"):
                 self._leave(token.group("end"))
-        yield from said_at_start(self.visible[position : self.stop], self.line(position), self.section, is_behind)
+        yield from self._said(position, self.visible[position : self.stop], is_behind)
+
+    def _said(self, position: int, between: str, is_behind: bool) -> Iterator[Display]:
+        """Yield what the text at a place says in general, and of the display that it stands right behind."""
+        if (
+            is_behind
+            and (found := _PARAGRAPH.match(self.visible, position, min(position + 400, self.stop))) is not None
+        ):
+            yield from said_above(found.group(), self.line(position), self.section)
+        yield from said_in_general(between, self.line(position), self.section)
 
     def parts(self) -> Iterator[Words | Display]:
         """Yield the displays and the words between them."""

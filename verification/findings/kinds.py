@@ -115,6 +115,7 @@ class Kind(MessageKind):
     WORDS_CHANGE_IT = "words_change_it", "'{text}' changes what the equation says, and words are not decided"
     ONE_ROW = "one_row", "one row alone is printed for `{name}`: say which is meant in the front matter (quantities)"
     OF_OTHER_POINT = "of_other_point", "the text speaks of another point or frame than the tool in the base: bind the name in the front matter (quantities) to have it checked"
+    MEANT_OTHERWISE = "meant_otherwise", "the text says that {name} is something else than the arm has for it: what is written with it is not decided"
     DEGREES_UNMARKED = "degrees_unmarked", "an angle of {number} may be in degrees: write {number}^\\circ"
     IS_SUPPOSED = "is_supposed", "the words before it suppose something, or ask for it: what holds then is not decided"
     MAY_BE_TRANSPOSED = "may_be_transposed", "the columns of `{name}` are the derivatives of coordinates, and its rows are of none: it may be transposed"

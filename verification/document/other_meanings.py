@@ -1,0 +1,145 @@
+r"""What the text says a letter or a place to be that is not what the arm has for it: "where $\theta_2$ is measured from the horizontal".
+
+It holds from the heading above it on. What frame or point a text speaks of, it says of the displays beside it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from armproof.verification.document.model import Display, Document
+from armproof.verification.document.sentences import MOST_CHARACTERS, hears, hears_denied, with_axes, words_of
+
+MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks
+    r"horizontal|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
+    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|numbered|gripper|tool|boden|suelo|inclination|direction of",
+    re.IGNORECASE,
+)
+_SENTENCE = re.compile(r"(?:\\[;!]|[^.;!?\n]|[.;!?](?!\s)|\n(?!\s*\n))+[.;!?]?")
+_SHOWN = re.compile(  # what is no sentence
+    r"\$\$.*?\$\$|\\\[.*?\\\]|\\begin\{((?:equation|align|gather|multline|eqnarray|flalign|alignat|displaymath|verbatim|lstlisting|tabular)\*?)\}.*?\\end\{\1\}"
+    r"|<!--.*?-->|```.*?```|^%[^\n]*|^\s{0,3}#[^\n]*|\\(?:sub)*section\*?\{[^\n]*",
+    re.DOTALL | re.MULTILINE,
+)
+_LETTER = re.compile(r"(?:\\?[A-Za-z]+)\s*_\s*(?:\{?\s*[\dijk]\s*\}?)")
+_OF_FRAME = re.compile(
+    r"\b(?:origine? (?:of|de|du) (?:the )?(?:frame|repère)|Ursprung von System) \$?\\?\{?(\d)\b", re.IGNORECASE
+)
+_OF_Q = re.compile(r"(?:\\mathbf\{)?q\}?\s*=\s*\\?(?:left)?(?:[\[(]|\\begin\{[bp]matrix\})(.*)")
+_FORMULA = re.compile(r"\$([^$]*)\$|\\\((.*?)\\\)")
+_PLURAL = re.compile(
+    r"\b(?:angles|both|all|each|every|chaque|rotations?|turns|positi[fv]e?|winkel|ángulos|deux|numbered)\b",
+    re.IGNORECASE,
+)
+
+ALL, BEHIND = "all", "behind"  # the angles of all joints; those that turn about the direction of one before
+FRAME, JACOBIAN = "frame", "J"  # the origin of one; that whose columns are those of joints in another order
+_NEAR_ABOVE, _NEAR_BELOW = 4, 8  # lines between a sentence and a display beside it
+
+
+@dataclass(frozen=True)
+class Meaning:
+    """What a sentence says on a line: letters that have another meaning, the frame whose origin it is of, another point, frame or origin."""
+
+    line: int
+    letters: tuple[str, ...] = ()
+    frame: str = ""
+    is_place: bool = False
+    is_origin: bool = False
+
+
+def with_other_meanings(document: Document, text: str) -> Document:
+    """Return a document whose displays know which letters its text gives another meaning than usual, and where it is of another place."""
+    found = [*_meanings(text)]
+    if not found:
+        return document
+    headings = [
+        0,
+        *(
+            at
+            for at, line in enumerate(text.split("\n"), start=1)
+            if re.match(r"\s*(?:#{1,6}\s|\\(?:sub)*section)", line)
+        ),
+    ]
+    return replace(document, displays=tuple(_with(display, found, headings) for display in document.displays))
+
+
+def _with(display: Display, found: Sequence[Meaning], headings: Sequence[int]) -> Display:
+    """Return a display with what holds of it: of a letter from the heading above on, of a place beside it alone."""
+    if display.erratum:
+        return display
+    letters: list[str] = []
+    is_elsewhere = False
+    for each in found:
+        begins = max(at for at in headings if at <= each.line)
+        is_near = begins <= display.line and each.line - _NEAR_ABOVE <= display.line <= each.line + _NEAR_BELOW
+        if each.frame and is_near:
+            letters.append(f"{FRAME} {each.frame}")
+        if each.letters and (display.line >= begins or display.file):
+            letters += each.letters
+        is_elsewhere |= each.is_place and is_near
+        is_elsewhere |= each.is_origin and display.line >= begins
+    return replace(display, meant=tuple(dict.fromkeys(letters)), of_other_point=display.of_other_point or is_elsewhere)
+
+
+def _meanings(text: str) -> Iterator[Meaning]:
+    """Yield what the sentences of a text say of letters and places that is not what an arm has for them."""
+    shown = _SHOWN.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
+    for found in _SENTENCE.finditer(shown):
+        sentence = found.group()
+        if len(sentence) > MOST_CHARACTERS or MAY_MEAN.search(sentence) is None:
+            continue
+        line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
+        plain = with_axes(" ".join(sentence.split()))
+        words, formulas = words_of(plain), [each[0] or each[1] for each in _FORMULA.findall(plain)]
+        if letters := tuple(_letters(words, formulas)):
+            yield Meaning(line, letters)
+        if (frame := _OF_FRAME.search(words)) is not None:
+            yield Meaning(line, frame=frame[1])
+        is_over = words.rstrip()[-1:] in ".!"
+        if is_over and any(
+            hears(each, words) and not hears_denied(each, words) for each in ("OTHER_POINT", "OTHER_FRAME")
+        ):
+            yield Meaning(line, is_place=True)
+        if hears("OTHER_ORIGIN", words) and not hears_denied("OTHER_ORIGIN", words):
+            yield Meaning(line, is_origin=True)
+
+
+def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
+    r"""Yield the letters that a sentence gives another meaning; `ALL` for all angles, `BEHIND` for all but the first, `JACOBIAN`."""
+    for name in ("LEVEL", "NOT_RELATIVE", "TURNED"):
+        begin = hears(name, words)
+        is_denied = name != "NOT_RELATIVE" and hears_denied(name, words)
+        if begin is None or is_denied or words[: begin.start()].rstrip().endswith(("counter", "anti")):
+            continue
+        subjects = [
+            each for formula in formulas[: words.count("¤", 0, begin.end())] for each in _LETTER.findall(formula)
+        ]
+        if name != "TURNED":
+            yield from (f"{BEHIND} {each}" for each in subjects)
+        else:
+            yield from (f"{ALL} {each}" for each in subjects)
+        if _PLURAL.search(words) and not any(re.search(r"\d", each) for each in subjects):  # all θ_i, too
+            yield BEHIND if name != "TURNED" else ALL
+    for name in ("OTHER_LENGTH", "SWAPPED"):
+        if (half := hears(name, words)) is not None:
+            first = words.count("¤", 0, half.start())
+            within = " ".join(formulas[first : first + (1 if name == "OTHER_LENGTH" else 2)])
+            yield from (f"{ALL} {each}" for each in _LETTER.findall(within))
+    yield from (
+        f"{ALL} {letter}"
+        for formula in formulas
+        if "length" in words
+        for letter in re.findall(r"^\s*2\s*(\w_\d)\s*$", formula)
+    )
+    orders = [indices for formula in formulas for at in _OF_Q.finditer(formula) if (indices := _indices(at[1]))]
+    if (columns := hears("OTHER_COLUMNS", words)) is not None:
+        orders.append(_indices(" ".join(formulas[words.count("¤", 0, columns.start()) :])) + [1][: "first" in words])
+    if any(indices != sorted(indices) for indices in orders):
+        yield JACOBIAN
+
+
+def _indices(latex: str) -> list[int]:
+    return [int(index) for index in re.findall(r"(?:\\(?:var)?theta|q)\s*_\s*\{?\s*(\d)", latex)]

@@ -1,0 +1,379 @@
+"""The phrases by which sentences change what a display says, each table by what they do there; `sentences.py` reads them.
+
+A line is a phrase in English, French, German or Spanish, its words as they stand. `a/b` is either word, `(a)` may be missing,
+`~` ends or begins a word in any way, `…` is up to four words, `*` any, `%` any but formulas, `¤` a formula, `#` a digit, `&` what joins sentences ("but",
+"mais"); `^` is the beginning of the sentence and `$` its end. A comma may stand behind each word, and an apostrophe ends one.
+"""
+
+# -- denials: see sentences.denies
+
+NOT = """
+not/never/nobody/nothing/none/neither/nor/cannot/hardly/no
+can' t
+~n' t
+far from
+no longer
+pas/jamais/aucun/aucune/nullement/nicht/kein/keine/nie/niemals/nunca/jamás/non
+"""
+TRUE = """
+true/right/correct/exact/so/valid/hold/holds
+the case
+what we want/need/mean
+vrai/vraie/exact/exacte/correcte/juste/richtig/wahr/cierto/cierta/verdad/correcto/correcta/vero/vera/valable
+"""
+WRONG = """
+wrong/wrongly/false/falsely/incorrect/incorrectly/untrue/erroneous/erroneously/mistaken/mistakenly/invalid/impossible/absurd/nonsense/mistake/mistakes/fallacy/fallacies/misconception~/misprint~/withdrawn
+reject
+common/frequent/typical/classic/classical/usual/sign/grave/bad/popular error~/slip~
+error to
+faux/fausse/fausses/faussement/erroné/erronée/erronés/incorrecte/inexact/inexacte/absurde
+à tort
+par erreur
+erreur/erreurs fréquente~/courante~/classique~/répandue~
+erreur de signe/calcul/frappe
+erreur d'/de écrire/poser/croire/dire/prendre
+falsch/falsche/falscher/falsches/fälschlich/fälschlicherweise/irrtümlich/unrichtig/falso/falsa/falsos/incorrecto/incorrecta/erróneo/errónea/sbagliato/sbagliata
+häufiger/häufige/typischer/typische fehler
+error/errores frecuente/frecuentes/común/comunes/típico/habitual
+✗/✘/❌
+blunder~/typo/typos/slip/untenable/meaningless/senseless/contradict~/errs/erred/nonsensical/bogus/flawed/faulty/inaccurate
+makes no sense
+index/sign/term/factor (is) missing
+piège (classique) (est)
+irrtum/denkfehler/trugschluss/unsinn/unzutreffend/widerspricht/contredit/contresens/bévue/aberrant/aberrante/equivocado/equivocada/disparate/contradice
+"""
+DENIAL = """
+not/never/nobody/cannot/~n'/no-one/neither (t) (…) have/get/obtain/find/equal/use/write/say/conclude/believe/think/mean/follow/possible (that) $
+pas/jamais (…) écrire/avoir/conclure/croire/poser/dire (que) $
+n' écrivez/écris pas/jamais $
+nicht schreiben/setzen/sagen $
+no hay/debe/se que/debe escribir/poner $
+aurait/auriez/avez tort de/d'
+further from the truth
+n' a/ont/avons/aura pas/jamais $
+no/nicht reason/grund why/for/warum $
+tempted/tenté to/d'/de write/think/say/conclude/écrire
+confuse/confused/confuses/confusing/confondre/confondu … with/avec/by
+gardez-vous/garde-toi de
+s' ensuit pas/nullement
+(and) (but) not/non/nicht $
+(was) stimmt nicht
+nicht stimmt
+not/never/nobody/nothing/neither/no/cannot/~n'/rien/pas/jamais/aucun/aucune/nicht/kein/keine/nie/nunca/jamás/non * that/que/qu'/dass/che/is/est/ist $
+"""
+HARMLESS = """
+not/nicht/pas/non/no only/just/merely/seulement/uniquement/nur/solo
+not/nicht/pas/no (so/too/very/si/très/sehr) difficult/hard/easy/surprising/difficile/facile/schwer/schwierig/difícil
+nothing/rien (is) wrong/false/incorrect
+no/not/without/sans/aucune/keine/sin (any/a/an/une) approximation/trivial/surprise/approximate
+not surprisingly
+not/no/never/cannot (…) wrong/wrongly/false/incorrect/mistake/mistaken/impossible/absurd
+pas/nicht/kein/no (…) faux/fausse/falsch/falscher/falso/incorrecto/inexact
+avoid~/prevent~/remedy/without/éviter/évite~/sans/vermeide~/evitar (…) mistake~/error~/misconception~/erreur~/wrong/fehler
+false/wrong position/ground/side/way/hand
+right inverse/angle/angles/side/hand/triangle
+error metric/norm/signal/measure/model/bound/function
+not/no/nobody/cannot/never/~n'/pas/nul/nulle/nicht/kein/keine/ohne/sans (…) doubt~/deny/denied/denies/dispute~/doute/difficult/difficulty/hard/surprise~/surprising/wonder~/secret/coincidence/accident/pity/forget/forgotten/overlook/hide/ignore/escape~/prevent~/exaggeration/étonn~/surpren~/oublier/hasard/mal/peine/difficile/zweifel~/schwer/schwierig/vergessen/wunder~/mühe/repeat/prove/proof/derive/démontrer/mention/forgotten/obvious/trivial/clear/evident/évident/new/object
+not without reason
+never/nunca/jamais forget/oublier/olvidar
+no/sin es/hay/cabe duda/difícil/extraño
+cannot but
+"""
+REMEDY = """
+right/correct/corrected/correctly/instead/rather/but/remember/mais/plutôt/corrigé/corrigée/sondern/sino/richtig
+should be
+"""
+LIGHT = """
+a/above/again/alas/hélas/easy/easily/given/clear/first/second/third/such/make/makes/reader/attentive/says/say/book/textbook/author/spotted/rien/tout/leider/all/also/an/and/are/as/be/been/beginners/beware/but/can/certainly/classic/common/frequent/typical/usual/clearly/contains/could/course/definitely/do/does/did/find/for/has/have/he/here/however/i/in/is/it/its/just/last/line/many/may/might/must/never/no/note/now/
+obviously/of/often/one/only/or/people/plainly/previous/printed/quite/really/see/seen/shall/should/simply/some/still/students/sure/surely/that/the/there/these/this/to/unfortunately/was/we/were/what/where/which/why/will/with/would/write/wrote/you/
+claim/conclusion/display/entry/equality/equation/exponent/expression/factor/formula/formulae/formulas/identity/index/matrix/relation/result/sign/statement/term/
+attention/aussi/bien/c'/ce/ceci/cela/cette/ci-dessus/clairement/dans/de/dernière/donc/elle/en/est/et/il/indice/l'/la/le/les/ligne/malheureusement/mais/n'/ne/on/ou/où/pourquoi/que/qui/résultat/signe/sont/terme/un/une/verra/voit/y/à/
+fréquente/courante/affirmation/égalité/équation/expression/formule/identité/aber/das/der/die/dies/diese/ein/eine/es/formel/gleichung/hier/ist/jedoch/leider/sind/und/vorzeichen/
+esta/este/esto/eso/ecuación/fórmula/lo/cual/pero/está/son/signo/el/questo/ciò/è
+"""
+ELSEWHERE = """
+if/when/whenever/where/for/at/unless/that/to/si/quand/pour/que/lorsque/lorsqu'/de/où/wenn/falls/für/dass/para/cuando
+"""
+DENIED_BEHIND = """
+^ … should/must/has/have/ought/doit/muss/debe (to) be corrected/replaced/withdrawn/remplacée
+^ … should/must/doit (have/read/avoir) (an) (another) (a) (une) differently/sign/autre
+^ … should/must read/say/have
+^ … needs/requires a/some correction
+^ … est à corriger
+^ (what) (is) (what' s) wrong
+^ correct/find/spot/mend/corrigez/corrige the/l'/el error/mistake/erreur
+^ where/où is/est the/l' mistake/error/erreur
+^ (and) (but) (this) (it) (that) (which) (is) (holds) (hold) (are) (true) (right) (correct) (valid) (exact) only/solely if/when/for/at/in/where/near/on
+^ (and) (but) except/unless/nowhere/sauf/excepté/außer/excepto/salvo
+^ (and) (this) (it) (that) (holds) (is) (true) if and only if
+^ (mais) (ce) (qui) (cela) (ceci) (elle) (cette) (formule) (égalité) n'/ne est/vaut/tient (vraie) (vrai) (exacte) (valable) que
+^ (mais) (et) (aber) (und) (gilt) (pero) seulement/uniquement/nur/solo/sólo für/wenn/falls/si/pour/en/quand/lorsque/para/cuando/bei
+^ (which) (this) (it) (that) (is) (holds) (true) (right) for/at/if/when ¤ alone/only
+^ (please) do not/never believe/use/write/trust/copy this/it/that
+^ (please) don' t believe/use/write/trust/copy this/it/that
+^ (please) delete/ignore/strike/forget/discard/disregard this/it/that/the
+^ (and) (this) (that) (which) (is) (so) (holds) (but) for ¤ only/alone
+^ (but) for no other
+^ which/this/that/ce (qui) requires/assumes/presupposes/suppose/erfordert ¤
+"""
+DENIED_BEFORE = """
+^ (it) (is) only/solely if/when/for/at/in/where ¤
+^ (it) (is) only/solely at/in/near
+^ (c') (est) seulement/uniquement/nur/solo/sólo pour/si/quand/für/bei/para/en
+^ except/excepté/sauf/außer/excepto for/at/if/when/pour/si/bei/für/para
+one/we/you may/need not write
+"""
+DENYING_HEADING = """
+common/frequent/typical/classic/usual/popular mistake~/error~/slip~/misconception~
+^ (the) (some) (few) (a) error~/mistake~/pitfall~/misconception~/misprint~ $
+^ (a) (some) wrong/false/incorrect/erroneous
+what/how not to
+find/spot/correct the error~/mistake~
+erreur/erreurs fréquente~/courante~/classique~
+formule/formules/solution/démonstration fausse~
+häufige/häufiger/typische/typischer fehler
+errores/error comunes/frecuentes/común/frecuente
+blunder~/trap/traps/piège/pièges/fallen
+faux raisonnement
+wrong $
+"""
+
+# -- what supposes a display, asks for it, quotes it, or says that it is of a case or nearly so
+
+CASE = """
+special/particular/limiting/limit/degenerate case/cases
+cas particulier~/limite~/dégénéré~
+linearis~/lineariz~/linéaris~
+small/petits/petites angles/motion~/displacement~/mouvements/déplacements/oscillations/variations
+only joint
+joint # alone/only/locked/fixed/blocked
+unit/equal/identical (link) length/lengths
+longueurs unitaire~/égale~
+true/vrai or/ou false/faux
+"""
+OF_A_PART = """
+contribution/contributions/apport/apports
+due to
+first/second/premier/second term/part/terme
+without/sans the/le/la/les
+with/of/for one/a (single) link/joint
+avec une seule
+only joint
+joint # alone/only
+joint/joints/elbow/shoulder/wrist/axis/axes/link/links/articulation/articulations/coude/épaule/poignet (#) (is/are/being/est/sont) locked/fixed/blocked/welded/frozen/bloqué~/fixé~/figé~/soudé~
+at rest
+unit/equal/identical (link) length/lengths/links
+longueurs unitaire~/égale~
+"""
+NEARLY = """
+first/second/leading/third/premier/deuxième/erster/zweiter order/ordre/ordnung
+erster/primera näherung/aproximación
+approximat~/linearis~/lineariz~/linéaris~/neglect~/néglige~/vernachlässig~/näherungsweise/roughly
+à peu près
+as an approximation
+good approximation
+ignoring
+for/if/pour/für/para small/de/kleine/pequeños (petits/petites) (angles) (winkel) (ángulos)
+small/petits/petites/kleine angle/angles/motion/motions/displacement/displacements/mouvements/déplacements/variations/oscillations/winkel
+angles are small
+up to a/the/terms (of) (sign/factor/constant/second/third)
+up to sign
+au signe près
+constante/facteur près
+bis auf
+salvo el signo
+absolute value
+either sign
+from the sign
+within (one/a/two/#) percent
+≪
+"""
+OF_NO_CLAIM = """
+would/might/could/were/expected/serait/aurait/pourrait/wäre/würde/sería
+never/jamais
+don' t
+il ne faut pas $
+instead/rather of/than
+in place of
+au lieu de/d'
+plutôt que
+statt/anstatt
+en lugar de
+replace/remplacez/remplacer/ersetze
+cross out
+^ where * has $
+unlike/contrary
+contrairement
+not to be
+on the other hand
+student/students/pupil/pupils/neighbour/élève/étudiant/étudiante/schüler/alumno/alumna/someone/somebody/copie/exam * write/writes/wrote/answers/answered/claims/says/écrit/lit/schreibt/escribe/read
+claims/claimed/prétend/asserts/behauptet/afirma/answers/répond
+according to
+leaflet/rumour/web
+someone/student/pupil/élève/étudiant/alumno
+prove/show/verify or disprove/refute
+montrer ou réfuter
+true/vrai/richtig/verdadero or/ou/oder/o false/faux/falsch/falso
+which/lequel/laquelle (one) (of) (these) is/est right/correct/true
+whether
+prouvez/démontrez/montrez ou infirmez/réfutez
+counterexample/counter-example/contre-exemple
+(discuss/comment) (on) the claim/statement $
+are you sure
+dire/vérifiez/vérifier si
+does/is/are it/that/this/the * follow/true/right/correct (that) $
+could it be
+est-il/est-ce/a-t-on
+ist/stimmt es/das
+es cierto/verdad/correcto que
+as in the case
+comme dans le cas
+"""
+SUPPOSED = """
+suppose/supposing/assume/assuming/imagine/pretend/believe/supposons/supposant/admettons/admettant/angenommen/supongamos (,) (by) (contradiction) (for) (a) (the) (sake) (of) (argument) (moment) (now) (that) (que) (par) (l') (absurde) $
+on suppose (que) $
+contradiction , (let) $
+as a hypothesis
+if we/one/it had/were
+had/were it/we (found/the) (case) (that) $
+par l' absurde
+si l' on avait
+si on avait
+angenommen
+solve/solving/résoudre/résolvons $
+solution/solutions/root/roots of/to/de $
+we look/search for $
+we must (to) (solve/find/have) $
+we have/need/want to (solve/find/have) $
+find … such that
+such that $
+so as to have $
+satisfying/vérifiant $
+telle~/tel/tels que $
+on cherche/veut $
+^ & assuming/supposing/provided/unless/except/sauf % , $
+^ & as long as % , $
+^ & in the absence of % , $
+^ & en supposant % , $
+^ & à moins que % , $
+^ & tant que % , $
+^ & if/when/whenever/si/quand/lorsque/lorsqu' we/one/you/i/on/nous/l' (on) (now) assum~/suppos~/neglect~/ignor~/lock~/fix~/block~/weld~/had/bloqu~/fig~/soud~/néglig~/admet~ % , (then/alors) (we/on) (get/have/find/obtain/a/obtient/trouve) $
+"""
+ON_CONDITION = """
+^ & if/when/whenever/si/quand/lorsque/lorsqu' % , (then/alors) (we/on) (get/have/find/obtain/a/obtient/trouve) $
+"""
+WE_DO = """
+^ & if/when/whenever/si/quand/lorsque/lorsqu' we/one/you/i/on/nous/l'
+"""
+ASKED_BEHIND = """
+true/false/right/wrong/correct/so/agree/think/it/case/vrai/faux/exact/juste/accord/richtig/falsch/das/cierto/verdadero/falso/correcto/why ? $
+true/false/right/wrong/correct/vrai/faux/exact/juste/richtig/falsch/verdadero/falso * ? $
+est-ce/est-il * ? $
+justify/justifiez
+"""
+LIMITED_BEHIND = """
+^ (only) (and) (et) if/when/whenever/provided/assuming/supposing/unless/except/lorsque/lorsqu'/quand/pourvu/sauf/si/falls/wenn/sofern/cuando
+^ (only) (and) as long as
+^ à condition que
+^ tant que
+^ instead/rather of/than
+^ au lieu de
+^ plutôt que
+^ with joint
+^ for unit/equal
+^ avec l' articulation
+^ this holds/is for the/a
+"""
+
+# -- another point, frame, origin or axis than the tool's in the base
+
+OTHER_POINT = """
+position/positions/coordinate/coordinates/height/heights/abscissa~/ordinate~/location/velocity/speed/jacobian/coordonnées/hauteur/abscisse/ordonnée/vitesse/posición/coordenadas/velocidad of/du/del (the) elbow/coude/codo
+elbow/elbow' (s) itself/position/coordinates/height/velocity/speed
+elbow/coude/codo/ellbogen is/lies/sits/has/est/se/a/está/tiene/liegt at/bei/en/in/position/velocity/height/with/pour/by/trouve/situe/given
+elbow/coude/codo/ellbogen is/lies/has/est/está $
+elbow/coude/codo : $
+for the elbow (joint) $
+where the (two) links/bars meet
+i . e . the end
+is/be/est the/le elbow/coude $
+end/ends of (the) first link
+end of link #
+position of joint #
+midpoint/mid-point/milieu/barycentre
+middle of (the) (first/second/third/last) link
+cent~ of mass/gravity
+cent~ of (the) (first/second/third/last) link/bar/rod
+centre de masse/gravité
+centro de masa/gravedad
+"""
+OTHER_FRAME = """
+in/from/dans/relative/respect (to) (the/le) frame/repère 1/2/3/4/5/6/7/8/9
+^ (expressed/written/resolved) in/with (respect) (to) (the/a) tool/tool'/body/moving/gripper/gripper'/end-effector/effector/effector'/hand/wrist (s) frame/coordinates/axes
+expressed/resolved/written/given/computed/measured/represented/described/components/coordinates/vectors/quantities/everything … in/along/to (respect) (to) (the/a/its/their) (axes/frame) (of) (the) (end) tool/tool'/body/moving/gripper/gripper'/end-effector/effector/effector'/hand/wrist (s) (frame/coordinates/axes) $
+expressed/resolved/written/given/computed/measured/represented/described/components/coordinates/vectors/quantities/everything … in/along/to (respect) (to) (the/a/its/their) tool/tool'/body/moving/gripper/end-effector/effector'/hand/wrist (s) frame/coordinates/axes
+^ in/into/dans/im/en (the) frame of the (end) tool/gripper/hand/effector/end-effector
+repère (de/du) (l'/la) (lié) (à) (l') outil/effecteur/pince/main
+repère mobile
+im werkzeugkoordinatensystem
+im koordinatensystem des werkzeugs
+en el sistema de la herramienta
+seen * from/on the tool/gripper/hand
+"""
+OTHER_ORIGIN = """
+origin (of) (the) (base) (frame) (is/lies) (placed) at/in (the) elbow
+origin * at joint 2/3/4
+origin lies ¤ below/above
+counted/measured/relative/seen from/to the elbow
+origine (est) (placée) au/à (l') coude/poignet
+(is/stands) at (a) height ¤ above
+base is raised/lifted
+stands/mounted on a pedestal
+base est surélevée/relevée
+y-axis … down~/unten/bas/abajo
+"""
+
+# -- angles that are not those of the arm
+
+LEVEL = """
+angle/angles/winkel/ángulo/ángulos/both/all/each/¤ * to/from/with/against/of/and/à/depuis/desde/avec/et/l'/gegen/zur/zum/con/mit/und/la/die (the/l'/la/le/die/der) (fixed/base/world) horizontal/horizontale/horizontalen/ground/floor/sol/boden/suelo/x-axis
+respect to (the) horizontal/ground/floor/x-axis
+¤ * direction/orientation/inclination of * in the base frame
+absolute (joint) angles/coordinates
+angle/angles/ángulo/ángulos/winkel (¤) (and/et/y/und) (¤) (are/is/est/sont/son/sind) (all) absolu/absolus/absolute/absolut/absoluto/absolutos
+¤ (and/et) (¤) (are/is/est/sont) (the) (an) (l') absolute/absolus/absolu
+¤ est l' angle absolu
+"""
+NOT_RELATIVE = """
+is/are not relative/measured (to/from) the first/previous link
+"""
+TURNED = """
+measured/counted/mesuré~/compté~/gemessen/taken from/depuis/desde/gegen/with (respect) (to) (the/la/die) vertical~/y-axis
+angle * with/between/and/avec/et (the/la) vertical/verticale/y-axis
+clockwise
+sens horaire
+sens des aiguilles
+im uhrzeigersinn
+sentido horario
+numbered * from the tip/tool/end/gripper/hand
+"""
+# -- lengths and columns that are not those of the arm
+
+OTHER_LENGTH = """
+¤ is/denotes/est/ist (the) half/moitié/halbe
+¤ … half-length/half-lengths
+¤ is/denotes the distance * (to) the middle/centre/center
+¤ est la moitié
+twice/double (as) (long) (as) ¤
+double de ¤
+"""
+OTHER_COLUMNS = """
+columns belong to ¤ and ¤
+first column belongs to ¤
+"""
+SWAPPED = """
+¤ … (the) (length/angle) (of/de) (the/du) second/elbow * (and/et) ¤ * first/premier/shoulder
+¤ … (the) (length) (of) (the) first link , ¤ * second
+¤ turns the first link and ¤ the second
+"""
+JOINING = "but and now then so thus hence mais et or donc aber und pero y".split()

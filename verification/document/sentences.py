@@ -1,0 +1,243 @@
+"""What sentences say of the display that they lead to, follow or stand in: "It is not true that", "Suppose that", "to first order".
+
+The words are those of `phrases.py`; a sentence is read on one line, formulas as ¤, without its emphasis and parentheses.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import cache
+
+from armproof.verification.document import phrases
+from armproof.verification.document.model import INLINE, Display
+from armproof.verification.document.postures import SINGULAR, is_of_singularities
+
+DENIED_ABOVE, LIMITED_ABOVE = r"\text{denies above}", r"\text{limits above}"  # what a text says of the display above it
+DENIED = r"\text{denies below}"  # and of the one that it leads to
+GENERAL = r"\text{in general}"  # what ends a configuration
+SUPPOSED = r"\text{under a hypothesis}"  # what is supposed, sought, quoted, of another case, or an approximation
+OTHER_POINT = r"\text{of another point}"  # what is no coordinate of the tool in the base
+OF_NEXT = (DENIED, SUPPOSED, OTHER_POINT)  # what is said of one display, and of no configuration
+
+_GENERAL = re.compile(
+    r"\b(?:in general|generally|(?:for|in|at|holds for|true for) (?:all|any|every|each|arbitrary) (?:possible )?(?:joint )?"
+    r"(?:angles?|values?|configurations?|positions?|postures?|variables?)(?: of the (?:joints|arm|robot|angles))?"
+    r"|en général|de (?:façon|manière) générale|(?:pour|dans|en) (?:toutes? (?:les )?)(?:configurations?|positions?|postures?)"
+    r"|quel(?:le)?s? que soi(?:en)?t (?:la|les) (?:configuration|position|angles?|valeurs?))\b",
+    re.IGNORECASE,
+)
+_ALTERNATIVES = re.compile(  # $s_3 = 0$ or
+    r"(?:\s*(?:\$[^$]+\$|\\\(.+?\\\)|:math:`[^`]+`)\s*,?\s*(?:or|and|ou|et|o|y|oder|und)?)+\s*\Z"
+)
+_FORMULA = re.compile(r"\$\$?[^$]*\$\$?|\\\(.*?\\\)|:math:`[^`]*`")
+AXIS = re.compile(
+    r"\$\s*([xyz])(?:_0)?\s*\$[ -]?(?:axis|achse|direction|coordinate)|\b([xyz])[ -](?:axis|achse|direction)|\b(?:axe|eje) \$\s*([xyz])(?:_0)?\s*\$"
+    r"|(?<=with )\$\s*(y)\s*\$",
+    re.IGNORECASE,
+)
+_LAYOUT = re.compile(
+    r"\\(?:begin|end)\s*\{\w+\*?\}|\\[A-Za-z]+\*?|[{}()\[\]\"“”«»*~>|¿¡]|(?<!\w)_+(?=\w)|(?<=\w)_+(?!\w)|(?<!\S)[-–—]+(?!\S)"
+)
+_STOP = re.compile(r"(?<!\\)[.;!?](?=\s+\S)")
+_IS_OVER = re.compile(r"[.!]\W*\Z")
+_LIGHT = frozenset(re.split(r"[/\s]+", phrases.LIGHT.strip()))
+MOST_CHARACTERS = 500  # of a sentence that is read
+_MOST = 14  # words before a denial of what stands above it
+_FARTHEST = 10  # and behind one of what stands below
+
+
+def said_above(text: str, line: int, section: str) -> Iterator[Display]:
+    """Yield what a text says of the display that it stands right behind."""
+    if denies_above(text):
+        yield Display(line, DENIED_ABOVE, section=section, opening=INLINE)
+    if _limits_above(text):
+        yield Display(line, LIMITED_ABOVE, section=section, opening=INLINE)
+
+
+def said_in_general(text: str, line: int, section: str) -> Iterator[Display]:
+    """Yield that a text speaks of every configuration, if it does."""
+    if _GENERAL.search(" ".join(text.split())):
+        yield Display(line, GENERAL, section=section, opening=INLINE)
+
+
+def said_below(text: str, line: int, section: str) -> Iterator[Display]:
+    """Yield what the last sentence of a text, formulas and all, says of the display that follows."""
+    sentence = last_sentence(" ".join(text.split()))[-MOST_CHARACTERS:]
+    words = words_of(sentence)
+    if denies_below(text):
+        yield Display(line, DENIED, section=section, opening=INLINE)
+    if _supposes(words, _IS_OVER.search(sentence) is not None):
+        yield Display(line, SUPPOSED, section=section, opening=INLINE)
+    if is_of_other_place(words):
+        yield Display(line, OTHER_POINT, section=section, opening=INLINE)
+    found = _ALTERNATIVES.search(sentence)
+    if found is not None and is_of_singularities(sentence[: found.start()].rstrip()):
+        yield Display(line, SINGULAR, section=section, opening=INLINE)
+
+
+def denies_above(text: str) -> bool:
+    """Whether a text begins with a denial of what stands above it: "This is wrong."."""
+    words = words_of(_STOP.split(" ".join(text.split()), maxsplit=1)[0][:MOST_CHARACTERS])
+    return hears("DENIED_BEHIND", words) is not None or _is_error(words) or _denies(words, is_behind=True)
+
+
+def denies_below(text: str) -> bool:
+    """Whether a text leads to what it denies: "It is not true that"."""
+    sentence = last_sentence(" ".join(text.split()))[-MOST_CHARACTERS:]
+    words = words_of(sentence)
+    if _IS_OVER.search(sentence) and words.count(" ") > 3:
+        return False
+    return hears("DENIED_BEFORE", words) is not None or _denies(words)
+
+
+def denied_in(latex: str) -> bool:
+    """Whether a display denies itself: a tag says that it is wrong, or it is crossed out."""
+    if re.search(r"\\[bx]?cancel\s*\{(?:[^{}]|\{[^{}]*\})*=", latex):
+        return True
+    return any(denies_within(tag) or "?" in tag for tag in re.findall(r"\\tag\*?\s*\{([^{}]*)\}", latex))
+
+
+def denies_within(text: str) -> bool:
+    """Whether words in a display deny what stands beside them: (wrong), \\text{which is false}."""
+    words = words_of(text)
+    return _denies(words) or _is_error(words)
+
+
+def without_harmless(text: str) -> str:
+    """Return the words of a text without its denials that deny nothing: "not trivial", "no approximation"."""
+    return _phrases("HARMLESS").sub("", words_of(text).lower())
+
+
+def _is_error(words: str) -> bool:
+    return re.fullmatch(r"(?:error|erreur|fehler|typo|nope|no|non|nein|×) (?:[!.] )?", words, re.IGNORECASE) is not None
+
+
+def heading_denies(section: str) -> bool:
+    """Whether a heading says that what stands below it is wrong: "A common mistake"."""
+    words = words_of(section)
+    return hears("DENYING_HEADING", words) is not None or (hears("WRONG", words) is not None and _denies(words))
+
+
+def is_of_a_case(section: str) -> bool:
+    """Whether the heading of a section says that what stands there holds in one case alone."""
+    return hears("CASE", words_of(section)) is not None
+
+
+def is_of_other_place(words: str) -> bool:
+    """Whether a sentence is of another point, frame or origin than the tool in the base, and does not say that it is not."""
+    return any(
+        hears(place, words) and not hears_denied(place, words)
+        for place in ("OTHER_POINT", "OTHER_FRAME", "OTHER_ORIGIN")
+    )
+
+
+def last_sentence(text: str) -> str:
+    """Return the last sentence of a text on one line, or part of one behind a semicolon."""
+    return _STOP.split(text)[-1]
+
+
+def words_of(text: str) -> str:
+    """Return a sentence word by word, each with a blank behind it: formulas as ¤, x-axis one word, marks of their own."""
+    text = with_axes(text)
+    text = _FORMULA.sub(lambda found: " ¤ ≪ " if "\\ll" in found.group() else " ¤ ", text)
+    text = _LAYOUT.sub(" ", text.replace("’", "'").replace("'", "' "))
+    return " ".join(re.sub(r"([,:.;!?])(?=\s|\Z|[,:.;!?])", r" \1 ", text).split()) + " "
+
+
+def with_axes(text: str) -> str:
+    """Return a text in which the $x$ axis is the x-axis."""
+    return AXIS.sub(lambda found: f"{next(filter(None, found.groups()))}-axis", text)
+
+
+def _denies(words: str, is_behind: bool = False) -> bool:
+    """Whether a sentence denies: it has a word for what is wrong, or "not" and a word for what is true, and no remedy behind it.
+
+    "Nothing is wrong" and "not only" do not; behind a display what is denied must be that, and not so in some case alone.
+    """
+    tags = [(str(found.lastgroup), found.start(), found.end()) for found in _tagged().finditer(words.lower())]
+    for place, (tag, start, end) in enumerate(tags):
+        follower, begin, stop = tags[place + 1] if place + 1 < len(tags) else ("", 0, 0)
+        if tag == "NOT" and follower == "TRUE" and words.count(" ", end, begin) <= 2:
+            end = stop
+        elif tag == "TRUE" and is_behind:
+            return False
+        elif tag not in ("WRONG", "DENIAL"):
+            continue
+        if is_behind:
+            before, behind = words[:start].split(), words[end:].split()
+            is_of_it = len(before) <= _MOST and all(not each.isalnum() or each.lower() in _LIGHT for each in before)
+            return is_of_it and behind[:1] != ["¤"] and (behind or [""])[0].lower() not in _elsewhere()
+        if words.count(" ", end) <= _FARTHEST and not any(other == "REMEDY" and at >= end for other, at, _ in tags):
+            return True
+    return False
+
+
+def _supposes(words: str, is_over: bool) -> bool:
+    """Whether the sentence before a display supposes it, asks for it, or says that it is of a case or nearly so."""
+    if words.endswith("? ") or hears("SUPPOSED", words) or (hears("ON_CONDITION", words) and not hears("WE_DO", words)):
+        return True
+    if hears("NEARLY", words) and not hears_denied("NEARLY", words):
+        return True
+    return not is_over and any(hears(each, words) for each in ("OF_A_PART", "OF_NO_CLAIM"))
+
+
+def _limits_above(text: str) -> bool:
+    """Whether a text that goes on from the display above it says when, or how nearly, that holds; or asks whether."""
+    sentence = _STOP.split(" ".join(text.split()), maxsplit=1)[0][:MOST_CHARACTERS]
+    words = words_of(sentence)
+    if hears("ASKED_BEHIND", words):
+        return True
+    is_short, goes_on = words.count(" ") <= 6, words[:1].islower()
+    if goes_on and hears("LIMITED_BEHIND", words):
+        return True
+    return (goes_on or is_short) and hears("NEARLY", words) is not None and not hears_denied("NEARLY", words)
+
+
+def hears(name: str, words: str) -> re.Match[str] | None:
+    """Return where a phrase of a table stands in the words of a sentence."""
+    return _phrases(name).search(words.lower())
+
+
+def hears_denied(name: str, words: str) -> bool:
+    """Whether "not" or "no" stands shortly before a phrase of a table, or in it."""
+    found = _phrases(name).search(words.lower())
+    if found is None:
+        return False
+    before = words[: found.start()].split()[-4:]
+    return hears("NOT", f"{' '.join([*before, found.group()])} ") is not None
+
+
+@cache
+def _elsewhere() -> frozenset[str]:
+    return frozenset(re.split(r"[/\s]+", phrases.ELSEWHERE.strip()))
+
+
+@cache
+def _tagged() -> re.Pattern[str]:
+    """Return the pattern of the phrases that make up a denial, a group a kind; what is harmless goes first."""
+    kinds = ("HARMLESS", "DENIAL", "WRONG", "NOT", "TRUE", "REMEDY")
+    return re.compile("|".join(f"(?P<{kind}>{_pattern(getattr(phrases, kind))})" for kind in kinds))
+
+
+@cache
+def _phrases(name: str) -> re.Pattern[str]:
+    return re.compile(_pattern(getattr(phrases, name)))
+
+
+def _pattern(table: str) -> str:
+    """Return the pattern of the phrases of a table, a line each, in the small letters of what `words_of` returns."""
+    return rf"(?<!\S)(?:{'|'.join(''.join(map(_of_word, line.split())) for line in table.strip().split(chr(10)))})"
+
+
+def _of_word(word: str) -> str:
+    special = {
+        "^": r"\A", "$": r"(?:[,:.!?] )*\Z", "…": r"(?:\S+ ){0,4}?", "*": r"(?:[^:;.\s]+ )*?", "%": r"(?:[^:;.\s¤]+ )*?", ",": ", ",
+        "&": rf"(?:(?:{'|'.join(phrases.JOINING)}) (?:, )?)*",
+    }  # fmt: skip
+    if word in special:
+        return special[word]
+    if word.startswith("(") and word.endswith(")"):
+        return f"(?:{_of_word(word[1:-1])})?"
+    any_of = "|".join(re.escape(each).replace(r"\~", r"[\w'-]*").replace(r"\#", r"\d") for each in word.split("/"))
+    return rf"(?:{any_of}) (?:[,:] )??"
