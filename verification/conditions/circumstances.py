@@ -19,6 +19,7 @@ from armproof.verification.document.sentences import GENERAL
 from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
+from armproof.verification.equations.definitions import squared_name
 from armproof.verification.equations.forces import heed_forces
 from armproof.verification.equations.given_values import GivenValues
 from armproof.verification.equations.outcome import Outcome
@@ -138,11 +139,12 @@ class Circumstances:
         for latex in said:
             with suppress(ReadError, RecursionError):
                 for chain in self.names.reader.read(latex):
-                    if isinstance(chain, n.Chain) and bare_key(chain.members[0]) in held:
+                    if isinstance(chain, n.Chain) and bare_key(_of_root(chain).members[0]) in held:
                         self._define(chain, line)
 
     def _define(self, chain: n.Chain, line: int, conditions: Sequence[n.Chain] = ()) -> None:
         """x_p = x − l_3 cos α: a letter that has no meaning gets one, until a display gives it another."""
+        chain = _of_root(chain)
         name = chain.members[0]
         if chain.relations != ("=",) or not isinstance(name, n.Name) or name.dots:
             return
@@ -474,6 +476,15 @@ class Circumstances:
 
 def _has_a_sign(node: n.Node) -> bool:
     return any(isinstance(below, n.Call) and below.function in OF_A_SIGN for below in n.walk(node))
+
+
+def _of_root(chain: n.Chain) -> n.Chain:
+    """r² = x² + y² says that r = √(x² + y²), which is a length and positive."""
+    if chain.relations != ("=",) or squared_name(chain.members[0]) is None:
+        return chain
+    square, value = chain.members
+    assert isinstance(square, n.Power)
+    return replace(chain, members=(bare(square.base), n.placed(n.Call("sqrt", (value,), "\\sqrt"), value.span)))
 
 
 def _is_bound(chain: n.Chain) -> bool:

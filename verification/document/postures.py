@@ -31,13 +31,15 @@ _SINGULARITIES = re.compile(
     rf"configuraciones singulares){_OF_ARM}(?: (?:then|thus|therefore|here|donc|alors))?"
     r"(?:\s*:(?=\s*\Z)| (?:are|is|are given by|is given by|occurs?|arises?|are at|(?:occurs?|arises?|appears?) (?:at|when|where|if|for)|when|sont|est|"
     r"sont données? par|(?:se produisent|apparaissent) (?:pour|lorsque|quand|si)|son|ocurren (?:cuando|en|si)|sono))"
-    rf"|{_ARM}{_OF_ARM} (?:is|becomes|est|devient|es|è) (?:singular|singulier|singulière) "
-    r"(?:exactly |precisely |exactement )?(?:when|iff|if|for|at|lorsque|quand|si|pour|cuando|quando)(?: and only if| et seulement si)?)"
+    rf"|{_ARM}{_OF_ARM} (?:(?:is|becomes|est|devient|es|è) (?:(?:in|at|dans|en) (?:a |une? )?)?(?:singular|singulier|singulière)(?: {_PLACE})?"
+    rf"|est (?:dans|en) (?:une )?{_PLACE} singulière|loses (?:a|one) degree of freedom|perd un degré de liberté) "
+    r"(?:exactly |precisely |exactement )?(?:whenever|when|iff|if|for|at|lorsque|quand|si|pour|cuando|quando)(?: and only if| et seulement si)?)"
     r"\s*:?\s*\Z",
     re.IGNORECASE,
 )
 _DENIED = re.compile(
-    r"\b(?:no|not|non|without|avoid\w*|away|except|unless|sans|hors|évit\w*|sauf|pas|sin|no hay)\b", re.IGNORECASE
+    r"\b(?:no|not|non|without|avoid\w*|away|except|unless|sans|hors|évit\w*|sauf|pas|sin|no hay|never|nor|neither|cannot|\w+n['’]t|hardly|nobody|jamais|aucune?|nunca|jamás|nie|niemals|kein\w*|nicht|far from|loin de|wrong\w*|false\w*|fals[oa]|falsch|faux)\b",
+    re.IGNORECASE,
 )
 
 _NUMBER = r"-?\d+(?:\.\d+)?"

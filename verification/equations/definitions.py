@@ -317,7 +317,7 @@ def _by_both(names: Names, second: tuple[str, int], meaning: Callable[[Any], Val
 
 def _solved(member: Member, true: n.Node) -> tuple[str, n.Node] | None:
     """Return a name with what an equation says that it is: r of r² = x² + y², an angle of a triangle by its cosine."""
-    if (root := _squared_name(member.node)) is not None:
+    if (root := squared_name(member.node)) is not None:
         return root, n.Call("sqrt", (true,), "\\sqrt", span=true.span)
     key = member.problem.name if isinstance(member.problem, UnboundName) else ""
     spoken = [below for below in n.walk(member.node) if isinstance(below, n.Name) and below.key == key]
@@ -347,7 +347,7 @@ def _is_unwritten(node: n.Node) -> bool:
     return isinstance(name, n.Name) and name.base == UNWRITTEN
 
 
-def _squared_name(node: n.Node) -> str | None:
+def squared_name(node: n.Node) -> str | None:
     """The r of r² = x² + y², which is a length and positive."""
     if isinstance(node, n.Power) and isinstance(node.exponent, n.Number) and node.exponent.value == 2:
         return bare_key(node.base)
