@@ -608,6 +608,10 @@ class DocumentChecker:
         again = [each for each in self._outcomes_of(display.latex) if each.equation == equation]
         return bool(again) and all(each.verdict in HOLDS or each.tells(Kind.ANGLES_TOLD_OTHERWISE) for each in again)
 
+    def _holds_so(self, latex: str, equation: int) -> bool:
+        again = [each for each in self._outcomes_of(latex) if each.equation == equation]
+        return bool(again) and all(each.verdict in HOLDS for each in again)
+
     def _with_slip(self, outcome: Outcome, display: Display) -> AsUsual | None:
         """Tell the one slip that mends an equation if its names mean what they usually do; return what it then would be.
 
@@ -617,7 +621,8 @@ class DocumentChecker:
             return None
         try:
             with self.ring.budget.of(SECONDS_TO_EXPLAIN):
-                slips = [*self.diagnostician.slip_as_usual(normalise_unicode(display.latex), outcome)]
+                holds = partial(self._holds_so, equation=outcome.equation)
+                slips = [*self.diagnostician.slip_as_usual(normalise_unicode(display.latex), outcome, holds)]
         except TooComplex:
             return None
         if not slips:

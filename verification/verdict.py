@@ -62,7 +62,8 @@ def worst(verdicts: list[Verdict]) -> Verdict:
 class SlipBefore:
     """The one change of what a display before says of a name, with which an equation that is refuted would hold, and what it then says.
 
-    It has a rival where one slip in the equation itself would mend that, too. `printed` and `correct` are the two formulas.
+    It has a rival where one slip in the equation itself would mend that, too; it is the only one where no slip in another definition
+    would, either, and both stand under one heading. `printed` and `correct` are the two formulas.
     """
 
     name: str
@@ -72,6 +73,7 @@ class SlipBefore:
     has_rival: bool = False
     printed: str = ""
     correct: str = ""
+    is_only: bool = False
 
 
 @dataclass(frozen=True)

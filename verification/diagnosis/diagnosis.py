@@ -13,20 +13,21 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.algebra.written import write_bounded
 from armproof.verification.diagnosis.carried_errors import consequence_of
 from armproof.verification.diagnosis.mend import LearntNotation, Mender
-from armproof.verification.diagnosis.slips import swapped_lengths
-from armproof.verification.diagnosis.slips_before import slip_before
+from armproof.verification.diagnosis.slips import plain_edits, swapped_lengths
+from armproof.verification.diagnosis.slips_before import nothing_else_mends, slip_before, written
 from armproof.verification.diagnosis.whole_matrix import swapped_cells, whole_matrix
 from armproof.verification.equations.alignment import Pair, equal_matrices, exactly_equal
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
+from armproof.verification.errors import TooComplex
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, is_number
 from armproof.verification.latex.writer import Notation
 from armproof.verification.naming.state import PrintedError
-from armproof.verification.verdict import Record, SlipBefore, WrongEntry
+from armproof.verification.verdict import Record, SlipBefore, Verdict, WrongEntry
 
 if TYPE_CHECKING:
     from armproof.verification.diagnosis.by_samples import BySamples
@@ -86,19 +87,49 @@ class Diagnostician:
             each for each in entries if each is not None and each.kind not in (Kind.MISSING_TERM, Kind.WRONG_NUMBER)
         ]
         found = slip_before(self.checker, self.learnt, outcome, again)
-        return found and replace(found, has_rival=len(entries) == len(told) == 1)
+        if found is None or len(entries) == len(told) == 1:
+            return found and replace(found, has_rival=True)
+        if outcome.verdict is not Verdict.REFUTED:
+            return found
+        try:
+            return replace(found, is_only=nothing_else_mends(self.checker, self.learnt, outcome, found, again))
+        except TooComplex:
+            return found
 
-    def slip_as_usual(self, latex: str, outcome: Outcome) -> list[WrongEntry]:
-        """Return the entry that one slip mends of an equation which is left open, if its names mean what they usually do."""
+    def slip_as_usual(self, latex: str, outcome: Outcome, holds: Callable[[str], bool]) -> list[WrongEntry]:
+        """Return the entry that one slip mends of an equation which is left open, if its names mean what they usually do.
+
+        What `holds` decides of the display so mended counts where the text gives the values.
+        """
         usual, state = outcome.as_usual, self.checker.names.state
         if usual is None or len(usual.outcome.wrong) != 1 or None in (usual.outcome.pair, usual.outcome.printed):
             return []
+        doubted = usual.meanings.keys() & state.definitions.keys() if usual.outcome.there else ()
+        aside = {key: state.definitions.pop(key) for key in doubted}
         state.inferred |= usual.meanings
         try:
+            if usual.outcome.there:
+                return list(self._slips_there(latex, usual.outcome, holds))
             entries = self._on_either_side(latex, usual.outcome)[2]
         finally:
             state.forget_usual(usual.meanings)
+            state.definitions |= aside
         return [entry for entry in entries if entry.finding is not None]
+
+    def _slips_there(self, latex: str, outcome: Outcome, holds: Callable[[str], bool]) -> Iterator[WrongEntry]:
+        """Yield the sign or the function of which another one makes numbers right at the values that the text gives: 2 sin 30°."""
+        node = outcome.printed.node if outcome.printed is not None else None
+        if node is None or any(isinstance(below, n.Name) for below in n.walk(node)):
+            return
+        start, end = node.span
+        for edit in plain_edits(node, self.learnt.letters(node)):
+            self.checker.exact.budget.check()
+            correct = written(edit.node)
+            if holds(latex[:start] + correct + latex[end:]):
+                yield WrongEntry(
+                    outcome.equation, None, None, latex[start:end].strip(), correct, edit.finding, node.span
+                )
+                return
 
     def _printed_error(self, line: int, outcome: Outcome, entries: list[WrongEntry]) -> PrintedError | None:
         """Return the refuted equation as an error to remember, where it says something of a quantity or a name."""

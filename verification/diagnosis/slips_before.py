@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from fractions import Fraction
-from itertools import chain, islice
+from itertools import chain, islice, permutations
 
 from armproof.verification.algebra.matrix import Matrix, as_matrix
 from armproof.verification.algebra.ring import Scalar
@@ -21,9 +21,10 @@ from armproof.verification.latex.nodes import bare_key, is_number
 from armproof.verification.latex.writer import SWAPPED, Notation, Writer
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Definition
-from armproof.verification.verdict import SlipBefore
+from armproof.verification.verdict import HOLDS, SlipBefore
 
 MOST_EDITS = 250  # of one formula
+MOST_SAMPLED_EDITS = 60  # of a side of an equation that is decided on samples
 _OTHER = {Fraction(0): Fraction(1), Fraction(1): Fraction(0)}
 
 
@@ -41,7 +42,62 @@ def slip_before(
             continue
         if _holds_with(checker, key, definition, mended, outcome, again):
             return _slip(key, definition, finding, mended)
-    for key, line in sorted(outcome.uses - met.keys()):
+    return next(_mending(checker, learnt, outcome, again, outcome.uses - met.keys()), None)
+
+
+def nothing_else_mends(
+    checker: ChainChecker, learnt: LearntNotation, outcome: Outcome, found: SlipBefore, again: Callable[[], bool]
+) -> bool:
+    """Whether an equation that a slip in a definition of its own section mends holds with no slip in another one, and with none of its own."""
+    state = checker.names.state
+    if outcome.there or len(outcome.nodes) != 2 or state.definitions[found.name].section != state.section:
+        return False
+    others = {(key, line) for key, line in outcome.uses if key != found.name}
+    if _is_a_case(state.definitions[found.name].formula, found.formula) or any(
+        True for _ in _mending(checker, learnt, outcome, again, others)
+    ):
+        return False
+    around = [
+        *outcome.nodes,
+        *filter(None, (state.definitions[key].formula for key, _ in outcome.uses if key in state.definitions)),
+    ]
+    is_exact = outcome.pair is not None and not any(map(_has_branches, outcome.nodes))
+    for one, other in permutations(outcome.nodes):
+        for edit in islice(_edits(one, around, learnt.letters(one)), MOST_EDITS if is_exact else MOST_SAMPLED_EDITS):
+            checker.exact.budget.check()
+            if _holds_so(checker, edit.node, other) if is_exact else _is_confirmed(checker, edit.node, other):
+                return False
+    return True
+
+
+def _is_a_case(printed: n.Node | None, mended: object) -> bool:
+    """Whether a formula is another one without some of its letters: an equation about that case is no witness against it."""
+    assert printed is not None and isinstance(mended, n.Node)
+    return _keys(mended) < _keys(printed)
+
+
+def _is_confirmed(checker: ChainChecker, one: n.Node, other: n.Node) -> bool:
+    """Whether an equation that is decided on samples holds."""
+    with checker.names.state.unchanged():
+        tried = checker.check(n.Chain((one, other), ("=",)), 1, 0, define=False)
+    return bool(tried) and all(each.verdict in HOLDS for each in tried)
+
+
+def _holds_so(checker: ChainChecker, one: n.Node, other: n.Node) -> bool:
+    """Whether two formulas are equal as the definitions are."""
+    try:
+        sides = [checker.member(node) for node in (one, other)]
+        return all(side.known for side in sides) and _equal(*(as_matrix(side.value) for side in sides))
+    except EvaluationError:
+        return False
+
+
+def _mending(
+    checker: ChainChecker, learnt: LearntNotation, outcome: Outcome, again: Callable[[], bool], keys: Iterable[tuple[str, int]]
+) -> Iterator[SlipBefore]:  # fmt: skip
+    """Yield the slips in some definitions with which an equation holds."""
+    made = checker.names.state.definitions
+    for key, line in sorted(keys):
         definition = made.get(key)
         formula = definition.formula if definition is not None else None
         if definition is None or formula is None or names_alone(formula) or definition.line != line or line == 0:
@@ -54,12 +110,11 @@ def slip_before(
                 continue
             if _holds_with(checker, key, definition, edit.node, outcome, again):
                 checker.names.state.slips[key, line] = edit.finding, edit.node
-                return _slip(key, definition, edit.finding, edit.node)
-    return None
+                yield _slip(key, definition, edit.finding, edit.node)
 
 
 def _slip(key: str, definition: Definition, finding: Finding, formula: n.Node) -> SlipBefore:
-    texts = (_written(definition.formula), _written(formula)) if definition.formula is not None else ("", "")
+    texts = (written(definition.formula), written(formula)) if definition.formula is not None else ("", "")
     return SlipBefore(key, definition.line, finding, formula, False, *texts)
 
 
@@ -81,7 +136,7 @@ def _cells(formula: n.Node) -> Iterator[Edit]:
         if other is not None:
             changed = n.substitute(formula, cell, n.Number(other, str(other), span=cell.span))
             size = "small" if other else "large"
-            yield Edit(changed, "number", say(Kind.WRONG_NUMBER, number=_written(cell), size=size))
+            yield Edit(changed, "number", say(Kind.WRONG_NUMBER, number=written(cell), size=size))
         yield Edit(n.substitute(formula, cell, n.Sum((("-", n.Group(cell)),))), "sign", say(Kind.WRONG_SIGN))
 
 
@@ -95,7 +150,7 @@ def _with_a_term(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
     spoken = {b.key for node in (formula, *around) for b in n.walk(node) if isinstance(b, n.Name)}
     for term in (each for each in dict.fromkeys(pool) if _keys(each) <= spoken):
         for sign in "+-" if term not in own else "":
-            finding = say(Kind.MISSING_TERM, term=_written(n.Sum(((sign, term),))))
+            finding = say(Kind.MISSING_TERM, term=written(n.Sum(((sign, term),))))
             yield Edit(n.Sum((*terms, (sign, term)), span=formula.span), "term", finding)
 
 
@@ -131,7 +186,7 @@ def _with_an_angle(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
         for angle in sorted(pool - held if held else (), key=lambda each: each.key):
             terms = argument.terms if isinstance(argument, n.Sum) else (("+", argument),)
             longer = replace(call, arguments=(n.Sum((*terms, ("-", angle))),), style="macro()")
-            yield Edit(n.substitute(formula, call, longer), "index", say(Kind.MISSING_ANGLE, angle=_written(angle)))
+            yield Edit(n.substitute(formula, call, longer), "index", say(Kind.MISSING_ANGLE, angle=written(angle)))
 
 
 def _exchanged(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
@@ -145,7 +200,7 @@ def _exchanged(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
         )
         for other in (*pool, *still):
             if other != node and _is_like(node, other):
-                finding = say(Kind.WRONG_NAME, printed=_written(node), correct=_written(other))
+                finding = say(Kind.WRONG_NAME, printed=written(node), correct=written(other))
                 yield Edit(n.substitute(formula, node, replace(other, span=node.span)), "name", finding)
 
 
@@ -166,7 +221,7 @@ def _multiplied(formula: n.Node) -> Iterator[Edit]:
         for other in pool if _stands_alone(term) else ():
             if is_trigonometric(term) == is_trigonometric(other):
                 continue
-            finding = say(Kind.MISSING_FACTOR, factor=_written(other))
+            finding = say(Kind.MISSING_FACTOR, factor=written(other))
             yield Edit(n.substitute(formula, term, n.Product((term, other), ("",))), "factor", finding)
 
 
@@ -189,7 +244,8 @@ def names_alone(formula: n.Node) -> bool:
     return is_number(formula) or all(bare_key(cell) is not None for cell in cells)
 
 
-def _written(node: n.Node) -> str:
+def written(node: n.Node) -> str:
+    """Return a tree in plain LaTeX."""
     return Writer("", n.Number(Fraction(0), "0"), Notation()).write(node)
 
 
@@ -209,10 +265,7 @@ def _holds_with(
         nodes = (*outcome.nodes, formula, *filter(None, others))
         if outcome.pair is None or outcome.there or any(map(_has_branches, nodes)):
             return again()
-        one, other = (checker.member(node) for node in outcome.nodes)
-        return one.known and other.known and _equal(as_matrix(one.value), as_matrix(other.value))
-    except EvaluationError:
-        return False
+        return _holds_so(checker, *outcome.nodes)
     finally:
         state.definitions[key] = definition  # the dictionary may be another one: what is tried puts a whole state back
 

@@ -38,6 +38,8 @@ class OfTakenArm:
             return outcome.left_open(say(Kind.UNTOLD_VARIABLE, name=other.key, joint=str(joint)))
         if self._is_of_untold_direction(outcome):
             return outcome.left_open(say(Kind.WHICH_INDEX))
+        if outcome.tells(Kind.RAGGED_BLOCK_ROWS) and any(name.base == "J" for name in names_in(outcome)):
+            return outcome.left_open(outcome.findings[0])  # J in four blocks is that of another number of joints
         if taken.is_part and outcome.tells(Kind.NO_SUCH_ANGLE):
             return outcome.left_open(outcome.findings[0])
         if taken.several_tools and (untold := next(filter(self._is_of_any_tool, names_in(outcome)), None)) is not None:

@@ -18,6 +18,7 @@ from armproof.verification.equations.alignment import Pair, is_constant, is_near
 from armproof.verification.equations.given_values import keys_alone
 from armproof.verification.equations.letter_matrices import FEWEST_LETTERS
 from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.printed_factors import letters_of_factor
 from armproof.verification.equations.rates import stand_for_scalars
 from armproof.verification.equations.readings import Readings
 from armproof.verification.equations.rigid import misses_group
@@ -102,6 +103,10 @@ class Definitions:
             if self._is_entry_of_its_matrix(bare(member.node), true.value):
                 return Outcome(Verdict.PROVED, (), equation, true, member)
             return Outcome(Verdict.DEFINED, (say(Kind.DEFINES, name=key),), equation, true, member, defines=(key,))
+        if (factor := letters_of_factor(true.node, member.node, self.members)) is not None:
+            named, letters = map(self.members.evaluate, factor)
+            found = self.define_entries(named, letters, equation, self.defines)
+            return found and replace(found, true=true, printed=member)
         if (solved := _solved(member, true.node)) is not None:
             root, formula = solved
             if self.defines:

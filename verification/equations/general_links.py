@@ -239,7 +239,7 @@ def _is_printed(node: n.Node) -> bool:
 def _of_another_link(member: n.Node) -> bool:
     """Whether a link matrix keeps an index of its own, T_k^{k-1} beside θ_i: what is told is of two links."""
     names = (below for below in n.walk(member) if isinstance(below, n.Name))
-    return any({name.sub, name.sup, name.pre_sub, name.pre_sup} - {"i", "i-1", ""} for name in names)
+    return any({*name.sub.split(","), name.sup, name.pre_sub, name.pre_sup} - {"i", "i-1", ""} for name in names)
 
 
 def _of_link_i(chain: n.Chain) -> n.Chain:

@@ -22,6 +22,7 @@ from armproof.verification.naming.state import JacobianRows
 from armproof.verification.verdict import DECIDED, Verdict
 
 WHOLE = (1, 2, 3, 4, 5, 6)
+LINEAR_ROWS = (1, 2, 3)
 PLANE = (1, 2)
 MOST_JOINTS = 3  # of an arm whose determinants are taken only to see which frame is meant
 
@@ -52,12 +53,13 @@ class RowsOfJacobians:
             is_open = name is not None and name.key not in shown
             if name is not None and is_open:
                 self._take_tool(name)
-            rows = self._square(name) if name is not None and (is_open or shown[name.key].rows == WHOLE) else None
+            is_printed = name is not None and not is_open and shown[name.key].rows in (WHOLE, LINEAR_ROWS)
+            rows = self._square(name) if name is not None and (is_open or is_printed) else None
             if name is None or rows is None:
                 continue
             if is_open and self.members.jacobian_name(name) is not None:
                 shown[name.key] = JacobianRows(rows, self.names.state.section, printed=False)
-            else:  # J_v has three rows elsewhere, and J six
+            else:  # J_v has three rows elsewhere, one of zeros, and J six
                 chain = n.substitute(chain, below, n.substitute(below, inner, self._part(name, rows)))  # type: ignore[assignment]
         return chain
 

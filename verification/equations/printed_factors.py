@@ -23,6 +23,20 @@ def factors_otherwise(chain: n.Chain, members: Members) -> Iterator[tuple[int, F
                 yield place, found
 
 
+def letters_of_factor(one: n.Node, other: n.Node, members: Members) -> tuple[n.Node, n.Matrix] | None:
+    """Return the factor of a product, and the matrix of letters that another one prints in its place; None unless all else is equal."""
+    one, other = bare(one), bare(other)
+    if not (isinstance(one, n.Product) and isinstance(other, n.Product)) or len(one.factors) != len(other.factors):
+        return None
+    pairs = [*zip(map(bare, one.factors), map(bare, other.factors), strict=True)]
+    values = [tuple(members.evaluate(each).value for each in pair) for pair in pairs]
+    unequal = [pair for pair, value in zip(pairs, values, strict=True) if _entry(*value) != ()]
+    if len(unequal) != 1 or not isinstance(unequal[0][1], n.Matrix):
+        return None
+    ((factor, letters),) = unequal
+    return factor, letters  # type: ignore[return-value]
+
+
 def _terms(node: n.Node) -> list[n.Node]:
     node = bare(node)
     return [bare(term) for _, term in node.terms] if isinstance(node, n.Sum) else [node]

@@ -176,10 +176,13 @@ def is_inverse_link(node: n.Node, transforms: str) -> bool | None:
     node = _of_its_parameters(node)
     if not isinstance(node, n.Name) or node.base not in ("T", "A", "H") or node.primes or node.dots:
         return None
+    before, _, last = node.sub.rpartition(",")
     if node.pre_sup and (node.sub or node.pre_sub) and not node.sup:
         pair = (node.pre_sup, node.sub or node.pre_sub)
     elif node.sub and node.sup:
         pair = (node.sup, node.sub) if transforms == "upper" else (node.sub, node.sup)
+    elif before and not (node.sup or node.pre_sup or node.pre_sub):  # T_{i-1,i}; T_{i,i-1} may be either
+        pair = (before, last) if before.endswith("-1") else ("", "")
     else:
         pair = ("i-1", node.sub) if not node.sup and not node.pre_sup else ("", "")
     i = next((letter for letter in "jkn" if f"{letter}-1" in pair), "i")  # an A_n alone may be the last link's

@@ -51,15 +51,21 @@ def settle_used(records: Iterable[Record]) -> tuple[Record, ...]:
 
 
 def used_names(results: Iterable[EquationResult]) -> frozenset[Key]:
-    """Return the names that decided equations rest on, those of the definitions between included."""
+    """Return the names that decided equations rest on, those of the definitions between included: a law of any Jacobian rests on no matrix of J."""
     results = list(results)
     through = [each for each in results if each.defines]
     used: set[Key] = set()
-    new = {key for each in results if each.is_decided for key in each.uses}
+    new = {key for each in results if each.is_decided for key in _used(each)}
     while new:
         used |= new
-        new = {key for each in through if each.defines & new for key in each.uses} - used
+        new = {key for each in through if each.defines & new for key in _used(each)} - used
     return frozenset(used)
+
+
+def _used(result: EquationResult) -> frozenset[Key]:
+    """Return what an equation rests on, without the matrix of J where it holds of any."""
+    is_any = any(each.kind is Kind.OF_ANY_JACOBIAN for each in result.findings)
+    return frozenset(key for key in result.uses if not (is_any and "J" in key[0]))
 
 
 def contradicted(records: Sequence[Record], tells: Tells = lambda *_: True) -> dict[Key, list[int]]:
@@ -96,10 +102,14 @@ def contradicted(records: Sequence[Record], tells: Tells = lambda *_: True) -> d
 
 
 def _mistaken(records: Sequence[Record], wrong: Mapping[Key, list[int]]) -> dict[Key, SlipBefore]:
-    """Return the contradicted definitions with which nothing holds, and all that does not would with the same slip mended there, and with no other alone."""
+    """Return the contradicted definitions with which nothing holds, and all that does not would with the same slip mended there, and with no other alone.
+
+    Of several lines, or of one that nothing else mends.
+    """
     found: dict[Key, dict[str, SlipBefore]] = {}
     told: dict[Key, set[str]] = {}
     cleared: set[Key] = set()
+    alone: set[Key] = set()
     for record in records:
         anew = (each.slip_before for each in record.outcomes if each.verdict in OPEN)
         said_anew = {(slip.name, slip.line) for slip in anew if slip is not None}  # R = R_z(θ_1) and R = […] […] = […]
@@ -114,13 +124,14 @@ def _mistaken(records: Sequence[Record], wrong: Mapping[Key, list[int]]) -> dict
             cleared |= {key} if slip.has_rival or slip.change.kind not in MISPRINTS - OTHER_ANGLES else set()
             found.setdefault(key, {})[slip.correct] = slip
             told.setdefault(key, set()).add(record.latex)
+            alone |= {key} if slip.is_only else set()
             told[key] |= (
                 {f"{record.latex} of itself"} if key in said_anew and any(map(_holds, record.outcomes)) else set()
             )
     return {
         key: next(iter(slips.values()))
         for key, slips in found.items()
-        if key in wrong and key not in cleared and len(slips) == 1 and len(told[key]) >= SEVERAL
+        if key in wrong and key not in cleared and len(slips) == 1 and (len(told[key]) >= SEVERAL or key in alone)
     }
 
 

@@ -94,8 +94,10 @@ def _arms(found: Found, letters: Mapping[str, n.Name], algebra: ExactAlgebra, ra
 def _arm_of_jacobian(document: Document, names: Names, algebra: ExactAlgebra, rates: set[str]) -> list[Candidate]:
     """Return the arm whose tool has the Jacobian that a document prints, which another display must show to be meant."""
     letters: dict[str, n.Name] = {}
-    found = coordinates_of_jacobian(document, names, algebra, letters)
-    return [replace(each, is_alone=True) for each in (_arms(found, letters, algebra, rates) if found else ())]
+    points, has_slip = coordinates_of_jacobian(document, names, algebra, letters)
+    arms = [each for found in points for each in _arms(found, letters, algebra, rates)]
+    mended = [frozenset(range(1, len(each.rows) + 1)) if has_slip else each.mended for each in arms]
+    return [replace(each, is_alone=True, mended=links) for each, links in zip(arms, mended, strict=True)]
 
 
 def _are_of_another_point(given: Sequence[tuple[str, str, Scalar]], found: Found, points: Mapping[str, int]) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -22,6 +22,7 @@ from armproof.verification.tables.arms.general_link import shown_convention
 from armproof.verification.tables.arms.last_turn import with_last_turn
 from armproof.verification.tables.arms.laws import candidate_of_law, with_point_of_law
 from armproof.verification.tables.arms.matrices import candidates_of_matrices, poses_that_are_links
+from armproof.verification.tables.arms.other_case import in_other_case
 from armproof.verification.tables.arms.rows import candidates
 from armproof.verification.tables.arms.support import Inference
 from armproof.verification.tables.arms.variables import in_variables, told_variables
@@ -141,7 +142,7 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
         return Inference(document, None, missing, line)
     try:
         apart = found[0].lines if found[0].is_alone else ()
-        best, *others = weigh(document, [front for candidate in found for front in _fronts(document, candidate)], apart)
+        best, *others = _weighed(document, found, apart)
     except ArmproofError as error:
         return Inference(document, problem=say(Kind.NO_ARM_IN_TABLE, reason=finding_of(error)), line=line)
     if found[0].is_alone and not best.held:
@@ -174,6 +175,18 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
         problem = say(Kind.ARM_DOES_NOT_FIT, held=best.held, failed=best.failed)
         return Inference(document, problem=problem, line=line, unfit=unfit)
     return _taken(document, found, best, bool(more))
+
+
+def _weighed(
+    document: Document, found: Sequence[Candidate], apart: Collection[tuple[int | None, int]]
+) -> list[Reading]:
+    """Return the readings that candidates can have, the best first; with L_2 for their l_2 where more holds so."""
+    readings = weigh(document, [front for candidate in found for front in _fronts(document, candidate)], apart)
+    cased = [each for candidate in found if (each := in_other_case(candidate, document)) is not None]
+    if not cased:
+        return readings
+    others = weigh(document, [front for candidate in cased for front in _fronts(document, candidate)], apart)
+    return others if others[0].held > readings[0].held else readings
 
 
 def _rivals(best: Reading, others: Sequence[Reading]) -> list[Reading]:

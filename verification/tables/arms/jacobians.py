@@ -21,22 +21,49 @@ Found = dict[str, tuple[Scalar, Display]]
 
 def coordinates_of_jacobian(
     document: Document, names: Names, algebra: ExactAlgebra, letters: dict[str, n.Name]
-) -> Found:
-    """Return x and y of the tool, with the display, by the one Jacobian of a planar arm that a document prints; else nothing."""
+) -> tuple[list[Found], bool]:
+    """Return x and y of the tool, with the display, by the one Jacobian of a planar arm that a document prints; nothing of another one.
+
+    Also whether that, or where it is printed again one of the two, has an entry that is no derivative of them: then they may be several.
+    """
     printed = list(_jacobians(document, names, algebra))
-    told = [(value, used, display) for value, used, display in printed if any(map(angles_in, value.cells))]
-    points = [(_point(value), used, display) for value, used, display in told]
-    if not points or points[0][0] is None:
-        return {}
-    point, used, display = points[0]
-    assert point is not None
-    others = (other for other, *_ in points[1:])
-    if not all(
-        other is not None and all(map(_is_equal, other, point)) for other in others
-    ):  # of another arm, or with a slip
-        return {}
-    letters.update({name.key: name for name in used})
-    return {axis: (value, display) for axis, value in zip("xy", point, strict=True)}
+    told = [
+        (_point(value), value, used, display) for value, used, display in printed if any(map(angles_in, value.cells))
+    ]
+    found = [(point, used, display) for point, _, used, display in told if point is not None]
+    wrong = [value for point, value, *_ in told if point is None]
+    if not found and len(told) == 1:
+        [(_, value, used, display)] = told
+        found = [(point, used, display) for point in _points_with_a_slip(value)]
+    elif found:
+        first = found[0][0]
+        is_near = all(any(_is_same(point, first) for point in _points_with_a_slip(value)) for value in wrong)
+        found = found[:1] if is_near and all(_is_same(point, first) for point, *_ in found) else []
+    letters.update({name.key: name for _, used, _ in found for name in used})
+    return [{axis: (value, display) for axis, value in zip("xy", point, strict=True)} for point, _, display in found], bool(wrong)  # fmt: skip
+
+
+def _points_with_a_slip(jacobian: Matrix) -> list[tuple[Scalar, Scalar]]:
+    """Return x and y of which all entries of a matrix but one are the derivatives, in each way in which they may be."""
+    if jacobian.shape[0] not in (2, 3, 6):
+        return []
+    coordinates = jacobian.rows[1][0].normal(), (-jacobian.rows[0][0]).normal()
+    found: list[tuple[Scalar, Scalar]] = []
+    for row, column in jacobian.places:
+        for letter in sorted(symbols_in(coordinates)) if row < len(coordinates) else ():
+            entry = derivative(coordinates[row], jacobian.rows[0][0].ring.symbol(letter)).normal()
+            cells = [
+                [entry if (r, c) == (row, column) else jacobian.rows[r][c] for c in range(jacobian.shape[1])]
+                for r in range(jacobian.shape[0])
+            ]
+            point = _point(Matrix(tuple(map(tuple, cells))))
+            if point is not None and not any(_is_same(point, other) for other in found):
+                found.append(point)
+    return found
+
+
+def _is_same(one: tuple[Scalar, Scalar], other: tuple[Scalar, Scalar]) -> bool:
+    return all(map(_is_equal, one, other))
 
 
 def _jacobians(

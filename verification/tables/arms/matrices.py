@@ -232,7 +232,8 @@ def _printed(chain: n.Chain) -> Iterator[tuple[n.Node, n.Node, bool]]:
         yield named[0], min(written, key=lambda one: not isinstance(one, n.Matrix)), False
     products = [tuple(map(unapplied, member.factors)) for member in members if isinstance(member, n.Product)]
     for names, values in permutations(products, 2):
-        if len(names) == len(values) and all(isinstance(value, n.Matrix) for value in values):
+        are_named = all(_digits(name) or not isinstance(name, n.Name) for name in names)  # V T1 is the one name VT1
+        if are_named and len(names) == len(values) and all(isinstance(value, n.Matrix) for value in values):
             yield from ((name, value, True) for name, value in zip(names, values, strict=True))
 
 

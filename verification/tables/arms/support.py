@@ -16,7 +16,7 @@ from armproof.verification.equations.rigid import is_rotation
 from armproof.verification.equations.sides import Members
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare_key
+from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.verdict import AXES, HOLDS, EquationResult, Record, Role, TakenArm, Verdict, worst
 
 
@@ -61,8 +61,21 @@ def links_of(outcome: Outcome, members: Members, source: str = "", told_by: str 
         told, others = [*told, *_rates(one, members)], [*others, *_rates(other, members)]
         is_of_one = not (told and others) or outcome.verdict is Verdict.REFUTED
         is_linear = not any(_multiplies_moves(below, members) for side in (one, other) for below in n.walk(side))
-        return _links([*told, *others], members, source, is_linear) if is_of_one else frozenset()
+        links = _links([*told, *others], members, source, is_linear) if is_of_one else frozenset()
+        return frozenset(link for link in links if link > HEIGHTS) if _moves_otherwise(outcome, members) else links
     return frozenset() if others else _links(told, members, source)
+
+
+def _moves_otherwise(outcome: Outcome, members: Members) -> bool:
+    """Whether what is printed for a coordinate differs by what a joint moves: its rate tells that it is wrong, whatever is constant in it."""
+    pair, arm = outcome.pair, members.names.arm
+    if outcome.verdict is not Verdict.REFUTED or outcome.true is None or pair is None or not pair.is_scalar:
+        return False
+    quantity = members.quantity_of(bare(outcome.true.node))
+    if arm is None or quantity is None or quantity.kind != "origin":
+        return False
+    apart = pair.true.rows[0][0] - pair.printed.rows[0][0]
+    return not symbols_in([apart.normal()]).isdisjoint(joint.symbol for joint in arm.joints)
 
 
 def _multiplies_moves(node: n.Node, members: Members) -> bool:

@@ -81,9 +81,21 @@ def test_a_jacobian_shows_the_arm_where_another_display_holds_of_it() -> None:
     assert not verify_text(printed + r"$$ \det J = l_1 l_2 c_2 $$").arms
 
 
-def test_a_jacobian_that_is_no_planar_arms_shows_none() -> None:
-    turned = JACOBIAN.replace("LAST", "-l_2 c_{12}") + r"$$ \det J = l_1 l_2 s_2 $$"
+def test_an_entry_that_is_no_derivative_is_wrong_where_the_determinant_is_that_of_the_arm() -> None:
+    turned = JACOBIAN.replace("LAST", "-l_2 c_{12}")
+    told = verify_text(turned + r"$$ \det J = l_1 l_2 s_2 $$")
+    assert [record.verdict for record in told.equations] == ["refuted", "proved"]
+    assert [(entry.row, entry.column) for entry in told.equations[0].entries] == [(2, 2)]
     assert not verify_text(turned).arms
+    assert not verify_text(turned + r"$$ \det J = l_1 l_2 c_2 $$").arms
+
+
+@pytest.mark.parametrize("matrix", [r"l_1 s_2 & 0 \\ l_1 c_2 + l_2 & l_2", r"-l_1 s_1 & -l_2 s_2 \\ l_1 c_1 & l_2 c_2"])
+def test_a_jacobian_that_is_no_planar_arms_shows_none(matrix: str) -> None:
+    determinant = r"l_1 l_2 s_2" if "s_1" not in matrix else r"l_1 l_2 \sin(\theta_2 - \theta_1)"
+    text = rf"$$ J = \begin{{bmatrix}} {matrix} \end{{bmatrix}} $$" + "\n\n" + rf"$$ \det J = {determinant} $$"
+    assert not verify_text(text).arms
+    assert [record.verdict for record in verify_text(text).equations] == ["defined", "proved"]
 
 
 POLAR = r"$$ x = d_2 \cos\theta_1, \quad y = d_2 \sin\theta_1 $$" + "\n\n"
