@@ -63,7 +63,8 @@ def _numbers(chain: n.Chain) -> set[str]:
     numbers = {below.key for place in places for below in n.walk(place) if isinstance(below, n.Name)}
     for below in nodes:
         if isinstance(below, n.Sum):
-            terms = {bare(term).key for _, term in below.terms if isinstance(bare(term), n.Name)}
+            named = (bare(term) for _, term in below.terms)
+            terms = {each.key for each in named if isinstance(each, n.Name)}
             numbers |= terms if terms & numbers else set()
     return numbers
 
