@@ -112,13 +112,16 @@ def named_arms(text: str) -> tuple[str, ...]:
 
 def _with_what_is_said(document: Document) -> Document:
     """Give each display the equations and the postures of the text before it and behind it, which are no displays."""
+    marked = {
+        display.section for display in document.displays if display.erratum
+    }  # where the reader is told which is wrong
     displays: list[Display] = []
     between: list[list[Display]] = [[]]  # what is said before each display, and behind the last
     for display in document.displays:
         if display.opening == CODE:
             continue
         if display.opening != INLINE:
-            displays.append(_with_what_is_before(display, between[-1]))
+            displays.append(_with_what_is_before(display, between[-1], display.section in marked))
             between.append([])
         elif display.latex == DENIED_ABOVE:
             displays[-1:] = [replace(each, denied=not each.erratum) for each in displays[-1:]]
@@ -141,7 +144,7 @@ def _listings(document: Document) -> Iterator[Listing]:
             yield Listing(display.line, values, display.section)
 
 
-def _with_what_is_before(display: Display, all_said: Sequence[Display]) -> Display:
+def _with_what_is_before(display: Display, all_said: Sequence[Display], is_marked: bool) -> Display:
     of_it = {each.latex for each in all_said if each.section == display.section}
     said = [each for each in all_said if each.latex not in OF_NEXT]
     above = sum(each.section != display.section for each in said)
@@ -152,20 +155,21 @@ def _with_what_is_before(display: Display, all_said: Sequence[Display]) -> Displ
         said=tuple(each.latex for each in said),
         said_above=above,
         said_outside=outside,
-        denied=not display.erratum and (DENIED in of_it or _denies_itself(display)),
+        denied=not display.erratum and (DENIED in of_it or _denies_itself(display, is_marked)),
         supposed=not display.erratum
         and (SUPPOSED in of_it or (bool(display.section) and is_of_a_case(display.section))),
         of_other_point=not display.erratum and OTHER_POINT in of_it,
     )
 
 
-def _denies_itself(display: Display) -> bool:
-    """Whether a display, or its heading, says that it is wrong."""
+def _denies_itself(display: Display, is_marked: bool) -> bool:
+    """Whether a display says that it is wrong, or its heading does and no display there is marked as an erratum."""
     between = _INTERTEXT.findall(display.latex) if "intertext" in display.latex else ()
     if any(denies_above(text) or denies_below(text) for text in between):
         return True
-    is_marked = "\\tag" in display.latex or "cancel" in display.latex or "text" in display.latex
-    return (is_marked and denied_in(display.latex)) or (bool(display.section) and heading_denies(display.section))
+    has_words = "\\tag" in display.latex or "cancel" in display.latex or "text" in display.latex
+    is_below = bool(display.section) and not is_marked
+    return (has_words and denied_in(display.latex)) or (is_below and heading_denies(display.section))
 
 
 def _with_what_is_behind(displays: Sequence[Display], behind: Sequence[Sequence[Display]]) -> Iterator[Display]:
