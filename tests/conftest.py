@@ -276,7 +276,7 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> LoadFil
 
 
 def of_part(items: Sequence[pytest.Item], part: str = PART) -> list[pytest.Item]:
-    """Return the tests of a part: of the cases of a law every second, of five or more every third, of twelve or more every fourth in some, the others in the rest."""
+    """Return the tests of a part: of the cases of a law every second, of five or more every fourth, of twelve or more every sixth in some, the others in the rest."""
     laws: defaultdict[str, list[pytest.Item]] = defaultdict(list)
     for item in items:
         laws[law(item)].append(item)
@@ -293,7 +293,7 @@ def one_in(name: str, cases: int) -> int:
     """Return of how many cases of a law `make test` shows one, 0 for none."""
     if name.startswith(LATER):
         return 0
-    return 4 if cases >= 12 else 3 if cases >= 5 else 2
+    return 6 if cases >= 12 else 4 if cases >= 5 else 2
 
 
 def law(item: pytest.Item) -> str:
