@@ -358,6 +358,16 @@ def test_markdown_without_end_is_read_in_time(verify, tmp_path: Path, depth: int
     assert fine["verdict"] == "proved"
 
 
+@pytest.mark.parametrize(
+    "text",
+    ["horizontal\n" + " \n" * 40_000, "horizontal" + f"\n{' ' * 50}" * 8_000, "horizontal \\begin{equation}" * 8_000, "as seen by not " * 9_000],
+    ids=["blank lines", "indented blank lines", "environments that never end", "words"],
+)  # fmt: skip
+def test_what_text_says_is_heard_in_time(verify, tmp_path: Path, text: str):
+    *_, fine = judge(verify, write(tmp_path, "arm: scara", f"{text}\n\n{FINE}"))
+    assert fine["verdict"] in ("proved", "unreadable", "unchecked")  # what never ends, or denies, takes it along
+
+
 # -- files -------------------------------------------------------------------------------------------------------------
 
 NOTEBOOKS = {

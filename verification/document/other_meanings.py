@@ -17,10 +17,12 @@ MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks
     r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|numbered|gripper|tool|boden|suelo|inclination|direction of",
     re.IGNORECASE,
 )
-_SENTENCE = re.compile(r"(?:\\[;!]|[^.;!?\n]|[.;!?](?!\s)|\n(?!\s*\n))+[.;!?]?")
+_SENTENCE = re.compile(r"(?:\\[;!]|[^.;!?\n]|[.;!?](?!\s)|\n(?![^\S\n]*\n))+[.;!?]?")
 _SHOWN = re.compile(  # what is no sentence
-    r"\$\$.*?\$\$|\\\[.*?\\\]|\\begin\{((?:equation|align|gather|multline|eqnarray|flalign|alignat|displaymath|verbatim|lstlisting|tabular)\*?)\}.*?\\end\{\1\}"
-    r"|<!--.*?-->|```.*?```|^%[^\n]*|^\s{0,3}#[^\n]*|\\(?:sub)*section\*?\{[^\n]*",
+    r"\$\$.{0,MOST}?\$\$|\\\[.{0,MOST}?\\\]|\\begin\{((?:equation|align|gather|multline|eqnarray|flalign|alignat|displaymath|verbatim|lstlisting|tabular)\*?)\}.{0,MOST}?\\end\{\1\}"
+    r"|<!--.{0,MOST}?-->|```.{0,MOST}?```|^%[^\n]*|^[ \t]{0,3}#[^\n]*|\\(?:sub)*section\*?\{[^\n]*".replace(
+        "MOST", "4000"
+    ),  # characters: what is not closed is looked through no further
     re.DOTALL | re.MULTILINE,
 )
 _LETTER = re.compile(r"(?:\\?[A-Za-z]+)\s*_\s*(?:\{?\s*[\dijk]\s*\}?)")

@@ -100,6 +100,8 @@ def denied_in(latex: str) -> bool:
 
 def denies_within(text: str) -> bool:
     """Whether words in a display deny what stands beside them: (wrong), \\text{which is false}."""
+    if len(text) > MOST_CHARACTERS:
+        return True  # more than is read may deny
     words = words_of(text)
     return _denies(words) or _is_error(words)
 
