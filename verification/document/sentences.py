@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterator
 from functools import cache
 
-from armproof.verification.document import phrases
+import armproof.verification.document.phrases as phrases
 from armproof.verification.document.model import INLINE, Display
 from armproof.verification.document.postures import SINGULAR, is_of_singularities
 
