@@ -142,6 +142,19 @@ def is_rank_condition(chain: n.Chain) -> bool:
     return isinstance(first, n.Call) and first.function == "rank"
 
 
+def with_rank_first(chain: n.Chain) -> n.Chain:
+    """1 = rank J as rank J = 1."""
+    turned = replace(chain, members=chain.members[::-1]) if chain.relations == ("=",) else chain
+    return turned if is_rank_condition(turned) and not is_rank_condition(chain) else chain
+
+
+def has_rank_within(chain: n.Chain) -> bool:
+    """Whether a rank stands in an expression, 2 - rank J = 1: its value there would be that of the generic configuration."""
+    is_alone = is_rank_condition(chain)
+    ranks = [b for m in chain.members[is_alone:] for b in n.walk(m) if isinstance(b, n.Call) and b.function == "rank"]
+    return bool(ranks)
+
+
 def is_condition(chain: n.Chain) -> bool:
     """Whether an equation before an arrow reads as a condition (det J = 0) and not as a step of a derivation."""
     return any(relation != "=" for relation in chain.relations) or any(map(_is_constant, chain.members))
