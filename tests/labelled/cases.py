@@ -78,12 +78,11 @@ def load_cases(*files: str) -> tuple[Case, ...]:
 
 
 def drawn(cases: Sequence[Case], one_in: int, part: str = PART or "some") -> list[Case]:
-    """Return one in so many cases, those of a kind and a label beside each other; or the rest; in a sweep all of them."""
+    """Return one in so many cases of each kind and label, the first of each for certain; or the rest; in a sweep all of them."""
     alike: defaultdict[tuple[str, ...], list[Case]] = defaultdict(list)
     for case in cases:
         alike[case.file, case.about, case.front, case.label].append(case)
-    ordered = [case for group in alike.values() for case in group]
-    return [case for i, case in enumerate(ordered) if SWEEP or is_in_part(i, one_in, part)]
+    return [case for group in alike.values() for i, case in enumerate(group) if SWEEP or is_in_part(i, one_in, part)]
 
 
 def read_table(file: str) -> dict[str, Any]:
