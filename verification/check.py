@@ -605,12 +605,13 @@ class DocumentChecker:
             self.names.state.definitions[name] = before
 
     def _holds_again(self, display: Display, equation: int) -> bool:
-        again = [each for each in self._outcomes_of(display.latex) if each.equation == equation]
-        return bool(again) and all(each.verdict in HOLDS or each.tells(Kind.ANGLES_TOLD_OTHERWISE) for each in again)
+        return self._holds_so(display.latex, equation, Kind.ANGLES_TOLD_OTHERWISE)
 
-    def _holds_so(self, latex: str, equation: int) -> bool:
+    def _holds_so(self, latex: str, equation: int, besides: Kind | None = None) -> bool:
+        """Whether an equation of a display holds as things are, or its outcomes tell one thing besides."""
         again = [each for each in self._outcomes_of(latex) if each.equation == equation]
-        return bool(again) and all(each.verdict in HOLDS for each in again)
+        is_told = (each.verdict in HOLDS or (besides is not None and each.tells(besides)) for each in again)
+        return bool(again) and all(is_told)
 
     def _with_slip(self, outcome: Outcome, display: Display) -> AsUsual | None:
         """Tell the one slip that mends an equation if its names mean what they usually do; return what it then would be.

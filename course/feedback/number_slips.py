@@ -254,7 +254,7 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str, is_reckoned: bool) -
     ):
         yield look_up("in degrees, where radians are asked for, and a sign is wrong")
     yield from _by_factor(given[wrong], right[wrong], _TENS if np.count_nonzero(wrong) == 1 else ())
-    if right.size == 3 and near(np.linalg.norm(right), 1) and near(right, np.round(right)):
+    if _is_along_an_axis(right):
         if near(given @ right, 0) and near(np.linalg.norm(given), 1):
             yield look_up("the length is right, the direction is not: yours is at right angles to it")
         return
@@ -268,12 +268,11 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str, is_reckoned: bool) -
 
 def _is_no_direction(given: np.ndarray, right: np.ndarray) -> bool:
     """Whether a direction along an axis is asked, and no direction is given."""
-    return (
-        right.size == 3
-        and near(np.linalg.norm(right), 1)
-        and near(right, np.round(right))
-        and not near(np.linalg.norm(given), 1)
-    )
+    return _is_along_an_axis(right) and not near(np.linalg.norm(given), 1)
+
+
+def _is_along_an_axis(right: np.ndarray) -> bool:
+    return bool(right.size == 3 and near(np.linalg.norm(right), 1) and near(right, np.round(right)))
 
 
 def _reordered(given: np.ndarray, right: np.ndarray, labels: Sequence[str]) -> str:

@@ -1,6 +1,6 @@
 r"""Put sentences round right and wrong formulas, and see that what is said of them is no more than was decided.
 
-    python -m tests.sweeps.sentences [--seed 1] [--documents 3000] [--show]
+    python -m tests.sweeps.sentences [--seed 1] [--documents 3000]
 
 The sentences stand in sentences.yaml, each with what it does to a display. What is then true is computed by NumPy alone, or known when the
 document is made. Exit code 1 if a wrong display passes, a right one is refuted, or a harmless sentence costs a proof.

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_scalar
@@ -221,15 +221,8 @@ class Circumstances:
         written = {below.key for node in outcome.nodes for below in n.walk(node) if isinstance(below, n.Name)}
         if JACOBIAN in meant and JACOBIAN in written:
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=JACOBIAN))
-        if outcome.pair is not None:
-            written |= symbols_in(
-                [
-                    cell
-                    for side in (outcome.pair.true, outcome.pair.printed)
-                    for cell in side.cells
-                    if isinstance(cell, Scalar)
-                ]
-            )
+        sides = (outcome.pair.true, outcome.pair.printed) if outcome.pair is not None else ()
+        written |= symbols_in(cell for side in sides for cell in side.cells if isinstance(cell, Scalar))
         for each in meant:
             letters = self._meant_by(each)
             if not written.isdisjoint(letters):
@@ -257,13 +250,12 @@ class Circumstances:
         if not only_behind:
             return {joint.symbol for joint in turning}
         whole = self.checker.exact.jacobian(self.names.arm.frames[-1], self.names.arm.frames[0])
-        width, found = whole.shape[1], set()
-        axes = {joint: [whole.cells[row * width + joint.index - 1] for row in (3, 4, 5)] for joint in turning}
-        for place, joint in enumerate(turning):
-            for before in turning[:place]:
-                pairs = [*zip(axes[joint], axes[before], strict=True)]
-                if all((a - b).is_zero() for a, b in pairs) or all((a + b).is_zero() for a, b in pairs):
-                    found.add(joint.symbol)
+        axes = {joint: [row[joint.index - 1] for row in whole.rows[3:]] for joint in turning}
+        found = set()
+        for before, joint in combinations(turning, 2):
+            pairs = [*zip(axes[joint], axes[before], strict=True)]
+            if all((a - b).is_zero() for a, b in pairs) or all((a + b).is_zero() for a, b in pairs):
+                found.add(joint.symbol)
         return found
 
     def _end_configuration(self, line: int) -> None:

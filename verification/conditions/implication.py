@@ -138,21 +138,21 @@ def _with_subject(chain: n.Chain, before: n.Chain | None, joined: str) -> n.Chai
 
 def is_rank_condition(chain: n.Chain) -> bool:
     """Whether a chain says what a rank is: among conditions, it is one, and not that of the generic configuration."""
-    first = chain.members[0]
-    return isinstance(first, n.Call) and first.function == "rank"
+    return n.is_rank(chain.members[0])
 
 
-def with_rank_first(chain: n.Chain) -> n.Chain:
+def with_rank_first(statement: n.Statement) -> n.Statement:
     """1 = rank J as rank J = 1."""
-    turned = replace(chain, members=chain.members[::-1]) if chain.relations == ("=",) else chain
-    return turned if is_rank_condition(turned) and not is_rank_condition(chain) else chain
+    if not isinstance(statement, n.Chain) or statement.relations != ("=",) or is_rank_condition(statement):
+        return statement
+    turned = replace(statement, members=statement.members[::-1])
+    return turned if is_rank_condition(turned) else statement
 
 
 def has_rank_within(chain: n.Chain) -> bool:
     """Whether a rank stands in an expression, 2 - rank J = 1: its value there would be that of the generic configuration."""
-    is_alone = is_rank_condition(chain)
-    ranks = [b for m in chain.members[is_alone:] for b in n.walk(m) if isinstance(b, n.Call) and b.function == "rank"]
-    return bool(ranks)
+    others = chain.members[1:] if is_rank_condition(chain) else chain.members
+    return any(n.is_rank(below) for member in others for below in n.walk(member))
 
 
 def is_condition(chain: n.Chain) -> bool:

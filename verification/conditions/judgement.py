@@ -16,7 +16,6 @@ from armproof.verification.conditions.implication import (
     has_rank_within,
     is_condition,
     is_rank_condition,
-    with_rank_first,
 )
 from armproof.verification.conditions.signs import ORDERS, Reader, Signs, follow
 from armproof.verification.conditions.system import System, Undecided, read_condition
@@ -39,11 +38,6 @@ def check_implication(
     What is wrong by itself is left open where it may be meant of a configuration at rest there (rates), of lengths of which
     one is the larger, or together with the premises of the links before it.
     """
-    before, behind = (
-        [[with_rank_first(chain) for chain in chains] for chains in side]
-        for side in (implication.before, implication.behind)
-    )
-    implication = replace(implication, before=before, behind=behind)
     if any(map(has_rank_within, implication.chains)):
         return Outcome(Verdict.UNCHECKED, (say(Kind.RANK_IS_NO_NUMBER),), equation), {}
     if checker.names.arm is not None and any(compares(chain) for chain in implication.chains):

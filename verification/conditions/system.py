@@ -198,7 +198,7 @@ def _rank_condition(
     checker: ChainChecker, left: n.Node, relation: str, right: n.Node, evaluator: Evaluator
 ) -> System | None:
     """rank A < k, ≤ k or = k: minors of one size that all vanish, and for equality smaller ones that do not all."""
-    if not (isinstance(left, n.Call) and left.function == "rank" and isinstance(right, n.Number)):
+    if not (n.is_rank(left) and isinstance(right, n.Number)):
         return None
     value = evaluator.evaluate(left.arguments[0])
     if not isinstance(value, Matrix) or right.value.denominator != 1 or relation not in ("=", "<", "≤", "≠"):

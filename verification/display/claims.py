@@ -11,7 +11,6 @@ from math import remainder, tau
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.circumstances import Circumstances
-from armproof.verification.conditions.implication import with_rank_first
 from armproof.verification.display.taken_arm import names_in
 from armproof.verification.equations.any_frames import direction_of_any_frames
 from armproof.verification.equations.any_jacobian import holds_of_any_jacobian, is_step_along_gradient, tells_jacobian
@@ -188,7 +187,6 @@ class Claims:
     def _at_values(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         self.begin()
         if _is_of_rank(chain):
-            chain = with_rank_first(chain)
             return self.circumstances.of_ranks(chain, self.chain(chain, equation, line, define), line)
         there = self._at_told_values(chain, equation, line)
         if any(outcome.verdict in DECIDED for outcome in there):
@@ -553,8 +551,7 @@ def _defined_beside(outcome: Outcome, own: Set[str], line: int) -> Set[Key]:
 def _is_of_rank(chain: n.Chain) -> bool:
     """Whether a rank stands in a chain that does not say itself at which values."""
     below = [*n.walk(chain)]
-    ranks = any(isinstance(each, n.Call) and each.function == "rank" for each in below)
-    return ranks and not any(isinstance(each, n.At) for each in below)
+    return any(map(n.is_rank, below)) and not any(isinstance(each, n.At) for each in below)
 
 
 def _is_label(chain: n.Chain) -> bool:

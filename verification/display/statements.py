@@ -15,6 +15,7 @@ from armproof.verification.conditions.implication import (
     goes_on,
     is_condition,
     is_under_words,
+    with_rank_first,
 )
 from armproof.verification.conditions.implications import Implications, Judgement
 from armproof.verification.conditions.wording import is_alternative, is_concluded, tell_words_that_change
@@ -75,11 +76,6 @@ class _Display:
         """The statements, with what is asked for as an equation."""
         return [asked(statement) for statement in self.statements]
 
-    @property
-    def has_next(self) -> bool:
-        """Whether a statement stands behind the one at hand."""
-        return self.index + 1 < len(self.statements)
-
     @cached_property
     def is_connected(self) -> bool:
         """Whether a connective stands among the statements."""
@@ -120,6 +116,7 @@ class Statements:
             statements = [of_all_joints(statement) for statement in statements]
         if len(statements) > 1 or any(isinstance(each, n.Chain) and len(each.members) > 2 for each in statements):
             statements = prepared(statements, self.names)
+        statements = [with_rank_first(statement) for statement in statements]
         told = self.names.state.told
         of_singularities = told.of_singularities and self._are_conditions(statements)
         if of_singularities and told.line == line and (found := self._of_singularities(statements, line)):
@@ -166,7 +163,7 @@ class Statements:
                 self.names.state.signs.name(sign, line)
             elif isinstance(name, n.Name) and name.key in spoken and self.names.is_open(name) and not is_usual(name):
                 self.claims.chain(each, 1, line, define=True)
-            spoken |= {b.key for m in each.members for b in n.walk(m) if isinstance(b, n.Name)}
+            spoken |= {below.key for below in n.walk(each) if isinstance(below, n.Name)}
 
     def _own_shorthand(self, statements: list[n.Statement]) -> Finding | None:
         """Return the doubt where a c_{12} is written that the text says to be something else than it usually is."""
@@ -221,14 +218,15 @@ class Statements:
 
     def _take_pair(self, display: _Display) -> bool:
         """Take p_x = r cos φ, p_y = r sin φ, which give r and φ their meaning; False where no such pair stands next."""
-        pair = polar_pair(*display.statements[display.index : display.index + 2]) if display.has_next else None
-        if pair is None or not display.define:
+        both = display.statements[display.index : display.index + 2]
+        pair = polar_pair(*both) if display.define and len(both) == 2 else None
+        found = gives_meanings(self.checker, pair, display.equation, display.line) if pair is not None else None
+        if not found:
             return False
-        found = gives_meanings(self.checker, pair, display.equation, display.line)
-        display.outcomes.extend(found or ())
-        display.equation += 2 if found else 0
-        display.index += 2 if found else 0
-        return bool(found)
+        display.outcomes.extend(found)
+        display.equation += len(found)
+        display.index += len(found)
+        return True
 
     def _take_chain(self, display: _Display, chain: n.Chain) -> None:
         statements, index = display.statements, display.index

@@ -73,7 +73,7 @@ class OfTakenArm:
 
     def _is_of_any_tool(self, name: n.Name) -> bool:
         """Whether a name stands for a quantity of the last frame without saying so, or did until it was refuted."""
-        usual = self.names.usual(name) if self.arm is not None and is_usual(name) else ()
+        usual = self.names.usual(name) if is_usual(name) else ()
         quantity = self.checker.quantity_of(name) or next(iter(usual), None)
         return quantity is not None and not tells_frame(name, quantity)
 

@@ -112,9 +112,7 @@ def named_arms(text: str) -> tuple[str, ...]:
 
 def _with_what_is_said(document: Document) -> Document:
     """Give each display the equations and the postures of the text before it and behind it, which are no displays."""
-    marked = {
-        display.section for display in document.displays if display.erratum
-    }  # where the reader is told which is wrong
+    marked = {each.section for each in document.displays if each.erratum}  # where the reader is told which is wrong
     displays: list[Display] = []
     between: list[list[Display]] = [[]]  # what is said before each display, and behind the last
     for display in document.displays:

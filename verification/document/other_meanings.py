@@ -6,7 +6,7 @@ It holds from the heading above it on. What frame or point a text speaks of, it 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from armproof.verification.document.model import Display, Document
@@ -25,6 +25,7 @@ _SHOWN = re.compile(  # what is no sentence
     ),  # characters: what is not closed is looked through no further
     re.DOTALL | re.MULTILINE,
 )
+_HEADING = re.compile(r"\s*(?:#{1,6}\s|\\(?:sub)*section)")
 _LETTER = re.compile(r"(?:\\?[A-Za-z]+)\s*_\s*(?:\{?\s*[\dijk]\s*\}?)")
 _OF_FRAME = re.compile(
     r"\b(?:origine? (?:of|de|du) (?:the )?(?:frame|repère)|Ursprung von System) \$?\\?\{?(\d)\b", re.IGNORECASE
@@ -57,25 +58,19 @@ def with_other_meanings(document: Document, text: str) -> Document:
     found = [*_meanings(text)]
     if not found:
         return document
-    headings = [
-        0,
-        *(
-            at
-            for at, line in enumerate(text.split("\n"), start=1)
-            if re.match(r"\s*(?:#{1,6}\s|\\(?:sub)*section)", line)
-        ),
-    ]
-    return replace(document, displays=tuple(_with(display, found, headings) for display in document.displays))
+    headings = [at for at, line in enumerate(text.split("\n"), start=1) if _HEADING.match(line)]
+    begins = [max((at for at in headings if at <= each.line), default=0) for each in found]
+    said = [*zip(found, begins, strict=True)]
+    return replace(document, displays=tuple(_with(display, said) for display in document.displays))
 
 
-def _with(display: Display, found: Sequence[Meaning], headings: Sequence[int]) -> Display:
+def _with(display: Display, said: Iterable[tuple[Meaning, int]]) -> Display:
     """Return a display with what holds of it: of a letter from the heading above on, of a place beside it alone."""
     if display.erratum:
         return display
     letters: list[str] = []
     is_elsewhere = False
-    for each in found:
-        begins = max(at for at in headings if at <= each.line)
+    for each, begins in said:
         is_near = begins <= display.line and each.line - _NEAR_ABOVE <= display.line <= each.line + _NEAR_BELOW
         if each.frame and is_near:
             letters.append(f"{FRAME} {each.frame}")

@@ -85,7 +85,7 @@ def _is_axis_alone(sliding: n.Node, turning: n.Node) -> bool:
 def _check_case(checker: ChainChecker, case: Case, others: list[n.Node], equation: int, line: int) -> list[Outcome]:
     sides = [n.At(side, case.at, span=side.span) if case.at else side for side in (*others, case.value)]
     outcomes = checker.check(n.Chain(tuple(sides), ("=",) * len(others), span=case.value.span), equation, line, False)
-    generic = any(isinstance(below, n.Call) and below.function == "rank" for side in sides for below in n.walk(side))
+    generic = any(n.is_rank(below) for side in sides for below in n.walk(side))
     if case.where and not generic and all(outcome.verdict is not Verdict.PROVED for outcome in outcomes):
         return [_where(checker, case, outcome) for outcome in outcomes]
     if case.at or (

@@ -464,8 +464,7 @@ class Conventions:
 
     def _give(self, name: n.Name | None) -> None:
         """x = 0: where the tool is to be, and not what x is."""
-        arm = self.names.arm
-        if name is not None and arm is not None and is_usual(name) and self.names.usual(name):
+        if name is not None and is_usual(name) and self.names.usual(name):
             self.names.keep_as_given(name.key)
 
     def _seen_from_elsewhere(self, outcome: Outcome) -> str:

@@ -37,5 +37,4 @@ def _is_vector(names: Names, key: str) -> bool:
 
 
 def _coordinate(names: Names, name: n.Name) -> Quantity | None:
-    usual = names.usual(name) if names.arm is not None else ()
-    return next((each for each in usual if each.kind == "origin" and each.scalar), None)
+    return next((each for each in names.usual(name) if each.kind == "origin" and each.scalar), None)

@@ -23,7 +23,7 @@ def unless_exchanged(outcomes: list[Outcome], chain: n.Chain, names: Names) -> l
     """Leave open, where there is no arm, what is proved of free letters as numbers, and is no law of factors that may not be exchanged."""
     if all(each.verdict not in _HELD for each in outcomes):
         return outcomes
-    if any("×" in below.operators for m in chain.members for below in n.walk(m) if isinstance(below, n.Product)):
+    if any("×" in below.operators for below in n.walk(chain) if isinstance(below, n.Product)):
         return outcomes  # the letters are vectors, and so they were taken
     words = [_word(member) for member in chain.members]
     if words[0] is not None and all(word == words[0] for word in words):
@@ -37,7 +37,7 @@ def unless_exchanged(outcomes: list[Outcome], chain: n.Chain, names: Names) -> l
 
 def _stand_both_ways(chain: n.Chain, names: Names) -> bool:
     """Whether two free letters are multiplied in one order and in the other: a (b + c) = b a + c a."""
-    products = [below for member in chain.members for below in n.walk(member) if isinstance(below, n.Product)]
+    products = [below for below in n.walk(chain) if isinstance(below, n.Product)]
     numbers = _numbers(chain)
     pairs = {
         (one, other)
@@ -52,7 +52,7 @@ def _stand_both_ways(chain: n.Chain, names: Names) -> bool:
 
 def _numbers(chain: n.Chain) -> set[str]:
     """Return the letters that a chain itself shows to be numbers: what divides, what a function is of, and what such a letter is added to."""
-    nodes = [below for member in chain.members for below in n.walk(member)]
+    nodes = [*n.walk(chain)]
     places = [below.denominator for below in nodes if isinstance(below, n.Quotient)]
     places += [
         each
@@ -71,7 +71,7 @@ def _numbers(chain: n.Chain) -> set[str]:
 
 def _are_more_than_numbers(chain: n.Chain, names: Names) -> bool:
     """Whether free letters are transposed, have a determinant or a trace, or make a product with a dot whose size is taken."""
-    for below in (below for member in chain.members for below in n.walk(member)):
+    for below in n.walk(chain):
         if isinstance(below, n.Postfix) and below.operator in ("T", "-T", "+") and _letters(below.base, names):
             return True
         if not isinstance(below, n.Call):

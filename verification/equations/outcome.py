@@ -231,8 +231,7 @@ def _is_expected(name: n.Name, names: Names) -> bool:
 
 def _is_of_moving_frame(name: n.Name, names: Names) -> bool:
     """Whether convention has a meaning for a name with an index, and not of the base: P_x, x_2."""
-    usual = names.usual(name) if names.arm is not None else ()
-    return names.arm is not None and any(quantity.frame != names.arm.frames[0] for quantity in usual)
+    return names.arm is not None and any(quantity.frame != names.arm.frames[0] for quantity in names.usual(name))
 
 
 def hold(outcomes: list[Outcome]) -> bool:

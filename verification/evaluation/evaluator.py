@@ -136,7 +136,7 @@ class Evaluator:
 
 def _with_ranks_there(node: n.At) -> n.Node:
     """Return an expression with each rank of the matrix as it is at the values: that of a generic configuration is another."""
-    ranks = [below for below in n.walk(node.inner) if isinstance(below, n.Call) and below.function == "rank"]
+    ranks = [below for below in n.walk(node.inner) if n.is_rank(below)]
     there = {id(each): tuple(n.At(a, node.values, span=a.span) for a in each.arguments) for each in ranks}
     return n.substitute_each(node.inner, {id(each): replace(each, arguments=there[id(each)]) for each in ranks})
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, fields, replace
 from fractions import Fraction
 from functools import cache
 from itertools import chain
-from typing import Any
+from typing import Any, TypeGuard
 
 
 class _Walked:
@@ -342,6 +342,11 @@ def call_key(node: Call) -> str:
     name, *arguments = node.arguments
     head = name.key if isinstance(name, Name) else "?"
     return f"{head}({'0' if is_nought(arguments) else ','.join(a.key for a in arguments if isinstance(a, Name))})"
+
+
+def is_rank(node: Node) -> TypeGuard[Call]:
+    """Whether a node is the rank of something."""
+    return isinstance(node, Call) and node.function == "rank"
 
 
 def has_branches(node: Node) -> bool:
