@@ -53,6 +53,7 @@ _MARKS = {".tex": ("$$", "\\[", *(f"\\begin{{{name}" for name in ENVIRONMENTS)),
 _SAYS = re.compile(
     r"[=≈<>≠]|\\(?:approx|simeq|equiv|[lg]eq?|neq?)(?![A-Za-z])|(?:∈|\\in(?![A-Za-z]))\s*(?:\\left\s*)?[(\[]|^\\text\{"
 )
+_TELLS_LANGUAGE = 8000  # characters of a text
 _EQUATION = r"[^\])\"'\s]*(?:equation|\beqn?s?[\d_-]|formula|formule|ecuaci|gleichung|latex|codecogs|render/math|matri[xcz])[^\])\"']*"
 _DEFINES = re.compile(r"\\(?:(?:re|provide)?newcommand|def|let|DeclareMathOperator|newenvironment)(?![A-Za-z])")
 _INTERTEXT = re.compile(r"\\(?:short)?intertext\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
@@ -84,7 +85,9 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
 
         document = with_macros(document)
     document = _with_what_is_said(document)
-    if any(display.strange for display in document.displays) and not is_in_known_language(words_of(text)):
+    if any(display.strange for display in document.displays) and not is_in_known_language(
+        words_of(text[:_TELLS_LANGUAGE])
+    ):
         document = replace(document, displays=tuple(replace(each, strange="") for each in document.displays))
     if MAY_MEAN.search(text):
         document = with_other_meanings(document, text)

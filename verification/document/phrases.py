@@ -40,7 +40,7 @@ blunder~/typo/typos/slip/untenable/meaningless/senseless/contradict~/errs/erred/
 makes no sense
 index/sign/term/factor (is) missing
 piège (classique) (est)
-irrtum/denkfehler/trugschluss/unsinn/unzutreffend/widerspricht/contredit/contresens/bévue/aberrant/aberrante/equivocado/equivocada/disparate/contradice
+irrtum/denkfehler/trugschluss/unsinn/unzutreffend/widerspricht/contredit/contresens/bévue/aberrant/aberrante/equivocado/equivocada/disparate/contradice/errado/errada/errados/erradas/falsas
 """
 DENIAL = """
 not/never/nobody/cannot/~n'/no-one/neither (t) (…) have/get/obtain/find/equal/use/write/say/conclude/believe/think/mean/follow/possible (that) $
@@ -104,6 +104,12 @@ ELSEWHERE = """
 if/when/whenever/where/for/at/unless/that/to/si/quand/pour/que/lorsque/lorsqu'/de/où/wenn/falls/für/dass/para/cuando
 """
 DENIED_BEHIND = """
+^ * formula/equation/relation/result/expression/it/this (does/do/is) not/n'/never/longer (longer) (t) hold/apply/valid/usable/true
+^ * gleichung/formel/beziehung (ist/gilt) … nicht/nur
+^ * drawing board
+^ * (once/one) too often/many/much
+^ * counted/added/taken/entered twice
+^ * went/gone/goes missing
 ^ * must/should/ought/needs/need/has/have (to) (still) (be) (have) (been) exchanged/changed/replaced/swapped/interchanged/switched/reversed/negated/removed/deleted/corrected/subtracted/flipped
 ^ * should/ought (to) (still) (be) (have) (been) multiplied/divided/added/squared/inverted/transposed/omitted/dropped/moved
 ^ * (was/were) (has/have) (been) swapped/interchanged/exchanged/forgotten/overlooked/omitted/mistyped/miscopied
@@ -154,6 +160,11 @@ DENIED_BEHIND = """
 ^ which/this/that/ce (qui) requires/assumes/presupposes/suppose/erfordert ¤
 """
 DENIED_BEFORE = """
+* if/when/who/by (you/one/we/they) forget/forgets/forgetting/confuse/confuses/confusing/mix/mixes/mixing * $
+* en oubliant/confondant * $
+* si/quand/lorsqu' on/l' (on) oublie/confond * $
+^ (please) (do) not/never (t) use/trust/copy/apply the/this * $
+^ it/this/that (do/does/is) not/n' (t) describe/hold/give/represent/agree/match/apply * $
 ^ (it) (is) only/solely if/when/for/at/in/where ¤
 ^ (it) (is) only/solely at/in/near
 ^ (c') (est) seulement/uniquement/nur/solo/sólo pour/si/quand/für/bei/para/en
@@ -203,6 +214,10 @@ unit/equal/identical (link) length/lengths/links
 longueurs unitaire~/égale~
 """
 SPECIAL = """
+nowhere else
+nulle part ailleurs
+sonst nirgends
+^ only/seulement/uniquement/nur/solo/sólo/soltanto/apenas/somente when/if/quand/si/wenn/cuando/quando/se
 same/equal/identical (link) length/lengths/links
 equally long
 lengths/links are/were/being (here) equal/identical/the (same)
@@ -345,10 +360,8 @@ OPEN_QUESTION = """
 """
 SAYS_LIMITS = """
 ^ * terms * dropped/neglected/omitted/discarded/ignored
-^ * formula/equation/relation/result/expression/it/this (does/do/is) not/n'/never/longer (longer) (t) hold/apply/valid/usable/true
 ^ * applies/holds/valid/true (only) (to/for/in/at/within/on) (this/that/these) (one/single) configuration/case/posture/range/branch
 ^ * another/other/different expression/formula/equation/relation (has/must/is/should/applies/holds)
-^ * gleichung/formel/beziehung (ist/gilt) … nicht/nur
 ^ * válida/válido/vale/vrai/vraie/valable/valida/valido (que) (solo/sólo/solamente/seulement/apenas/somente/nur) (para/pour/per/en/em)
 ^ solo/sólo/solamente/apenas/somente/seulement/nur es/est/é/è/vale/gilt/válid~/valid~/valable
 """

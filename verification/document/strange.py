@@ -33,9 +33,11 @@ _OF_DISPLAY = re.compile(  # a sentence whose subject is the display, or a part 
     r"(?:[^\w\s]+ )*(?:(?:and|but|so|yet|however|thus|hence|et|mais|or|donc|aber|und|doch|pero|y|ma|mas|e) (?:, )?)?"
     r"(?:this|that|it|which|such|these|the (?:\S+ )?(?:formula|equation|expression|relation|result|identity|statement|claim|above|line|latter)"
     r"|(?:the|a|an|one) (?:\S+ )?(?:signs?|terms?|factors?|ind(?:ex|ices)|subscripts?|exponents?|sines?|cosines?)|(?:le|un|l'|un des) (?:signe|terme|facteur|indice|exposant|sinus|cosinus)|(?:das|ein) vorzeichen"
-    r"|equation|formula|eq|c'(?! est-à-dire)|ce|cela|ceci|ça|il(?! n' y | y )|elle|qui|que|la (?:formule|relation)|l' (?:équation|expression|égalité)|cette|le résultat"
-    r"|das|dies|diese|es|was|die (?:formel|gleichung|beziehung)|esto|eso|esta|este|lo|la (?:fórmula|ecuación|relación)|questo|questa|ciò|la (?:formula|relazione)"
-    r"|isto|isso|essa|a (?:fórmula|equação|relação)) ",
+    r"|equation|formula|eq|c'(?! est-à-dire)|ce(?: qui)?|cela|ceci|ça|il(?! n' y | y )|elle|qui|que|(?:la|le|l'|cette|cet|ce) (?:formule|relation|équation|expression|égalité|identité|résultat|ligne)"
+    r"|das|dies|es|was|(?:die|der|das|diese|dieser|dieses) (?:formel|gleichung|beziehung|ausdruck|ergebnis|aussage|identität|zeile)"
+    r"|esto|eso|lo(?: que| cual)?|(?:la|el|esta|este|esa) (?:fórmula|ecuación|relación|expresión|igualdad|identidad|línea|resultado)|questo|ciò|il che"
+    r"|(?:la|il|l'|questa|quest') (?:formula|relazione|equazione|espressione|uguaglianza|identità|risultato)"
+    r"|isto|isso|o que|(?:a|o|essa|esta|esse|este) (?:fórmula|equação|relação|expressão|igualdade|identidade|resultado)) ",
     re.IGNORECASE,
 )
 

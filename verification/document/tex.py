@@ -166,6 +166,7 @@ class _Scanner:
         self.exercises, self.exercise_names = 0, dict[str, str]()  # by the number that the author gives each
         self.regions: list[_Region] = []
         self.tables: list[Table] = []
+        self.nowhere: dict[str, int] = {}  # from where on what closes mathematics is not found
         self.layout = 0  # where the tabular ends that arranges matrices in its cells
         self.spans: list[tuple[int, int, Display | None]] = []  # of displays and tabulars, once they are read
 
@@ -276,10 +277,10 @@ class _Scanner:
         """Return where the mathematics that a token opens begins, ends (-1: never), and what is read next; or None."""
         dollars, name = token.group("dollars"), token.group("begin")
         if dollars:
-            end = _find(self.visible, r"(?<!\\)" + re.escape(dollars), token.end(), self.stop)
+            end = self._find(r"(?<!\\)" + re.escape(dollars), token.end())
             return (token.end(), end, token.end() if end < 0 else end + len(dollars))
         if token.group() == "\\(":
-            end = _find(self.visible, r"(?<!\\)\\\)", token.end(), self.stop)
+            end = self._find(r"(?<!\\)\\\)", token.end())
             return (token.end(), end, token.end() if end < 0 else end + 2)
         if token.group("bracket"):
             closing, again = r"(?<!\\)\\\]", r"(?<!\\)\\\["
@@ -290,12 +291,18 @@ class _Scanner:
         else:
             return None
         begin = token.end()
-        end = _find(self.visible, closing, begin, self.stop)
-        repeated = _find(self.visible, again, begin, self.stop)
-        if end < 0 or 0 <= repeated < end:
-            return begin, -1, begin
-        found = re.compile(closing).match(self.visible, end)
-        return begin, end, found.end() if found else end
+        end = self._find(rf"(?:{closing})|(?:{again})", begin)
+        found = re.compile(closing).match(self.visible, end) if end >= 0 else None
+        return (begin, -1, begin) if found is None else (begin, end, found.end())
+
+    def _find(self, pattern: str, begin: int) -> int:
+        """Return where a pattern is found next, -1 for nowhere: what is nowhere is looked for once, however often it is opened."""
+        if begin >= self.nowhere.get(pattern, len(self.visible) + 1):
+            return -1
+        found = re.compile(pattern).search(self.visible, begin, self.stop)
+        if found is None:
+            self.nowhere[pattern] = begin
+        return found.start() if found is not None else -1
 
     def _display(self, token: re.Match[str], begin: int, end: int) -> Display:
         opening = "\\(" if token.group() == INLINE else token.group().strip()
@@ -325,7 +332,7 @@ class _Scanner:
         name = token.group("begin")
         marked = bool(self.marks) and self.marks[0] < token.start()
         if name.rstrip("*") in ("tabular", "tabularx", "tabulary", "longtable"):
-            end = _find(self.visible, r"\\end\s*\{%s\}" % re.escape(name), token.end(), self.stop)
+            end = self._find(r"\\end\s*\{%s\}" % re.escape(name), token.end())
             if end >= 0:
                 erratum = marked or any(region.erratum for region in self.regions)
                 table = read_tabular(self.visible[token.end() : end], token.end(), self.place)
@@ -371,8 +378,3 @@ class _Scanner:
                 if _EXERCISE.fullmatch(name):
                     self.section, self.exercise = left.section, ""
                 return
-
-
-def _find(text: str, pattern: str, begin: int, end: int) -> int:
-    found = re.compile(pattern).search(text, begin, end)
-    return found.start() if found else -1

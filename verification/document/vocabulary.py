@@ -18,9 +18,9 @@ applying approach appropriate arbitrary architecture arctan arctangent are area 
 arrow articulated as asks aspects assembly assign assignment assigns associated assume assumed assumes assuming assumption asymptotic at atan attached
 attachment attainable augmented automatically available average avoid avoidance axis back backlash backward balance ball based basic basically basis
 be because become becomes been before begin behavior behind being belongs below bench bends between beyond bibliography big bigger bisector bit block
-blocks board boards bodies body book books both bottom bound boundary bounded bounding bounds brackets braking branch branches building builds built
-but by calculate calculus call called calls camera can cancel cancellation candidate cannot canonical capture carriage carries carry cart cartesian
-cascade case cases cauchy causes center centers centimetres central centre centrifugal certain chain chaining chains change changes changing chapter
+blocks bodies body book books both bottom bound boundary bounded bounding bounds brackets braking branch branches brevity building builds built but by
+calculate calculus call called calls camera can cancel cancellation candidate cannot canonical capture carriage carries carry cart cartesian cascade
+case cases cauchy causes center centers centimetres central centre centrifugal certain chain chaining chains change changes changing chapter
 characterized chart check checked checking checks choice cholesky choose choosing chosen circle circles circular claim clarity classic classify clear
 clearly clockwise close closed closes closure cm code coefficient cofactor coincide col collaborative collecting collision collocation column columns
 combination combine combining comes command common commonly communicates compact companion compare comparing compatible compensating complete complex
@@ -78,32 +78,32 @@ puts pythagoras python quadrant quadratic quantities quarter quasi quaternion qu
 random range ranges rank rate rates ratio rational re reach reachable reached reaches reaching reactions read readability readable reader readers
 ready real realizing rearrange reason reasonable recall recalled recalling recent recognizing recommended record recorded records rectangular
 recursion reduce reducer reduces redundant refer reference referred refers reflects regardless region regions regrouping regular relabeling relate
-related relates relating relationship relative relevant remain remaining remains remark remember remove removed removes removing render rendered
-repeat repeated repeats replace replay report repository represent reprinted reproduced require requiring research reset resistance resolution
-resolving respect responsiveness rest restrict result resultant resulting results return returned returning returns review revolute rewrite rewriting
-rewritten rhs right rigid rigidly rigorous ring robotic robots robust robustness rodrigues roll rolling root roots rotary rotate rotated rotates
-rotating rotational round routines row rows rpy rule run runge running runs rx sac same sampled sampling satisfied satisfy saw say scalar scale scaled
-scaling scara scene schematic schur schwarz science scratch screen screw screws script scripts sec second seconds section see seek seen select
-selecting selects self semi sense sensitive sensor sent separate sequence sequentially serial series serves set sets setting settling setup seven
-several severity shape share shared sheet shifts shorter shortest shorthand shoulder show showed showing shown shows side sides signal signed similar
-simple simpler simplest simplicity simplify simply simulated simultaneous sin since sine sines single singular situation sixth size sketch skew slice
-slide slider slides slow slowest small smaller smallest smooth smoother smoothly smoothness smooths so software solve solved solver solvers solves
-solving some sophisticated sort source space spaces span sparse spatial speak speaks special specific specify spectral speed speeds sphere spheres
-spherical spline splitting square squared squares squaring stability stable stack stacking stage stand standard stands start started starting starts
-state stated statement states static statics stay step steps stewart still stop stops stored stores straight strategy stress stretched strictly strong
-strongly structural studied studies study studying sub subject submatrix subscript subsection subsequent subset subspace substitute subtract success
-such suitable sum summarize summary summing sums superscript supported suppose supposing sure surface sweep sweeping symbolic symbols symmetry system
-systems table tables tabular take taken takes taking tall tangent target targets task tasks taylor tcp technically techniques telescoping ten tends
-tensor term terms test text textbook th than that the their them then theorem theoretical theory there thereby therefore these thesis theta they third
-this those though three threshold through thus time timer times tip to together tolerances too tool toolbox tools top topology torque torques total
-toward towards trace traces tracking trajectory transcendental transcription transfer transform transition translate transmitted transpose trapezoid
-treat treated treatment treats tree triangular trig trigonometry trivial true turn turned turning turns twelve twist twists two type types typical
-ultimate unchanged under underlying understand uniform unique uniquely unit units universal unknown unstable until up update updated updates upon
-upper upward upwards us use used useful uses using usual usually valid value values vanish vanishes variable variance variation varies various vary
-varying vectors velocity verification verified verify version vertical very via vice view virtual viscous visualize volume want was way waypoint ways
-we weight weighted weighting weights well were what wheel wheels when whence whenever where whereas wherein which while whole whom whose why wide
-widely width will with within word words work works workspace world wrap wrapped wrench wrenches wrist write writes writing written wrt xy yaw yet
-yield yielding yields yoshikawa you your zero zeros zyx zyz
+related relates relating relationship relative relevant remain remaining remains remark remember reminder remove removed removes removing render
+rendered repeat repeated repeats replace replay report repository represent reprinted reproduced require requiring research reset resistance
+resolution resolving respect responsiveness rest restrict result resultant resulting results return returned returning returns review revolute rewrite
+rewriting rewritten rhs right rigid rigidly rigorous ring robotic robots robust robustness rodrigues roll rolling root roots rotary rotate rotated
+rotates rotating rotational round routines row rows rpy rule run runge running runs rx sac same sampled sampling satisfied satisfy saw say scalar
+scale scaled scaling scara scene schematic schur schwarz science scratch screen screw screws script scripts sec second seconds section see seek seen
+select selecting selects self semi sense sensitive sensor sent separate sequence sequentially serial series serves set sets setting settling setup
+seven several severity shape share shared sheet shifts short shorter shortest shorthand shoulder show showed showing shown shows side sides signal
+signed similar simple simpler simplest simplicity simplify simply simulated simultaneous sin since sine sines single singular situation sixth size
+sketch skew slice slide slider slides slow slowest small smaller smallest smooth smoother smoothly smoothness smooths so software solve solved solver
+solvers solves solving some sophisticated sort source space spaces span sparse spatial speak speaks special specific specify spectral speed speeds
+sphere spheres spherical spline splitting square squared squares squaring stability stable stack stacking stage stand standard stands start started
+starting starts state stated statement states static statics stay step steps stewart still stop stops stored stores straight strategy stress stretched
+strictly strong strongly structural studied studies study studying sub subject submatrix subscript subsection subsequent subset subspace substitute
+subtract success such suitable sum summarize summary summing sums superscript supported suppose supposing sure surface sweep sweeping symbolic symbols
+symmetry system systems table tables tabular take taken takes taking tall tangent target targets task tasks taylor tcp technically techniques
+telescoping ten tends tensor term terms test text textbook th than that the their them then theorem theoretical theory there thereby therefore these
+thesis theta they third this those though three threshold through thus time timer times tip to together tolerances too tool toolbox tools top topology
+torque torques total toward towards trace traces tracking trajectory transcendental transcription transfer transform transition translate transmitted
+transpose trapezoid treat treated treatment treats tree triangular trig trigonometry trivial true turn turned turning turns twelve twist twists two
+type types typical ultimate unchanged under underlying understand uniform unique uniquely unit units universal unknown unstable until up update
+updated updates upon upper upward upwards us use used useful uses using usual usually valid value values vanish vanishes variable variance variation
+varies various vary varying vectors velocity verification verified verify version vertical very via vice view virtual viscous visualize volume want
+was way waypoint ways we weight weighted weighting weights well were what wheel wheels when whence whenever where whereas wherein which while whole
+whom whose why wide widely width will with within word words work works workspace world wrap wrapped wrench wrenches wrist write writes writing
+written wrt xy yaw yet yield yielding yields yoshikawa you your zero zeros zyx zyz
 """
 FRENCH = """
 a abord abordé abréviations absolue accorde accélère accélération achève addition adjointe affecte affichage ai ailleurs ainsi aisément ait ajoute
@@ -154,143 +154,154 @@ vaut vecteur vectoriel verra verrons vers vides viennent vient vitesse voici voi
 énoncent énoncé épaule équation équivaut établi était étant étape étapes étend étendu étude étudie étudié été évident être
 """
 GERMAN = """
-ab abbildung aber abgeleitet ableiten absolut abstand abtastung achse achsen addieren addition aktuell alle allem allen aller alles allgemein als also
-am an analog andere angegeben angenommen angewendet anhand anhang anordnung ansatz anschließend anteil antrieb anwenden arbeit arccos arctan
-arkustangens arm armes artikel auch auf aufgabe aufgelöst aufgestellt auflösen aufstellen aus ausdruck ausführlich ausgangspunkt ausgedrückt
-ausgewertet auswerten auswählen basiert basis basiskoordinatensystem bauform bedeutet bedingung beginnen behandeln bei beide beiden beider beispiel
-beitrag bekannt bekommt benutzt berechnen bereit berücksichtigt beschleunigung beschreibt besitzt besteht bestimmt bestätigt betrachte betrag bewegen
-bewegt bewegung bezeichnen bezogen bezug bezüglich bibliothek bild bilden bildet bildschirm bis bogenmaß buch bzw bücher code cosinus dabei dafür
-damit danach dann daraus darin darstellung das dass datei dateien daten datenblatt davon dazu definiert dem den denavit denn der derart deren des
-deshalb dessen detail determinante dh diagonal die dies diese dieser dieses differenz dimension direkt drehachse drehgelenk drehmatrix drehmoment
-drehung drehwinkel drei dritte durch dynamik ebene ebenen ebenfalls ebenso echtzeit ein eindeutig eine einem einen einer eines einfach eingabe
-eingesetzt einheit einige einsetzen einzelne elemente ellbogen encoder ende endeffektor endpunkt energie enthält entlang entspricht entsteht erfolgt
-erfüllt ergeben ergebnis ergibt erhalten erhält erste ersten erster erstes erweitert erwähnt es experiment explizit faktor fall fertig fest figur
-finden findet flansch folge folgen folglich folgt form formel freiheit funktion führt für geben gegeben gegenüber geht gehört gelenk gemäß genannt
-genau geometrie gerade gesamt geschlossene geschrieben geschwindigkeit gespeichert gesucht getriebe gewicht gezeigt gibt gilt gleich glied glieder
-grad grafik greifer grundlage größe größen größer gültig haben halb handgelenk hat heißt herleitung hersteller hier hieraus hierbei hierfür hierzu
-homogene höhe ihre ihren ihrer im immer implementiert in industrie ingenieur insbesondere insgesamt inverse invertieren ist jacobi jede jedem jeden
-jeder jedes jetzt jeweils kann kapitel kartesisch kette kilogramm kinematik kinetisch klassisch koeffizienten komponente konfiguration konstant
-konvention koordinaten korrekt kosinus kraft kreuzprodukt kräfte kugel kurz können labor lage lassen lateral laufzeit lauten lautet legen lehrbuch
-lehrbüchern leicht leiten leitet lesen letzte letztlich liegen liegt liest linear linie linke linken literatur länge längen lässt lösen lösung man
-manipulator masse massen mathematik matrix matrizen mechanik mehr meist messung messwerte meter metern millimeter millisekunde mit mittels modell
-moderne modifiziert moment motor motoren multipliziert muss möglich müssen nach nachdem nebenbedingung negativ nennen nenner nennt notation notwendig
-null nullstellen numerisch nun nutzen nutzt nächste nämlich oben obere oberen oder offenbar offensichtlich ordner orientierung original ort orthogonal
-paar parallel parameter planar polynom positiv praktikum praxis prismatisch produkt programm projekt prozessor punkt punktes pythagoras quadrat
-quadrieren quaternion quelle quelltext rahmen raum rechnen rechnung rechte regel regelung regler relativ repositorium rest richtig richtung roboter
-roll rotation rotatorische rückwärts satz schema schließt schnell schnittpunkt schreibt schritt schub schubgelenk schulter schwer segment sehen seite
-seiten sekunde semester senkrecht setzen setzt sich sie siehe sieht simulation sind singulär sinus skalar skizze so sodass soeben software soll somit
-sowie spalte spezialfall später stammt stehen steht stelle stellt summe summen symbolisch symmetrisch system tabelle takt tangens tcp teil teilaufgabe
-teile teilen testen theorem theorie tool transformation translation transponierte trägheit um umformen umgekehrt umgesetzt umkehrung umrechnung
-unabhängig unbekannte und unter untere untersucht ursprung ursprünglich variable vektor verbindet vereinfacht verfahren verfügbar vergleich verglichen
-verläuft verschieben versuch verweis verwenden vgl vier vierte vollständig vom von voraussetzung vorgehen vorgestellt vorher vorlesung vorwärts wahr
-wegen weil weise weiter welche weltkoordinatensystem wenden wenn werden werkzeug wert werte wichtig wie wiederum winkel wir wird wirkt wissen wobei
-wurde wurzel wählen wählt z zahl zeichnung zeigen zeigt zeile zeilen zeit zerlegen zitat zu zuerst zugehörig zum zunächst zur zusammen zustand zuvor
-zwei zweimal zweite zwischen zyklus zähler äußere über überführt übergang überlagerung üblich übrigen übung übungen
+ab abbildung aber abgeleitet ableiten absatz abschnitt absolut abstand absätze abtastung achse achsen addieren addition aktuell alle allem allen aller
+alles allgemein als also am an analog andere anfang angegeben angenommen angewendet anhand anhang anordnung ansatz anschließend anteil antrieb
+anwenden arbeit arccos arctan arkustangens arm armes artikel auch auf aufgabe aufgelöst aufgestellt auflösen aufstellen aus ausdruck ausführlich
+ausgangspunkt ausgedrückt ausgewertet auswerten auswirkung auswählen außen bahn bahnen basiert basis basiskoordinatensystem bauform bedeutet bedingung
+befinden beginn behandeln bei beide beiden beider beispiel beitrag bekannt bekommt beliebig benutzt benötigt berechnen bereit berücksichtigt
+beschleunigung beschreibt besitzt besteht bestimmt bestätigt betrachte betrag bewegen bewegt bewegung bezeichnen bezogen bezug bezüglich bibliothek
+bild bilden bilder bildet bildschirm bis bogenmaß buch bzw bücher code cosinus dabei dafür dagegen damit danach dann daran darauf daraus dargestellt
+darin darstellung das dass datei dateien daten datenblatt davon dazu definiert dem den denavit denn denselben der derart deren derselbe des deshalb
+dessen detail determinante dh diagonal die dies diese dieselbe dieser dieses differenz dimension direkt drehachse drehgelenk drehmatrix drehmoment
+drehung drehwinkel drei dritte durch dynamik ebene ebenen ebenfalls ebenso echtzeit ein eindeutig eine einem einen einer eines einfach einfluss
+eingabe eingesetzt einheit einige einmal einsetzen einzelne elemente ellbogen encoder ende endeffektor endpunkt energie enthält entlang entnehmen
+entnommen entspricht entsteht erfolgt erfüllt ergab ergaben ergeben ergebnis ergibt erhalten erhält erinnerung erste ersten erster erstes erweitert
+erwähnt es etwa experiment explizit faktor fall fertig fest feste festen figur finden findet flansch folge folgen folglich folgt form formel frei
+freie freien freiheit früher funktion führt für geben gegeben gegenüber gehabt geht gehört gelenk gelten gemessen gemäß genannt genau geometrie
+geprüft gerade gerundet gesamt geschlossene geschrieben geschwindigkeit gespeichert gesucht getriebe gewicht gewählt gezeigt gibt gilt gleich glied
+glieder grad grafik greifer grundlage größe größen größer gültig haben halb handgelenk hat hatte hatten heißt hergeleitet herleitung hersteller hier
+hieran hieraus hierbei hierfür hierzu hinten homogene horizontal hängen hängt höhe ihr ihre ihren ihrer ihres im immer implementiert in indirekt
+industrie ingenieur innen insbesondere insgesamt inverse invertieren ist jacobi jede jedem jeden jeder jedes jetzt jeweils kann kapitel kartesisch
+kette kilogramm kinematik kinetisch klassisch koeffizienten komponente konfiguration konstant konvention koordinaten korrekt kosinus kraft
+kreuzprodukt kräfte kugel kurve kurven kurz können labor lage lassen lateral laufzeit lauten lautet legen lehrbuch lehrbüchern leicht leiten leitet
+lesen letzte letztlich liefern liegen liegt liest linear linie linke linken links literatur lotrecht länge längen lässt lösen lösung man manipulator
+masse massen mathematik matrix matrizen mechanik mehr mehrere meist meisten messen messung messwerte meter metern millimeter millisekunde mit mitte
+mittels modell moderne modifiziert moment motor motoren multipliziert muss möglich müssen nach nachdem nachprüfen nachrechnen nebenbedingung negativ
+nennen nenner nennt noch notation notwendig null nullstellen numerisch nun nutzen nutzt nächste nämlich oben obere oberen oder offenbar offensichtlich
+ordner orientierung original ort orthogonal paar parallel parameter planar polynom positiv praktikum praxis prismatisch produkt programm projekt
+prozessor prüfen punkt punktes pythagoras quadrat quadrieren quaternion quelle quelltext quer rahmen rand raum rechnen rechnung rechte rechts regel
+regelung regler relativ repositorium rest richtig richtung roboter roll rotation rotatorische rund rückwärts satz schema schließt schnell schnittpunkt
+schon schreibt schritt schub schubgelenk schulter schwer segment sehen sein seine seinen seiner seite seiten sekunde semester senkrecht setzen setzt
+sich sie siehe sieht simulation sind singulär sinus skalar skizze so sodass soeben software soll somit sowie spalte spezialfall später stammt starr
+starre start stehen steht stelle stellt summe summen symbolisch symmetrisch system tabelle takt tangens tcp teil teilaufgabe teile teilen testen
+theorem theorie tool transformation translation transponierte trägheit um umformen umgekehrt umgesetzt umkehrung umrechnung unabhängig unbekannte und
+unmittelbar unser unsere unten unter untere untersucht ursprung ursprünglich variable vektor verbindet vereinfacht verfahren verfügbar vergleich
+verglichen verlauf verläuft verschieben versuch vertikal verweis verwenden vgl viele vielen vier vierte vollständig vom von voraussetzung vorgehen
+vorgestellt vorher vorlesung vorn vorne vorwärts waagrecht wahr war waren wegen weil weise weiter welche weltkoordinatensystem wenden wenige wenn
+werden werkzeug wert werte wichtig wie wieder winkel wir wird wirkt wirkung wissen wobei worden wurde wurden wurzel wählen wählt würde z zahl
+zeichnung zeigen zeigt zeigte zeile zeilen zeit zerlegen ziel zitat zu zuerst zugehörig zum zunächst zur zurück zusammen zustand zuvor zwar zwei
+zweimal zweite zwischen zyklus zähler ähnlich äußere über überführt übergang überlagerung überprüfen üblich übrigen übung übungen
 """
 SPANISH = """
-a abajo abierta acción aceleración acumulada además adición ahora al alcance alcanzar algebraica algunas algunos alrededor alto ambas ambos amplitud
-analizar anexo angular antebrazo anterior antes antropomórfico análisis aparece apartado aplica aporte apoyo apéndice aquí arcotangente arriba
-articular artículo asigna asociada asume así aula autovalor aún base bases biblioteca bien bloque brazo brazos bucle buscamos básica búsqueda cada
-cadena caja calcula caminos cantidad capacidad capítulo característica carpeta cartesiana caso catetos centro cero cerrada ciclo ciclos cierra cierta
-cierto cilíndrico cinco cinemática circunferencia clase clases clásica codo coeficientes coincide columna combinando comentarios comienza como
-complejo compone comprender comprobar comprueba computador común con concatenar condición conduce configuraciones conjunto conocer conocida
-consecuencia considera consigue consiste consta construir consultar contiene continuación control convención coordenada correcta corresponde coseno
-cruz cuadrado cuadrática cual cuales cualquier cuando cuarta cuarto cuatro cuenta cumple cumplir curso cuya cuyas cuyos cálculo código dada dado dados
-de debe decir deducción deduce deducir define definir del demostrar demás denominador denota depende derecha derivar desarrolla descompone describe
-desde deseada despejar desplaza detallada determina dh diagonal diagrama dicho diferencia difieren dimensión dinámica dirección directa diseñar diseño
-disponible distintas divide dividiendo división documento donde dos ecuación edición efector efectuando efectúa eje ejecutar ejemplo ejercicio ejes el
-elegimos elegir elemento eleva elevando elimina eléctrico emplea en encoder encontrar encuentra energía enlace ensayo entonces entre entrega equivale
-es escalar escogido escribe esférica eslabones eslabón espacio especial esquema esta establece estas este esto estos estructura estudia está están
-evaluar evalúa exactamente existe experimento explica expresa extendida externa extremo fabricante factor fichero figura fija fijo final finales
-finalmente flexión flujo forma forman formas fricción fue fuente fuera fuerza función fácil fácilmente fórmula garra generar geometría geométrica gira
-giran giro giros grado grados gravedad gráfica hacemos hacia hallamos hallar hasta hay herramienta hipotenusa historia hoja hojas hombro homogénea
-identidad igual igualar igualdades iguales implementa implica inclinación incluye incógnita indica industria inercia ingeniería inicial inmediatamente
-interior intermedia interna intersección interés introdujo inversa invertir ir isotrópica izquierda jacobiana la laboratorio lado lados lagrange las
-le lenguaje ley libertad libro libros lineal llama llamada llamamos llega llegamos llegar lleva lo local localización longitud los límite línea líneas
-manera manipuladores mano marco masa masas matrices matriz mecanismo mediante medición medida medido memoria metros mide miden miembro milisegundo
-milímetros misma mismo modelo modifica momento montaje motor motores movimiento muestra mueve mueven multiplica muñeca más máxima máximo método mínima
-mínimo módulo múltiples necesaria necesita negativa norma normal nos notación notas nueva nuevo nula nulo numerador numérica número obtener obtenida
-obtiene obtuvo operación operador operando orden orientación origen ortogonal otra otras otro otros palabras par para paralela parcial pares parte
-particular partir parámetros paso pasos pendiente perfil periodo permite pero perpendicular pinza pitágoras plana planar planificación plano planos
-plantea plataforma podemos polares polinomio por posible posición positiva posterior postura potencia precedente presenta primer principal prismática
-problema procede proceso producto programa propia propiedad propio proporciona prototipo proyecto práctica publicado puede pueden punto puntos página
-que queda quedan queremos rad radianes radio rama rango razón raíces raíz realiza recoge recogidos recta rectángulo recíproca reemplazar reescribe
-referencia regla relación repositorio representa resolver respecto resta restando resto resuelve resulta resumen robot robots robótica rota rotación
-rotan rotativa rotatoria rueda ruedas ruta rígida rígido sabe sabemos saber sabiendo salida se sea secciones sección secuencia segmento segunda según
-selección semana semestre seno senos sentido separa ser serie será serán señala si siendo significa sigue siguen siguiente simbólica similar simple
-simplifica simulador singular sistema situación situado sobre software solución son su subconjunto subsistema suele suma sumar superior sus sustituir
-tabla tal tales también tangente tanto tarea tareas tema temas temporal tenemos teniendo tensor teorema teoría tercer tesis texto textos teórico
-tiempo tiene tienen tipo tipos toda todas todos toma tomamos toman tomando tomar torque total trabajo tramo transforma transponer traslada trata
+a abajo abierta acción aceleración acumulada además adición ahora al alcance alcanzar algebraica algunas algunos algún alrededor alto ambas ambos
+amplitud analizar anexo angular antebrazo anterior antes antropomórfico análisis aparece apartado aplica aporte apoyo apéndice aquí arcotangente
+arriba articular artículo asigna asociada asume así aula autovalor aún base bases biblioteca bien bloque brazo brazos bucle buscada buscamos básica
+búsqueda cada cadena caja calcula camino cantidad capacidad capítulo característica carpeta cartesiana caso catetos centro cero cerrada ciclo ciclos
+cierra cierta cierto cilíndrico cinco cinemática circunferencia clase clases clásica codo coeficientes coincide columna combinando comentarios
+comienza como comparar complejo compone comprender comprobar comprueba computador común con concatenar condición conduce configuraciones conjunto
+conocer conocida consecuencia considera consigue consiste consta construir consultar contiene continuación control convención coordenada correcta
+corresponde coseno cruz cuadrado cuadrática cual cuales cualquier cuando cuarta cuarto cuatro cuenta cumple cumplir curso curva curvas cuya cuyas
+cuyos cálculo código dada dado dados de debe decir deducción deduce deducir define definir del demostrar demás denominador denota dentro depende
+derecha derivar desarrolla descompone describe desde deseada despejar desplaza después detallada determina dh diagonal diagrama dicho diferencia
+difieren dimensión dinámica dirección directa diseñar diseño disponible distinto divide dividiendo división documento donde dos durante ecuación
+edición efector efectuando efectúa eje ejecutar ejemplo ejercicio ejes el elegimos elegir elemento eleva elevando elimina eléctrico emplea en encoder
+encontrar encuentra energía enlace ensayo entonces entre entrega equivale es escalar escogido escribe esférica eslabones eslabón espacio especial
+esquema esta establece estas este esto estos estructura estudia está están evaluar evalúa exactamente existe experimento explica expresa extendida
+externa extremo fabricante factor fichero figura fija fijo fijos fila fin final finales finalmente flexión flujo forma forman formas fricción fue
+fuente fuera fuerza función fácil fácilmente fórmula garra generar geometría geométrica gira giran giro giros grado grados gravedad gráfica haber
+había hace hacemos hacen hacer hacia hallamos hallar han hasta hay hecha hecho herramienta hipotenusa historia hoja hojas hombro homogénea
+horizontales identidad igual igualar igualdades iguales implementa implica inclinación incluye incógnita indica industria inercia ingeniería inicial
+inicio inmediatamente interior intermedia interna intersección interés introdujo inversa invertir ir isotrópica izquierda jacobiana la laboratorio
+lado lados lagrange las le lenguaje ley libertad libre libres libro libros lineal llama llamada llamamos llega llegada llegamos llegar lleva lo local
+localización longitud los luego límite línea líneas manera manipuladores mano marco masa masas matrices matriz mecanismo mediante medición medida
+medido medio memoria menos metros mide miden miembro milisegundo milímetros misma mismo modelo modifica momento montaje motor motores movimiento mucho
+muchos muestra mueve mueven multiplica muñeca más máxima máximo método mínima mínimo módulo múltiples necesaria necesita negativa norma normal nos
+notación notas nueva nuevo nula nulo numerador numérica número obtener obtenida obtiene obtuvo operación operador operando orden orientación origen
+ortogonal otra otras otro otros palabras par para paralela parcial pares parte particular partida partir parámetros paso pasos pendiente perfil
+periodo permite pero perpendicular pinza pitágoras plana planar planificación plano planos plantea plataforma poco pocos podemos polares polinomio por
+posible posición positiva posterior postura potencia precedente presenta primer principal prismática problema procede proceso producto programa propia
+propiedad propio proporciona prototipo proyecto práctica publicado puede pueden punto puntos página que queda quedan queremos rad radianes radio rama
+rango razón raíces raíz realiza recoge recogidos recta rectángulo recíproca reemplazar reescribe referencia regla relación repositorio representa
+resolver respecto resta restando resto resuelve resulta resumen robot robots robótica rota rotación rotan rotativa rotatoria rueda ruedas ruta
+rápidamente rígida rígido sabe sabemos saber sabiendo salida se sea sean secciones sección secuencia segmento segunda según selección semana semestre
+seno senos sentido separa ser serie será serán señala si sido siendo significa sigue siguen siguiente simbólica similar simple simplifica simulador
+singular sistema situación situado sobre software solución son su subconjunto subsistema suele suma sumar superior sus sustituir tabla tablas tal
+tales también tangente tanto tarea tareas tema temas temporal tenemos teniendo tensor teorema teoría tercer tesis texto textos teórico tiempo tiene
+tienen tipo tipos toda todas todavía todos toma tomamos toman tomando tomar torque total trabajo tramo transforma transponer tras traslada trata
 tratará través trayectoria tres trigonométrica triángulo término un una unidad unitario usando usaremos usará utiliza vale valor valores variable
 varía vector velocidad ver verdadero veremos verifica vertical verán vez viene vimos vio vista vistas visto volveremos vuelve válida válido x y ya
 zona ángulo índice órdenes última último única único útil
 """
 ITALIAN = """
 a abbiamo accelerazione addizione adesso affronta aggiunge al alcuni algebrica alla allora alto altra altre altri ambedue ampiezza analitica
-analizziamo analogo anche angolare angoli angolo anno appartiene appendice applica approfondimento appunto arcotangente articoli asse assi asta aste
-attorno attraverso attrito avambraccio avanti banco base basi basso biblioteca blocchi blocco braccia calcola cambiamento campo capitoli
-caratteristica cartesiana casi caso catena centro cerca cerchio chiamata chiamiamo chiusa chiusura ciascun ciclo cinematica cioè circonferenza ciò
-codice coefficienti coincide collega colonna combinando come comincia componente composta comune con concatenando condizione configurazioni confronti
-conoscendo considera consiste conto contributi controllo convenzione coordinate coppia coppie corpi corpo correnti corretta corrisponde corso coseno
-cosicché costante costruire così cui da dal dalla data dati dato davanti definire dei del della delle denavit denominatore deriva descrive desiderata
-destra determina dettaglio di diagonale differenza dimensione dimostrazione dinamica dipende diretta direzione disegno dispensa dispone disposizione
-distanze diverse divide documentazione doppio dove due dunque durante e ecco efettore effettore elementi eleva elevando elimina encoder energia
-entrambe equazione equivale esempio esercizi esperimenti esplicita espressa esprime essendo essere esterno estremità evidente faccia facilmente figura
-file fine fissa fissare fisso forma formano formula fornisce fornito forza forze fra frazione frequenza funzione gdl generale geometria gira giunti
-giunto gli gradi grado grafica grandezza gravità ha hanno ho i identica il illustrata implementata imponendo in incognita indica indice indichiamo
-industria inerzia infatti infine inizio inoltre inseriamo insieme integrale interna intersezione intorno introdotto inversa invertire ipotenusa
-isolando istante jacobiana la laboratorio lati lato le lega legame legate legge leggere letti lettura lezione libri libro limite limiti linea lineare
-linguaggio lo lunga lunghezza lungo ma manipolatore mano massa masse matrice meccanica mediante membri membro mentre metodo metri metà millimetri
-millisecondo misura misure mobile modello modificata moltiplica momento montati mostrata moti moto motore motori movimenti muove muovono ne negativa
-nel nella nodo norma normale nota notare notazione note noti noto nullo numeratore numerica nuova nuovo occorre ogni omogenea opera operazione oppure
-ora ordine orientamento origine orizzontale ortogonale osserva ossia ottenere ottengono otteniamo ottenuta ottiene ovvero pagina pagine paragrafi
-parallela parametri parte partendo parti particolare parziale passaggi passi passo pedice pedici per perciò pertanto piana piani pianificazione piano
-pinza pitagora più poiché polari polinomio polso pone ponendo poniamo positiva posizione possiamo possibile possono posto postura potenza precedente
-premoltiplicando presenta prima primi primo prismatici problema procede prodotti progetto programma proiettando proiezione proprietà prossima
-prototipo pubblicato punti punto può quadrati quale quali qualsiasi qualunque quantità quarta quarto quattro questa questo quindi raccogliendo
-raccolti radianti radice radici raggio ragione rango rapporto rappresenta regola relativa relazione rende repository resta restanti rete ricava
-ricaviamo ricorda ricorre riferita riga righe rigido rimane riportata riscrivere risolta risolve rispetto risulta rivista robot robotica rotazione
-rotoidale ruota ruotano ruotare scalare scegliamo scelta scelto scheda schema scomposizione scritta scrive scriviamo scrivono se seconda segue
-seguendo semplice sempre seni seno sensore separa serie sezione sferica si simile simili simmetrica simulatore singolare sinistra sistema situazione
-soddisfa solito soluzione somma sommando sommare sono sopra soprattutto sostituire sotto spalla spaziale spazio specifica sperimentale spiegato
-spostata stessa stesse stessi stesso struttura studia studio su sua successiva sugli sui sulla suo tabella tale tali tangente tanto tempo tenendo
+analizziamo analogo anche ancora angolare angoli angolo anno appartiene appendice applica approfondimento appunto arcotangente arrivo articoli asse
+assi asta aste attorno attraverso attrito avambraccio avanti avendo aver avere avremo banco base basi basso biblioteca blocchi blocco braccia calcola
+cambiamento campo capitoli caratteristica cartesiana casi caso catena centro cerca cerchio che chiamata chiamiamo chiusa chiusura ciascun ciclo
+cinematica cioè circa circonferenza ciò codice coefficienti coincide collega colonna combinando come comincia compatta componente composta comune con
+concatenando condizione configurazioni confronti conoscendo considera consiste conto contributi controllo convenzione coordinate coppia coppie corpi
+corpo correnti corretta corrisponde corso coseno cosicché costante costruire così cui curva curve da dal dalla data dati dato davanti definire dei del
+della delle denavit denominatore dentro deriva descrive desiderata destra determina dettaglio di diagonale dietro differenza dimensione dimostra
+dinamica dipende diretta direzione disegno dispensa dispone disposizione distanze diverse divide documentazione dopo doppio dove due dunque durante e
+ecco efettore effettore elementi eleva elevando elimina encoder energia entrambe equazione equivale esempio esercizi esperimenti esplicita espressa
+esprime essendo essere esterno estremità evidente fa faccia facilmente fanno fare fatta fatto figura figure file finché fine fissa fissare fissi fisso
+forma formano formula fornisce fornito forza forze fosse fra frazione frequenza funzione fuori gdl generale geometria gira giunti giunto già gli gradi
+grado grafica grandezza gravità ha hanno ho i identica il illustrata implementata imponendo in incognita indica indice indichiamo industria inerzia
+infatti infine inizio inoltre inseriamo insieme integrale interna intersezione intorno introdotto inversa invertire ipotenusa isolando istante
+jacobiana la laboratorio lati lato le lega legame legate legge leggere letti lettura lezione libera liberi libero libri libro limite limiti linea
+lineare linguaggio lo lunga lunghezza lungo ma manipolatore mano massa masse matrice meccanica medesimo mediante membri membro meno mentre metodo
+metri metà mezzo millimetri millisecondo misura misure mobile modello modi modificata modo molti moltiplica molto momento montati mostrata moti moto
+motore motori movimenti muove muovono ne negativa nel nella nodo norma normale nota notare notazione note noti noto nullo numeratore numerica nuova
+nuovo occorre ogni omogenea opera operazione oppure ora ordine orientamento origine orizzontale ortogonale osserva ossia ottenere ottengono otteniamo
+ottenuta ottiene ovvero pagina pagine paragrafi parallela parametri parte partendo parti particolare parziale passaggi passi passo pedice pedici per
+perciò percorso pertanto piana piani pianificazione piano pinza pitagora più pochi poco poi poiché polari polinomio polso pone ponendo poniamo
+positiva posizione possiamo possibile possono posto postura potenza precedente premoltiplicando presenta prima primi primo prismatici problema procede
+prodotti progetto programma proiettando proiezione proprietà prossima prototipo pubblicato punti punto pure può quadrati qualche quale quali qualsiasi
+qualunque quando quantità quanto quarta quarto quattro questa questo quindi raccogliendo raccolti radianti radice radici raggio ragione rango
+rapidamente rapporto rappresenta regola relativa relazione rende repository resta restanti rete ricava ricaviamo ricorda ricorre riferita riga righe
+rigidi rigido rimane riportata riscrivere risolta risolve rispetto risulta rivista robot robotica rotazione rotoidale ruota ruotano ruotare scalare
+scegliamo scelta scelto scheda schema schemi scomposizione scritta scrive scriviamo scrivono se seconda segue seguendo semplice sempre seni seno
+sensore separa serie sezione sferica si sia siano simile simili simmetrica simulatore singolare sinistra sistema situazione soddisfa solito soluzione
+somma sommando sommare sono sopra soprattutto sostituire sotto spalla spaziale spazio specifica sperimentale spiegato spostata stata state stati stato
+stessa stesse stessi stesso struttura studia studio su sua subito successiva sugli sui sulla suo tabella tale tali tangente tanto tempo tenendo
 teorema termine terna terne terza terzo tesi testi testo tiene tipi tipo totale traiettoria trasforma trasla trasposta trattata tre triangoli
-trigonometrica trova trovano trovare troviamo tutte tutti tutto ultima ultime ultimi ultimo un una unitaria unità uno usa usando usare uso utensile
-utile utilizza vale valido valore valori valutata varia variabile vedremo velocità vera verifica vero verranno verrà verso versore verticale vettore
-via viene vincoli vista volta zero è
+trigonometrica trova trovano trovare troviamo tutte tutti tutto ultima ultime ultimi ultimo un una unitaria unità uno usa usando usare usata usate
+usati usato uso utensile utile utilizza vale valida valide validi valido valore valori valutata varia variabile vede vedere vedono vedremo velocità
+vengono vera verifica vero verranno verrà verso versore verticale vettore via viene vincoli vista visto volevasi volta zero è
 """
 PORTUGUESE = """
-a abaixo aceleração acima adicionando adição agora alcança algum alguns algébrica altura além ambas ambos amostragem analisando analogamente anexo
-angular antebraço anterior análise análoga ao aos aplica apresenta apêndice aqui arco arcotangente artigo as assim associada atrito atuador aula aulas
-base bases biblioteca bloco blocos braço busca cada cadeia calcula capítulo característica cartesiana caso casos cateto centro chamada chega chegamos
-ciclo cinco cinemática circunferência clássica coeficientes coincide colocando coluna com combinando começa como compara completa componente
-composição comprimento computador compõe comum concatenando condição configurações conforme conhecida conjunto consequentemente considera consiste
-constante construir controle contém convenção coordenada coroa corpo corresponde correta cosseno cotovelo cruzado cuja cujas cujo cujos curso cálculo
-círculo código da dada dado dados das de decomposição deduzir dedução define definir demais demonstrada denavit denominador denota depende derivar
-descreve descrita desejada deslocamento desta deste destes detalhes determina dh diagonal diagrama diferença dimensão dinâmica direta direção direções
-disciplina disponível dispõe disso dividindo divisão do dobro documento dois dos duas durante e edição efetuador eixo eixos elemento elevando elimina
-elo elos em encoder encontra energia ensaio entre então equação equações equivale escalar escolha escreve escrita esférica espaço especial esquema
-essa essas esse esses esta este estrutura estuda estudo estão exemplo exercício existe experimento expressa externa extremidade fabricante facilmente
-fator fatores ferramenta fica ficam figura fim final finalmente fixa fixo fixos forma formado formam formas força forças função funções fácil fórmula
-garra geometria geométrica gerais geral gira giram giro grandeza graus gravidade gráfico hipotenusa história homogénea homogênea horizontal identidade
-iguais igual igualar ilustra implementa incógnita indica industrial indústria inicial inserindo interior intermediária interna interseção introduzida
-inversa inverter inércia isolando isolar jacobiana junta juntas laboratório lado lados lagrange laço lei leis lembrando liberdade ligação ligações
-limite linear linguagem linha linhas livro livros local logo longo manipulador mas massa massas matricial matriz mecanismo medida medido medição
-medições meio mesma mesmas mesmo mesmos metros milissegundo milímetros modelo modificada momento mostra motor motores move movem movimento multiplica
-mão método múltiplas na nas negativa nesta neste no norma normal nos nota notas notação nova novo numerador numérica número o objetivo observa obtemos
-obtendo obter obteve obtida obtido obtém onde operação ordem orientado origem ortogonal os ou outra outras outro outros palavras par para paralela
-parcial parte partes particular partindo partir parâmetro passa passo passos pela pelas pelo pelos percebe permite perpendicular período pitágoras
-plana planar planejamento plano planos pode podem podemos polinômio ponto por porque portanto posicionamento positiva posição posições possível posto
-postura potência primeira prismática problema procedimento produto programa projeto projeção propriedade protótipo prática própria próxima publicado
-punho página quadrado quadrática quais qual quando quantidade quarta quarto quatro que quinta radianos raio raiz razão raízes realiza recorrendo
-reescrever referida referência regra relaciona relativa relação relações repositório representa resolver respectiva respeito resta restante resulta
-reta retângulo reunindo robótica robô roda rotacional rotativa rotação rotações rígido script se segmento segue seguinte seguir segunda seja sejam
-semestre sempre sendo seno sensores sentido separando sequência ser serial serão seção seções si similar simples simplifica simulador simétrica
-singular sistema situação sobre software solução soluções soma somando somar sua suas subsequente substitui subtraindo superior são tabela tais tal
-também tangente tarefa tem temos tempo teorema terceira teremos termo termos terão tese texto textos tipo tipos toda todas todo todos torna torque
-total trabalho trajetória transforma translada transposta tratada trigonometria triângulo três técnica um uma unidade unitário usa usada usadas usado
-usados usando usaremos utiliza vale valor valores varia variação variável velocidade vem verdadeiro veremos vertical vetor vetores vetorial vez vimos
-vista visto volta voltaremos válido zero à às ângulo é índice última último
+a abaixo abreviaturas aceleração acima adicionando adição agora ainda alcança algum alguns algébrica altura além ambas ambos amostragem analisando
+analogamente anexo angular antebraço anterior antes análise análoga ao aos aplica apresenta apêndice após aqui arco arcotangente arquivo artigo as
+assim associada atrito atuador aula aulas base bases biblioteca bloco blocos braço busca cada cadeia calcula caminho capítulo característica
+cartesiana caso casos cateto centro chamada chega chegada chegamos ciclo cinco cinemática circunferência clássica coeficientes coincide colocando
+coluna com combinando começa como compara completa componente composição comprimento computador compõe comum concatenando condição configurações
+conforme conhecida conjunto consequentemente considera consiste constante construir controle contém convenção coordenada coroa corpo corresponde
+correta cosseno cotovelo cruzado cuja cujas cujo cujos curso curva curvas cálculo círculo código da dada dado dados das de decomposição deduzir
+dedução define definir demais demonstrada denavit denominador denota dentro depende depois derivar descreve descrita desejada deslocamento desta deste
+destes detalhes determina dh diagonal diagrama diferença dimensão dinâmica direita direta direção direções disciplina disponível dispõe disso distinto
+dividindo divisão do dobro documento dois dos duas durante e edição efetuador eixo eixos elemento elevando elimina elo elos em encoder encontra
+energia ensaio entre então equação equações equivale escalar escolha escreve escrita esférica espaço especial esquema esquerda essa essas esse esses
+esta este estrutura estuda estudo estão exemplo exercício existe experimento expressa externa extremidade fabricante facilmente fator fatores faz
+fazem fazer feita feito ferramenta fica ficam figura fim final finalmente fixa fixo fixos fora forma formado formam formas força forças fosse função
+funções fácil fórmula garra geometria geométrica gerais geral gira giram giro grandeza graus gravidade gráfico havia hipotenusa história homogénea
+homogênea horizontal identidade iguais igual igualar ilustra imediatamente implementa incógnita indica industrial indústria inicial inserindo interior
+intermediária interna interseção introduzida inversa inverter inércia início isolando isolar jacobiana junta juntas já laboratório lado lados lagrange
+laço lei leis lembrando liberdade ligação ligações limite linear linguagem linha linhas livre livres livro livros local logo longo mais manipulador
+mas massa massas matricial matriz mecanismo medida medido medição medições meio menos mesma mesmas mesmo mesmos metros milissegundo milímetros modelo
+modificada momento mostra motor motores move movem movimento muito muitos multiplica mão método múltiplas na nas negativa nesta neste no norma normal
+nos nota notas notação nova novo numerador numérica número o objetivo observa obtemos obtendo obter obteve obtida obtido obtém onde operação ordem
+orientado origem ortogonal os ou outra outras outro outros palavras par para paralela parcial parte partes particular partida partindo partir
+parâmetro passa passo passos pela pelas pelo pelos percebe permite perpendicular período pitágoras plana planar planejamento plano planos pode podem
+podemos polinômio ponto por porque portanto posicionamento positiva posição posições possível posto postura potência pouco poucos primeira prismática
+problema procedimento produto programa projeto projeção propriedade protótipo prática própria próxima publicado punho página quadrado quadrática quais
+qual quando quantidade quarta quarto quatro que quinta radianos raio raiz rapidamente razão raízes realiza recorrendo reescrever referida referência
+regra relaciona relativa relação relações repositório representa resolver respectiva respeito resta restante resulta reta retângulo reunindo robótica
+robô roda rotacional rotativa rotação rotações rígido script se segmento segue seguinte seguir segunda seja sejam semestre sempre sendo seno sensores
+sentido separando sequência ser serial serão seção seções si similar simples simplifica simulador simétrica singular sistema situação sobre software
+solução soluções soma somando somar sua suas subsequente substitui subtraindo superior são tabela tais tal também tangente tarefa tem temos tempo
+teorema ter terceira teremos termo termos terão tese texto textos tipo tipos toda todas todo todos torna torque total trabalho trajetória transforma
+translada transposta tratada trigonometria triângulo três técnica têm um uma unidade unitário usa usada usadas usado usados usando usaremos usuais
+usual utiliza vale valor valores varia variação variável velocidade vem verdadeiro veremos verificar vertical vetor vetores vetorial vez vimos vista
+visto volta voltaremos válido zero à às ângulo é índice última último
 """
 OF_ARM = """
 arm arms manipulator robot gripper hand tool wrist elbow shoulder forearm effector base joint joints link links axis axes frame frames motion motions velocity velocities rates position orientation pose
