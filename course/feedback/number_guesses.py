@@ -10,7 +10,16 @@ from itertools import chain, combinations, permutations
 
 import numpy as np
 
-from armproof.course.feedback.guesses import Guess, alone, digits_astray, digits_exchanged, instead, is_short, shortened
+from armproof.course.feedback.guesses import (
+    Guess,
+    alone,
+    digits_astray,
+    digits_exchanged,
+    instead,
+    is_short,
+    perhaps,
+    shortened,
+)
 from armproof.course.feedback.worked import Worked
 from armproof.models.errors import written
 from armproof.models.language import look_up, noted, number_text
@@ -30,7 +39,7 @@ _CLOSE = 0.1  # of a number, that is lost with parts that are rounded on the way
 _ALONG = 0.01  # the sine of twice an angle that stands along an axis, to two digits
 TWICE, HALF = noted("this is twice what is asked"), noted("this is half of what is asked")
 _MISSING, _TOO_MUCH = noted("{name} is missing"), noted("{name} does not belong in it")
-_ELSEWHERE = noted("{value:g} is given for something else")
+ELSEWHERE = noted("{value:g} is given for something else")
 _TWICE = noted("{name} is counted twice")
 _TWO = {"+": operator.add, "·": operator.mul, "/": operator.truediv, "-": operator.sub}
 
@@ -63,6 +72,8 @@ class Asked:
         """Yield what mistakes would give, the usual ones first."""
         own, far = self._letters()
         yield from self._as_it_stands()
+        if self.label.startswith("tan"):
+            yield from chain(self._another(), self._other_functions())
         yield from self._alone(own, given)
         if self.worked is not None and len(own) == _TWO_LETTERS:
             pairs = {**_pairs(own), **_bent(own)} if self.worked.is_short else _sums(own)
@@ -77,7 +88,6 @@ class Asked:
             yield from self.worked.parts()
             yield from self.worked.slips()
         yield from self._another()
-        yield from self._other_functions()
         if self.worked is not None:
             yield from self.worked.pairs()
             yield from () if is_soon else self._copied()
@@ -111,7 +121,7 @@ class Asked:
             for sign in "+-":
                 for one, other in permutations(values, 2) if sign == "-" else combinations(values, 2):
                     value = _TWO[sign](values[one], values[other])
-                    yield Guess(value, partial(instead, f"{one} {sign} {other}"), is_exact=True)
+                    yield Guess(value, partial(perhaps, f"{one} {sign} {other}"), is_exact=True)
         for label, value in self.others.items():
             yield Guess(self.right + value, partial(written, _TOO_MUCH, name=label), is_exact=True)
         for name, value in self.known.items():
@@ -193,7 +203,7 @@ class Asked:
 
     def _other_functions(self) -> Iterator[Guess]:
         """Yield sine and cosine of the angle whose tangent is asked."""
-        for name in _CIRCULAR if self.label.startswith("tan") else ():
+        for name in _CIRCULAR:
             words = partial(
                 _with_function, noted("this is the {function} of the angle: its tangent is asked"), _FUNCTIONS[name]
             )
@@ -275,7 +285,7 @@ class Asked:
         stated = self.stated if self.right else {*self.stated, *(-value for value in self.stated)}
         for value in stated if self.unit != "rad" and len(self.stated) <= _MOST_STATED else ():
             if not value.is_integer():
-                yield Guess(value, partial(written, _ELSEWHERE, value=value))
+                yield Guess(value, partial(written, ELSEWHERE, value=value))
 
     def alone(self, given: float) -> Iterator[Guess]:
         """Yield the given values, with the sign of the number that is given."""
@@ -292,7 +302,7 @@ class Asked:
     def whole_ones(self) -> Iterator[Guess]:
         """Yield the whole numbers of the text, of which one may stand where zero belongs."""
         for value in filter(float.is_integer, self.stated):
-            yield Guess(value, partial(written, _ELSEWHERE, value=value))
+            yield Guess(value, partial(written, ELSEWHERE, value=value))
 
     def _of_the_text(self) -> Iterator[Guess]:
         """Yield two or three numbers of the text put together."""
@@ -313,7 +323,7 @@ class Asked:
 
 
 def _reckoned(one: float, sign: str, other: float) -> str:
-    return instead(f"{number_text(one, 'g')} {sign} {number_text(other, 'g')}")
+    return perhaps(f"{number_text(one, 'g')} {sign} {number_text(other, 'g')}")
 
 
 def _root(squares: Sequence[float]) -> str:

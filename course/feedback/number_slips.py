@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -12,7 +12,7 @@ from itertools import combinations
 import numpy as np
 
 from armproof.course.feedback.guesses import Guess, explained, instead, nearly
-from armproof.course.feedback.number_guesses import HALF, OF_ANGLES, TWICE, Asked
+from armproof.course.feedback.number_guesses import ELSEWHERE, HALF, OF_ANGLES, TWICE, Asked
 from armproof.course.feedback.steps import NO_STEPS, Beside, Steps
 from armproof.course.feedback.worked import IN_RADIANS, LETTER, Worked
 from armproof.models.errors import counted, written
@@ -38,6 +38,7 @@ _OF_LENGTHS = {
 _LONE_FACTORS = (2, 3, 4, *_TENS)  # of one number: seven comes by chance
 _NEAR = 2e-3  # of numbers that were rounded, where the mistake is sought
 _NEAR_SHORT = 1e-4  # of one that has many digits, where the right one has few
+_LENGTHS = ("m", "m/s")
 _SMALL_ANGLE = 0.1  # rad, of which a length may have the number of degrees
 _USUAL_ANGLE = 5  # degrees: of a direction that is taken for another
 _NEAR_ANGLE = 0.06  # of it
@@ -108,7 +109,9 @@ def number_slip(
         for k in wrong
     }  # fmt: skip
     if whole := (
-        near_by.of_all(given)
+        near_by.of_all(given, (1.0, -1.0))
+        or _in_one_place(given, right, labels)
+        or near_by.of_all(given)
         or next(_whole(given, right, unit, bool(worked)), "")
         or _of_another_value(given, right, worked, way.angles)
         or ("" if any(_carried(asked[k], own[labels[k]], own) for k in wrong) else _reordered(given, right, labels))
@@ -239,9 +242,10 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str, is_reckoned: bool) -
         and not set(given.tolist()) <= {*kinds}
     ):
         yield written("each of them is {one:g} or {other:g}", one=kinds[1], other=kinds[0])
-    if unit not in OF_ANGLES and near(given, 1000 * right):
+    is_long = unit in _LENGTHS
+    if (unit not in OF_ANGLES and near(given, 1000 * right)) or (is_long and near(given[wrong], 1000 * right[wrong])):
         yield look_up("in millimetres? Metres are asked for")
-    if unit not in OF_ANGLES and near(given, 100 * right) and not near(right, np.round(right)):
+    if is_long and near(given[wrong], 100 * right[wrong]):
         yield look_up("in centimetres? Metres are asked for")
     if unit in ("–", *OF_ANGLES) and near(given, np.degrees(right)) and not near(right, np.round(right)):
         yield look_up("in degrees? Radians are asked for")
@@ -307,6 +311,15 @@ def _turned(given: np.ndarray, right: np.ndarray, labels: Sequence[str]) -> str:
         return ""
     turn = round(angle) * _USUAL_ANGLE
     return written("the length is right, the direction is not: yours is turned by {angle}°", angle=turn)
+
+
+def _in_one_place(given: np.ndarray, right: np.ndarray, labels: Sequence[str]) -> str:
+    """Return which coordinate alone is as large as all that are asked together, the others being zero."""
+    places = np.flatnonzero(given).tolist()
+    is_of_several = right.size > 1 and {label[-1:] for label in labels} <= {*"xyz"} and np.count_nonzero(right) > 1
+    if not is_of_several or len(places) != 1 or not near(np.linalg.norm(given), np.linalg.norm(right)):
+        return ""
+    return written("the size is right, the direction is not: all of it stands in {label}", label=labels[places[0]])
 
 
 def _by_factor(given: np.ndarray, right: np.ndarray, usual: Sequence[int] = ()) -> Iterator[str]:
@@ -378,7 +391,8 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
     if not given:
         missing = asked.worked.missing if asked.worked is not None else ""
         return missing or look_up(_NOT_ZERO.get(asked.unit, _NOT_ZERO["–"]))
-    if beside := explained(given, right, asked.beside, _ALL):
+    is_copied = any(abs(given) == abs(value) for value in (*asked.known.values(), *asked.stated))
+    if beside := explained(given, right, _to_the_digit(asked.beside, is_copied), _ALL):
         return beside
     if not right:
         said = explained(given, right, asked.guesses(given), _MOST_TRUE)
@@ -393,11 +407,17 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
         or explained(given, right, asked.identities(), _MOST_TRUE)
         or explained(given, right, asked.alone(given), _ALL)
         or next((guess.words() for guess in asked.by_hand(given) if nearly(given, guess.value, guess.is_exact)), "")
-        or explained(given, right, asked.slips_beside())
+        or explained(given, right, _to_the_digit(asked.slips_beside(), is_copied))
         or _factor_of_one(given, asked)
         or _of_reach(given, asked)
+        or (written(ELSEWHERE, value=given) if is_copied else "")
         or _by_size(asked, given, is_only)
     )
+
+
+def _to_the_digit(guesses: Iterable[Guess], is_copied: bool) -> Iterator[Guess]:
+    """Yield guesses that a number copied from the text meets in all digits only: 0.2 is not the arcsine of 0.2, rounded."""
+    return (replace(guess, is_exact=guess.is_exact or is_copied) for guess in guesses)
 
 
 def _factor_of_one(given: float, asked: Asked) -> str:

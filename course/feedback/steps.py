@@ -16,6 +16,7 @@ from armproof.verification.latex.plain import plain_text
 
 _NUMBER = re.compile(r"(-?\d+(?:\.\d+)?)(\^\\circ)?")
 _TIMES = {1.0: "", -1.0: "−", 2.0: "2 · ", -2.0: "−2 · ", 0.5: "1/2 · ", -0.5: "−1/2 · "}
+_SUMMED = re.compile(r" [-+−] ")
 _LIST = re.compile(r"\[(.*)\]", re.DOTALL)
 
 
@@ -128,19 +129,23 @@ class Beside:
     lines: tuple[str, ...]
     known: Mapping[str, float]
 
-    def of_all(self, given: np.ndarray) -> str:
-        """Return which list the numbers are, as it is, doubled, halved or with the other sign; empty where they are none."""
-        for times, shown in _TIMES.items():
+    def of_all(self, given: np.ndarray, often: Sequence[float] = tuple(_TIMES)) -> str:
+        """Return which list the numbers are, as it is, doubled, halved or with the other sign; empty where they are none.
+
+        Args:
+            often: how many times the list may be taken.
+        """
+        for times in often:
             for line in map(equation_of, self.lines):
                 if self._is_whole(line, given.size) and self._agree(line, given / times, range(given.size)):
-                    return instead(shown + plain_text(line.name))
+                    return instead(_so_often(times, line.name))
                 in_radians = Equation(line.name, line.latex.replace(r"^\circ", ""))
                 if (
                     in_radians != line
                     and self._is_whole(line, given.size)
                     and self._agree(in_radians, given / times, range(given.size))
                 ):
-                    return instead(shown + plain_text(line.name)) + look_up("; ") + look_up(IN_RADIANS)
+                    return instead(_so_often(times, line.name)) + look_up("; ") + look_up(IN_RADIANS)
         return ""
 
     def of_one(self, place: int, given: np.ndarray, wrong: Sequence[int]) -> Iterator[Guess]:
@@ -168,6 +173,11 @@ class Beside:
 
     def _value(self, latex: str) -> float:
         return Worked(latex, self.known).value
+
+
+def _so_often(times: float, name: str) -> str:
+    shown = plain_text(name)
+    return _TIMES[times] + (f"({shown})" if _TIMES[times] and _SUMMED.search(shown) else shown)
 
 
 def _told(name: str, latex: str, known: Mapping[str, float]) -> str:
