@@ -29,14 +29,17 @@ from armproof.course.feedback.relation import (
     letter_at_fault,
     letters_astray,
     letters_astray_in_each,
+    letters_exchanged,
     random_values,
     relation,
     remembered,
     same,
     transform_astray,
     units_astray,
+    wrong_entries,
 )
 from armproof.course.feedback.rest import told_of_the_rest
+from armproof.course.feedback.rule_slips import roots_astray, rule_slips
 from armproof.course.feedback.slips_by_value import slips_by_value
 from armproof.course.feedback.terms import terms_astray
 from armproof.course.feedback.wholes import part_astray
@@ -136,7 +139,9 @@ class Formula:
         """Return feedback that says how a wrong answer relates to what is asked, where no one mistake explains it."""
         if words := self._as_part(answer) or self._of_inverse(answer, feedback.is_general):
             feedback = replace(feedback, message=words, findings=())
-        if feedback.is_piecemeal and (words := self._rearranged(answer)):
+        if feedback.is_piecemeal and (words := self._rearranged(answer) or self._exchanged(answer)):
+            feedback = replace(feedback, message=words, findings=())
+        if any(found.kind is Kind.WRONG_NUMBER for found in feedback.findings) and (words := self._of_roots(answer)):
             feedback = replace(feedback, message=words, findings=())
         if feedback.is_general and (words := self._relation(answer)):
             feedback = replace(feedback, message=words)
@@ -240,6 +245,24 @@ class Formula:
         except ArmproofError:
             return ""
 
+    def _exchanged(self, answer: Any) -> str:
+        """Return which two letters are exchanged in several wrong entries, where that explains them all."""
+        try:
+            at = random_values(self.arguments)
+            given = self._called(answer) if is_function(answer) else partial(self.claim.values_over, self._as_latex(answer))  # fmt: skip
+            asked = partial(self.claim.values_over, ASKED)
+            wrong = wrong_entries(asked(at), given(at))
+            return letters_exchanged(asked, given, at, wrong) if wrong.sum() > 1 else ""
+        except (ArmproofError, ValueError):
+            return ""
+
+    def _of_roots(self, answer: Any) -> str:
+        """Return that a root of a number is missing, one too many, or on the wrong side of the line."""
+        try:
+            return slips_by_value(self.claim, self._written(answer), random_values(self.arguments), edits=roots_astray)
+        except ArmproofError:
+            return ""
+
     def _relation(self, answer: Any, only: np.ndarray | None = None) -> str:
         """Return how an answer with no known slip relates to what is asked, in values and in its letters; of some entries alone."""
         try:
@@ -272,11 +295,12 @@ class Formula:
             drawn = {name: values[: len(true)] for name, values in bound.items()}
             yield partial(factors_astray, asked, given, at)
             yield partial(letters_astray, asked, given, at)
+            latex = cache(lambda: self._written(answer))
+            yield lambda: slips_by_value(self.claim, latex(), at, drawn, only=wrong, edits=rule_slips)
             yield partial(relation, true, obtained, factors)
             yield partial(angle_astray, asked, given, at)
             if true[0].size > 1:
                 yield partial(letters_astray_in_each, asked, given, at)
-            latex = cache(lambda: self._written(answer))
             units = cache(lambda: units_astray(asked, given, at, self._units))
             yield lambda: units() and slips_by_value(self.claim, latex(), at, drawn, only=wrong, most=1)
             yield units

@@ -94,11 +94,8 @@ def _letter_astray(asked: Values, given: Values, at: Letters, wrong: np.ndarray)
     obtained, few = given(at), list(at)[:_MOST_LETTERS]
     if any(not np.nan_to_num(np.abs(side[:, wrong])).max(initial=0) > _TOLERANCE for side in (asked(at), obtained)):
         return ""  # that zero stands there, or belongs there, is said in its own words
-    pairs = list(combinations(few, 2))
-    exchanged = at_each(asked, [{**at, one: at[other], other: at[one]} for one, other in pairs])
-    for (one, other), true in zip(pairs, exchanged, strict=True):
-        if same(true[:, wrong], obtained[:, wrong]):
-            return written("{one} and {other} are exchanged", one=symbol_as_latex(one), other=symbol_as_latex(other))
+    if exchanged := letters_exchanged(asked, given, at, wrong):
+        return exchanged
     threes = list(combinations(few, 3)) if len(few) <= _MOST_OF_THREE else []
     orders = [dict(zip(three, order, strict=True)) for three in threes for order in list(permutations(three))[1:]]
     moved = at_each(asked, [{**at, **{name: at[other] for name, other in order.items()}} for order in orders])
@@ -115,6 +112,16 @@ def _letter_astray(asked: Values, given: Values, at: Letters, wrong: np.ndarray)
     if missing := [name for name, needed, own in zip(few, theirs, mine, strict=True) if needed.all() and not own.any()]:
         return _missing_letters(missing)
     return _alien_letter(asked, given, at, wrong)
+
+
+def letters_exchanged(asked: Values, given: Values, at: Letters, wrong: np.ndarray) -> str:
+    """Say which two letters are exchanged in the wrong entries; empty where none are."""
+    pairs, obtained = list(combinations(list(at)[:_MOST_LETTERS], 2)), given(at)
+    exchanged = at_each(asked, [{**at, one: at[other], other: at[one]} for one, other in pairs])
+    for (one, other), true in zip(pairs, exchanged, strict=True):
+        if same(true[:, wrong], obtained[:, wrong]):
+            return written("{one} and {other} are exchanged", one=symbol_as_latex(one), other=symbol_as_latex(other))
+    return ""
 
 
 def _alien_letter(asked: Values, given: Values, at: Letters, wrong: np.ndarray | None = None) -> str:
@@ -379,6 +386,8 @@ def _plain(true: np.ndarray, obtained: np.ndarray) -> Iterator[str]:
     ):
         yield look_up("right up to a quarter turn: the angle is counted from another direction")
     turns = (obtained - true) / np.pi
+    if same(turns, np.round(turns)) and (np.round(turns) % 2 == 1).all():
+        yield look_up("half a turn off everywhere: of `atan2` both arguments have the wrong sign, or π does not belong")
     if same(turns, np.round(turns)) and (np.round(turns) % 2 == 1).any():
         yield look_up("right up to half a turn: `atan2` keeps the quadrant, `arctan` does not")
     if same(np.exp(2j * (obtained + true)), np.full(len(true), -1 + 0j)):
@@ -494,6 +503,10 @@ def _by_number(factor: float, true: np.ndarray, factors: Letters) -> str:
         return look_up("the number in front is upside down: its reciprocal belongs there")
     if size - 1 < _ROUNDED:
         return look_up("close, but a number in it is rounded: hand over the fraction or the root itself")
+    if number and abs(number - 1) > _TOLERANCE and abs(factor * number - 1) < _TOLERANCE:
+        return look_up("the number in front is missing")
+    if number and abs(number - 1) > _TOLERANCE and not _as_root(size) and abs(size - round(size)) > _TOLERANCE:
+        return look_up("the number in front is wrong")
     shown = _as_root(size) or number_text(size, ".4g")
     if abs(factor) > 1:
         return written("your answer is {factor} times too large", factor=shown)

@@ -1,0 +1,94 @@
+"""Rules that students' formulas break: brackets of an argument left out, roots on the wrong side or where none belongs, squares forgotten."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+from itertools import chain, pairwise
+
+from armproof.verification.diagnosis.slips import Change, Edit, is_scalar_product, is_trigonometric, on_all, with_items
+from armproof.verification.findings import Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare
+
+_TWO = n.Number(Fraction(2), "2")
+
+
+def rule_slips(cell: n.Node) -> Iterator[Edit]:
+    """Yield the trees that become of an entry if one of these rules is kept."""
+    return chain(on_all(cell, _short_arguments), roots_astray(cell), on_all(cell, _squares_lost))
+
+
+def roots_astray(cell: n.Node) -> Iterator[Edit]:
+    """Yield the trees in which a root of a number is on the other side of the line, is left out, or is taken."""
+    for rule in (_roots_on_other_side, _roots):
+        yield from on_all(cell, rule)
+
+
+def _short_arguments(node: n.Node) -> Iterator[Change]:
+    """cos θ_1 + θ_2 as cos(θ_1 + θ_2): an argument without its brackets."""
+    if not isinstance(node, n.Sum):
+        return
+    for k, ((sign, term), (next_sign, next_term)) in enumerate(pairwise(node.terms)):
+        *before, call = term.factors if is_scalar_product(term) else (term,)
+        if not is_trigonometric(call) or isinstance(call.arguments[0], n.JointAngles):
+            continue
+        inside = n.Sum((("+", call.arguments[0]), (next_sign, next_term)))
+        whole: n.Node = replace(call, arguments=(inside,), style="macro()")
+        if isinstance(term, n.Product):
+            whole = replace(term, factors=(*before, whole))
+        terms = (*node.terms[:k], (sign, whole), *node.terms[k + 2 :])
+        changed = whole if terms == (("+", whole),) else replace(node, terms=terms)
+        yield changed, "function", say(Kind.ARGUMENT_TOO_SHORT)
+
+
+def _roots_on_other_side(node: n.Node) -> Iterator[Change]:
+    """A root of a number above the line as one below it, and the other way round."""
+    finding = say(Kind.ROOT_ON_OTHER_SIDE)
+    if isinstance(node, n.Product) or _is_root(node):
+        factors = node.factors if isinstance(node, n.Product) else (node,)
+        for k, factor in enumerate(factors):
+            if _is_root(factor):
+                yield n.Quotient(_product(with_items(factors, k)), factor, "frac", span=node.span), "number", finding
+    if isinstance(node, n.Quotient):
+        below = bare(node.denominator)
+        factors = below.factors if isinstance(below, n.Product) else (below,)
+        for k, factor in enumerate(factors):
+            if _is_root(factor):
+                above = n.Product((n.Group(node.numerator), factor), ("",))
+                yield replace(node, numerator=above, denominator=_product(with_items(factors, k))), "number", finding
+
+
+def _is_root(node: n.Node) -> bool:
+    return isinstance(node, n.Call) and node.function == "sqrt" and isinstance(bare(node.arguments[0]), n.Number)
+
+
+def _product(factors: tuple[n.Node, ...]) -> n.Node:
+    if not factors:
+        return n.Number(Fraction(1), "1")
+    return factors[0] if len(factors) == 1 else n.Product(factors, ("",) * (len(factors) - 1))
+
+
+def _roots(node: n.Node) -> Iterator[Change]:
+    """A number as its root, and a root as the number."""
+    if _is_root(node) and isinstance(node, n.Call):
+        yield node.arguments[0], "number", say(Kind.EXTRA_ROOT)
+    elif (
+        isinstance(node, n.Number) and math.isqrt(int(node.value)) ** 2 != node.value > 0
+    ):  # √4 would be another number
+        yield n.Call("sqrt", (node,), "\\sqrt", "braces"), "number", say(Kind.MISSING_ROOT)
+
+
+def _squares_lost(node: n.Node) -> Iterator[Change]:
+    """x + y as x² + y², of all letters of a sum; and a sum in brackets as its square."""
+    if not isinstance(node, n.Sum) or len(node.terms) < 2:
+        return
+    squared = tuple((sign, n.Power(term, _TWO) if isinstance(term, n.Name) else term) for sign, term in node.terms)
+    if sum(isinstance(term, n.Name) for _, term in node.terms) > 1:
+        yield replace(node, terms=squared), "number", say(Kind.MISSING_SQUARES)
+    for k, (sign, term) in enumerate(node.terms):
+        if isinstance(term, n.Group) and isinstance(bare(term), n.Sum):
+            terms = with_items(node.terms, k, (sign, n.Power(term, _TWO)))
+            yield replace(node, terms=terms), "number", say(Kind.MISSING_SQUARE)

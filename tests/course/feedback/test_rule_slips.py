@@ -1,0 +1,70 @@
+"""Brackets of an argument left out, a root astray and forgotten squares are named; of other numbers no root is said to be wrong."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from armproof.course.feedback import Formula, Outcome, Quantity
+
+PEAK = Formula(r"\frac{10}{\sqrt{3}} \cdot \frac{d}{t_f^2}", ("d", "t_f"))
+BOUND = Formula(r"\frac{1}{2 b}", ("b",))
+ELBOW = Formula(r"\frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2}", ("x", "y", "l_1", "l_2"))
+REACH = Formula("4 x^2 y^2 - (x^2 + y^2 - z^2)^2", ("x", "y", "z"))
+POSE = Quantity("planar_2r", {"pose": 2})
+HEAD = Quantity({"dh": "modified", "rows": [{"alpha": 0, "a": 0, "d": "h", "theta": "theta_1"}, {"alpha": "-pi/2", "a": "e", "d": 0, "theta": "theta_2"}],}, {"pose": 2})  # fmt: skip
+TOOL = Quantity("planar_2r", {"origin": 2, "rows": [1, 2]})
+ALONG = Formula(r"u \cos(\alpha + \beta)", ("u", "alpha", "beta"))
+FACING = Formula(r"\operatorname{atan2}(y, x)", ("x", "y"), unit="rad",
+    given={"x": r"\rho\cos(3\gamma)", "y": r"\rho\sin(3\gamma)"}, symbols={"rho": "free", "gamma": "free"})  # fmt: skip
+RATES = Formula(r"\begin{bmatrix} \frac{u C_1 + v S_1}{l_1 S_2} \\ u (l_1 C_1 + l_2 C_2) + v (l_1 S_1 + l_2 S_2) \end{bmatrix}",
+    ("u", "v", "theta_1", "theta_2", "l_1", "l_2"), arm="planar_2r")  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("asks", "answer", "words"),
+    [
+        (PEAK, r"10 \sqrt{3} \frac{d}{t_f^2}", "a root stands on the wrong side of the line"),
+        (PEAK, r"\frac{10}{3} \cdot \frac{d}{t_f^2}", "a root is missing"),
+        (PEAK, r"\frac{15}{8} \cdot \frac{d}{t_f^2}", "the number in front is wrong"),
+        (PEAK, r"\frac{d}{t_f^2}", "the number in front is missing"),
+        (BOUND, r"\frac{1}{\sqrt{2} b}", "a root does not belong"),
+        (BOUND, r"\frac{1}{4 b}", "the number 4 is too large"),
+        (ELBOW, r"\frac{x + y - l_1^2 - l_2^2}{2 l_1 l_2}", "squares are missing"),
+        (ELBOW, r"\frac{x^2 + y^2 - l_1 - l_2}{2 l_1 l_2}", "squares are missing"),
+        (REACH, "4 x^2 y^2 - (x^2 + y^2 - z^2)", "a square is missing"),
+        (ALONG, r"u \cos\alpha + \beta", "brackets are missing: a term stands outside a sine or cosine"),
+        (TOOL, r"\begin{bmatrix} l_1 C_1 + l_2 \cos\theta_1 + \theta_2 \\ l_1 S_1 + l_2 \sin\theta_1 + \theta_2 \end{bmatrix}",
+            "entries (1, 1), (2, 1): brackets are missing: a term stands outside"),
+        (FACING, r"\operatorname{atan2}(-y, -x)", "half a turn off everywhere"),
+        (FACING, r"\arctan(y/x)", "atan2"),
+        (RATES, r"\begin{bmatrix} \frac{v C_1 + u S_1}{l_1 S_2} \\ v (l_1 C_1 + l_2 C_2) + u (l_1 S_1 + l_2 S_2) \end{bmatrix}", "u and v are exchanged"),
+    ],
+)  # fmt: skip
+def test_a_broken_rule_is_named(asks: Any, answer: Any, words: str) -> None:
+    feedback = asks.judge(answer)
+    assert feedback.outcome is Outcome.WRONG
+    assert words in feedback.message
+
+
+@pytest.mark.parametrize(
+    ("asks", "answer", "words"),
+    [
+        (PEAK, r"\frac{9}{\sqrt{3}} \cdot \frac{d}{t_f^2}", "root"),
+        (BOUND, r"\frac{1}{4 b}", "root"),
+        (ELBOW, r"\frac{x - y - l_1^2 - l_2^2}{2 l_1 l_2}", "squares are missing"),
+        (ALONG, r"u \cos\alpha + u \beta", "brackets"),
+        (FACING, r"\arctan(y/x)", "everywhere"),
+        (BOUND, r"\frac{1}{3 b}", "in front is missing"),
+    ],
+)
+def test_another_mistake_is_not_taken_for_it(asks: Any, answer: Any, words: str) -> None:
+    assert words not in asks.judge(answer).message
+
+
+def test_where_a_few_entries_are_wrong_two_explanations_are_told() -> None:
+    pose = r"\begin{bmatrix} C_1 C_2 & -C_1 S_2 & -S_1 & e \\ S_1 C_2 & -S_1 S_2 & C_1 & 0 \\ -S_2 & -C_2 & 0 & h \\ 0 & 0 & 0 & 1 \end{bmatrix}"
+    message = HEAD.judge(pose).message
+    assert "(1, 4)" in message
+    assert "; or: the link matrices" in message
