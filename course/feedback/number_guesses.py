@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import chain, combinations, permutations
 
@@ -56,6 +56,7 @@ class Asked:
         worked: how it follows from them; None where that is not known.
         beside: what others give instead.
         further: the formulas among these, in which a slip may stand, too.
+        is_whole: whether a number of things is asked, of which none is a fraction, and no factor.
     """
 
     right: float
@@ -67,6 +68,7 @@ class Asked:
     worked: Worked | None = None
     beside: tuple[Guess, ...] = ()
     further: tuple[Worked, ...] = ()
+    is_whole: bool = True
 
     def guesses(self, given: float) -> Iterator[Guess]:
         """Yield what mistakes would give, the usual ones first."""
@@ -81,7 +83,7 @@ class Asked:
         yield from shortened(given, self.right)
         yield from digits_exchanged(given, self.right)
         yield from self._of_parts(own)
-        yield from self._alone(far, given)
+        yield from (replace(guess, words=partial(self._and_otherwise, guess, far)) for guess in self._alone(far, given))
         if is_soon := self.worked is None or len(self.stated) <= _FEW_STATED:
             yield from self._copied()
         if self.worked is not None:
@@ -130,6 +132,12 @@ class Asked:
 
     def _with_more(self, sign: str, name: str) -> str:
         return instead(f"{self.worked.shown} {sign} {name}") if self.worked is not None else ""
+
+    def _and_otherwise(self, guess: Guess, far: Mapping[str, float]) -> str:
+        """Return that a number is a given value of which the formula has nothing, and what else of the same size it may be."""
+        slips = self.worked.slips() if self.worked is not None else ()
+        words = [each.words() for each in chain(slips, self._of_parts(far)) if abs(each.value - guess.value) < _NOTHING]
+        return look_up("; or: ").join(dict.fromkeys([guess.words(), *words][:2]))
 
     def _letters(self) -> tuple[dict[str, float], dict[str, float]]:
         """Return the given values by their letters, those in the formula and the others; where there is none, all and none."""

@@ -11,7 +11,7 @@ from itertools import combinations
 
 import numpy as np
 
-from armproof.course.feedback.guesses import Guess, explained, instead, nearly
+from armproof.course.feedback.guesses import Guess, explained, instead, is_short, nearly
 from armproof.course.feedback.number_guesses import ELSEWHERE, HALF, OF_ANGLES, TWICE, Asked
 from armproof.course.feedback.steps import NO_STEPS, Beside, Steps
 from armproof.course.feedback.worked import IN_RADIANS, LETTER, Worked
@@ -104,8 +104,10 @@ def number_slip(
     own = dict(zip(labels, given.tolist(), strict=True))
     of_angles = [Guess(float(np.degrees(angle)), partial(instead, f"{plain_text(symbol_as_latex(name))} = {np.degrees(angle):g}°"))
                  for name, angle in way.angles.items() if abs(angle) > _SMALL_ANGLE] if unit in ("m", "m/s") else []  # fmt: skip
+    is_whole = not any(each.has_powers for each in worked.values())
+    sizes = _size_of_all(right, labels, unit)
     asked = {
-        k: Asked(float(right[k]), labels[k], unit, others[k], known, tuple(stated), worked.get(k), (*near_by.of_one(k, given, wrong), *of_angles), near_by.formulas)
+        k: Asked(float(right[k]), labels[k], unit, others[k], known, tuple(stated), worked.get(k), (*near_by.of_one(k, given, wrong), *of_angles, *sizes), near_by.formulas, is_whole)
         for k in wrong
     }  # fmt: skip
     if whole := (
@@ -294,7 +296,7 @@ def _reordered(given: np.ndarray, right: np.ndarray, labels: Sequence[str]) -> s
 
 def _reordered_with_signs(given: np.ndarray, right: np.ndarray, asked: Mapping[int, Asked]) -> str:
     """Return that numbers are in another order and have other signs, where that is not what slips of each make of them."""
-    if not near(np.sort(np.abs(given)), np.sort(np.abs(right))):
+    if given.size < 2 or not near(np.sort(np.abs(given)), np.sort(np.abs(right))):
         return ""
     has_slips = all(each.worked and explained(float(given[k]), each.right, each.guesses(float(given[k]))) for k, each in asked.items())  # fmt: skip
     return "" if has_slips else look_up("the numbers are right, their order and signs are not")
@@ -313,11 +315,27 @@ def _turned(given: np.ndarray, right: np.ndarray, labels: Sequence[str]) -> str:
     return written("the length is right, the direction is not: yours is turned by {angle}°", angle=turn)
 
 
+def _are_coordinates(right: np.ndarray, labels: Sequence[str]) -> bool:
+    """Whether coordinates are asked of which several are not zero."""
+    return right.size > 1 and {label[-1:] for label in labels} <= {*"xyz"} and np.count_nonzero(right) > 1
+
+
+def _size_of_all(right: np.ndarray, labels: Sequence[str], unit: str) -> tuple[Guess, ...]:
+    """Return the speed, the size of a velocity's coordinates together, which may stand for one of them."""
+    if unit != "m/s" or not _are_coordinates(right, labels):
+        return ()
+    size = float(np.linalg.norm(right))
+    return (Guess(size, partial(look_up, noted("this is the size of all of them together")), is_short(size)),)
+
+
 def _in_one_place(given: np.ndarray, right: np.ndarray, labels: Sequence[str]) -> str:
     """Return which coordinate alone is as large as all that are asked together, the others being zero."""
     places = np.flatnonzero(given).tolist()
-    is_of_several = right.size > 1 and {label[-1:] for label in labels} <= {*"xyz"} and np.count_nonzero(right) > 1
-    if not is_of_several or len(places) != 1 or not near(np.linalg.norm(given), np.linalg.norm(right)):
+    if (
+        not _are_coordinates(right, labels)
+        or len(places) != 1
+        or not near(np.linalg.norm(given), np.linalg.norm(right))
+    ):
         return ""
     return written("the size is right, the direction is not: all of it stands in {label}", label=labels[places[0]])
 
@@ -375,9 +393,11 @@ def _common_factor(given: np.ndarray, right: np.ndarray) -> int:
     if ratio < 0:
         return 0
     factor = max(ratio, 1 / ratio)
+    whole = right * round(factor) if ratio > 1 else right / round(factor)
     return (
         round(factor)
-        if near(factor, round(factor)) and (1 < round(factor) <= _LARGEST_FACTOR or round(factor) in _POWERS_OF_TEN)
+        if all(map(nearly, given.tolist(), whole.tolist()))
+        and (1 < round(factor) <= _LARGEST_FACTOR or round(factor) in _POWERS_OF_TEN)
         else 0
     )
 
@@ -459,7 +479,7 @@ def _of_a_count(given: float, asked: Asked) -> str:
     if asked.unit != "–" or not all(map(float.is_integer, values)) or not max(values) > 1 or asked.right < 0:
         return ""
     if not float(given).is_integer():
-        return look_up("a whole number is asked") if asked.worked is None or not asked.worked.has_powers else ""
+        return look_up("a whole number is asked") if asked.is_whole else ""
     if given < 0:
         return look_up("a number of things is not negative")
     more = int(given - asked.right)

@@ -120,7 +120,12 @@ def letters_exchanged(asked: Values, given: Values, at: Letters, wrong: np.ndarr
     exchanged = at_each(asked, [{**at, one: at[other], other: at[one]} for one, other in pairs])
     for (one, other), true in zip(pairs, exchanged, strict=True):
         if same(true[:, wrong], obtained[:, wrong]):
-            return written("{one} and {other} are exchanged", one=symbol_as_latex(one), other=symbol_as_latex(other))
+            shown = symbol_as_latex(one), symbol_as_latex(other)
+            needed = [places.any() for places in _followed(asked, at, (one, other), wrong)]
+            if needed == [True, True]:
+                return written("{one} and {other} are exchanged", one=shown[0], other=shown[1])
+            right, stray = shown if needed[0] else shown[::-1]
+            return written("{stray} where {right} belongs", stray=stray, right=right)
     return ""
 
 

@@ -18,7 +18,9 @@ _TWO = n.Number(Fraction(2), "2")
 
 def rule_slips(cell: n.Node) -> Iterator[Edit]:
     """Yield the trees that become of an entry if one of these rules is kept."""
-    return chain(on_all(cell, _short_arguments), roots_astray(cell), on_all(cell, _squares_lost))
+    return chain(
+        on_all(cell, _short_arguments), roots_astray(cell), on_all(cell, _squares_lost), on_all(cell, _roots_lost)
+    )
 
 
 def roots_astray(cell: n.Node) -> Iterator[Edit]:
@@ -79,6 +81,22 @@ def _roots(node: n.Node) -> Iterator[Change]:
         isinstance(node, n.Number) and math.isqrt(int(node.value)) ** 2 != node.value > 0
     ):  # √4 would be another number
         yield n.Call("sqrt", (node,), "\\sqrt", "braces"), "number", say(Kind.MISSING_ROOT)
+
+
+def _roots_lost(node: n.Node) -> Iterator[Change]:
+    """x² + y² as √(x² + y²), and x² + y² - a as √(x² + y²) - a."""
+    if not isinstance(node, n.Sum) or len(node.terms) < 2:
+        return
+    squares = next((k for k, (_, term) in enumerate(node.terms) if not _is_square(term)), len(node.terms))
+    if squares > 1 and node.terms[0][0] == "+":
+        root = n.Call("sqrt", (n.Sum(node.terms[:squares]),), "\\sqrt", "braces")
+        rest = node.terms[squares:]
+        changed = replace(node, terms=(("+", root), *rest)) if rest else root
+        yield changed, "function", say(Kind.MISSING_ROOT)
+
+
+def _is_square(node: n.Node) -> bool:
+    return isinstance(node, n.Power) and node.exponent == _TWO
 
 
 def _squares_lost(node: n.Node) -> Iterator[Change]:

@@ -11,7 +11,7 @@ from itertools import combinations
 import numpy as np
 
 from armproof.course.feedback.claim import Claim
-from armproof.course.feedback.guesses import Guess, alone, instead, nearly
+from armproof.course.feedback.guesses import Guess, alone, instead, nearly, perhaps
 from armproof.course.feedback.miscalculated import (
     done_otherwise,
     done_twice,
@@ -203,7 +203,8 @@ class Worked:
 
     def long_shots(self) -> Iterator[Guess]:
         """Yield what it gives with two things done otherwise."""
-        return self._told(self._twice())
+        for tree in self._twice():
+            yield Guess(self._value(tree), lambda tree=tree: perhaps(self._shown(tree)))  # type: ignore[misc]
 
     def miscarried(self) -> Iterator[Guess]:
         """Yield the sum with a one that is carried over, or borrowed, left out."""

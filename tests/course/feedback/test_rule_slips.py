@@ -12,7 +12,8 @@ PEAK = Formula(r"\frac{10}{\sqrt{3}} \cdot \frac{d}{t_f^2}", ("d", "t_f"))
 BOUND = Formula(r"\frac{1}{2 b}", ("b",))
 ELBOW = Formula(r"\frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2}", ("x", "y", "l_1", "l_2"))
 REACH = Formula("4 x^2 y^2 - (x^2 + y^2 - z^2)^2", ("x", "y", "z"))
-POSE = Quantity("planar_2r", {"pose": 2})
+OUT = Formula(r"\sqrt{x^2 + y^2} - a", ("x", "y", "a"))
+SIDES = Formula(r"\operatorname{atan2}(z, y)", ("x", "y", "z"), unit="rad")
 HEAD = Quantity({"dh": "modified", "rows": [{"alpha": 0, "a": 0, "d": "h", "theta": "theta_1"}, {"alpha": "-pi/2", "a": "e", "d": 0, "theta": "theta_2"}],}, {"pose": 2})  # fmt: skip
 TOOL = Quantity("planar_2r", {"origin": 2, "rows": [1, 2]})
 ALONG = Formula(r"u \cos(\alpha + \beta)", ("u", "alpha", "beta"))
@@ -34,6 +35,8 @@ RATES = Formula(r"\begin{bmatrix} \frac{u C_1 + v S_1}{l_1 S_2} \\ u (l_1 C_1 + 
         (ELBOW, r"\frac{x + y - l_1^2 - l_2^2}{2 l_1 l_2}", "squares are missing"),
         (ELBOW, r"\frac{x^2 + y^2 - l_1 - l_2}{2 l_1 l_2}", "squares are missing"),
         (REACH, "4 x^2 y^2 - (x^2 + y^2 - z^2)", "a square is missing"),
+        (OUT, "x^2 + y^2 - a", "a root is missing"),
+        (SIDES, r"\operatorname{atan2}(z, x)", "x where y belongs"),
         (ALONG, r"u \cos\alpha + \beta", "brackets are missing: a term stands outside a sine or cosine"),
         (TOOL, r"\begin{bmatrix} l_1 C_1 + l_2 \cos\theta_1 + \theta_2 \\ l_1 S_1 + l_2 \sin\theta_1 + \theta_2 \end{bmatrix}",
             "entries (1, 1), (2, 1): brackets are missing: a term stands outside"),

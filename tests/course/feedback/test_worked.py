@@ -47,6 +47,9 @@ FRACTION = Number(0.054, "m", known={"a": 1.25, "b": 0.135}, steps=("b/(2 a)",))
 TRIPLE = Number((0.8, 0.6, 0.75), labels=("sin θ", "cos θ", "tan φ"), steps=("", "", "0.36/0.48"))
 CIRCLE = Number((0.8, 0.6), labels=("sin θ", "cos θ"))
 SPEEDS = Number((-1.2, 0.9, 0.0), "m/s", ("v_x", "v_y", "v_z"), beside=(r"\omega = [0, 0, 3]",))
+MERGED = Number((1.5,), "m", known={"a": 0.96, "b": 0.54, "c": 0.42}, steps=("a + b",))
+FACTORS = Number((3, 9), labels=("the factor of the speed", "the factor of the acceleration"), steps=("3", "3^2"))
+AWAY = Number(500.0, "m", steps=("0.5/0.001",)).told_in("0.5 m and 0.001 rad")
 SHORT = Number(0.3948, "rad", steps=(r"\text{atan2}(0.2, 0.48)",), beside=(r"\arcsin(0.2)",)).told_in(
     "0.2 m and 0.48 m"
 )
@@ -134,6 +137,8 @@ ANGLES = Number((0.64, -1.57, -0.93), "rad", ("θ_1", "θ_2", "θ_4"), steps=(""
         (SPEEDS, [0, 0, 6], "this is 2 · ω"),
         (BOTH, [1.0, 1.0], "this is 1/2 · (a + b)"),
         (TRIPLE, [0.8, 0.6, 0.6], "tan φ is not 0.6: this is cos θ"),
+        (SPEEDS, [-1.2, 0.9, 1.5], "v_z is not 1.5: this is the size of all of them together"),
+        (MERGED, [0.42], "this is c alone; or: this is a - b"),
         (SHORT, 0.2, "0.2 is given for something else"),
         (SHORT, 0.2014, "this is arcsin(0.2)"),
         (ANGLES, [0.5, -1.57, -1.07], "θ_4: this follows from your θ_1: nothing else is wrong with it"),
@@ -145,7 +150,7 @@ def test_a_wrong_number_is_told_what_it_comes_from(asks: Any, answer: Any, words
 
 @pytest.mark.parametrize(
     ("asks", "answer", "words"),
-    [(REACH, [0.05, 0.4], "this is"), (HEIGHT, 1.896, "digit"), (ANGLES, [0.5, -1.57, -1.2], "follows"), (TURN, 1.7, "degrees"), (ROUND, 6.8, "in place of"), (Number(1.5, "m"), 1.50097, "rounded"), (RATES, [1.4, 0.7], "factor"), (STACK, 1.892, "missing"), (TURN, 1.41421, "square"), (TURNED, [1.2, 1.6, 0], "turned"), (TURNED, [1.0, 1.0, 0], "turned"), (REACH, [0.05, 0.5437], "in place of"), (HEIGHT, 1.7, "cut off"), (RATE, 12.0, "2π"), (STACK, 0.03396, "π / 180"), (FRACTION, -1.196, "missing"), (CIRCLE, [0.8, 0.3], "1 −"), (ANGLES, [0.64, 3.14, -0.93], "complement"), (CIRCLE, [0.8, 0.2], "factor"), (PEAK, 0.15, "in place of")],
+    [(FACTORS, [1.5, 2.25], "whole number"), (AWAY, 500.25, "order"), (AWAY, 1000.5, "this is twice"), (LIFT, [0.25, 0.39], "size of all"), (REACH, [0.05, 0.4], "this is"), (HEIGHT, 1.896, "digit"), (ANGLES, [0.5, -1.57, -1.2], "follows"), (TURN, 1.7, "degrees"), (ROUND, 6.8, "in place of"), (Number(1.5, "m"), 1.50097, "rounded"), (RATES, [1.4, 0.7], "factor"), (STACK, 1.892, "missing"), (TURN, 1.41421, "square"), (TURNED, [1.2, 1.6, 0], "turned"), (TURNED, [1.0, 1.0, 0], "turned"), (REACH, [0.05, 0.5437], "in place of"), (HEIGHT, 1.7, "cut off"), (RATE, 12.0, "2π"), (STACK, 0.03396, "π / 180"), (FRACTION, -1.196, "missing"), (CIRCLE, [0.8, 0.3], "1 −"), (ANGLES, [0.64, 3.14, -0.93], "complement"), (CIRCLE, [0.8, 0.2], "factor"), (PEAK, 0.15, "in place of")],
 )  # fmt: skip
 def test_of_any_other_number_nothing_of_the_kind_is_said(asks: Any, answer: Any, words: str) -> None:
     assert words not in asks.judge(answer).message
