@@ -262,7 +262,7 @@ class Asked:
 
     def slips_beside(self) -> Iterator[Guess]:
         """Yield what a formula that others take gives with one thing done otherwise."""
-        return chain.from_iterable(worked.slips() for worked in self.further)
+        return chain.from_iterable(worked.asked_slips() for worked in self.further)
 
     def doubled(self) -> Iterator[Guess]:
         """Yield the double, the half and the square, and what a turn more makes of a number that is no angle."""

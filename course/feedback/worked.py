@@ -154,6 +154,11 @@ class Worked:
             for tree in trees:
                 yield Guess(self._value(tree), partial(self._said_of, tree, trees))
 
+    def asked_slips(self) -> Iterator[Guess]:
+        """Yield what the formula gives with one thing done otherwise, where it is not the one that is asked: this is not said, but asked."""
+        for tree in (tree for trees in self._slipped for tree in trees):
+            yield Guess(self._value(tree), partial(self._perhaps, tree))
+
     def pairs(self) -> Iterator[Guess]:
         """Yield what the formula gives with two like things done otherwise."""
         return self._told(done_twice(self._tree))
@@ -204,7 +209,7 @@ class Worked:
     def long_shots(self) -> Iterator[Guess]:
         """Yield what it gives with two things done otherwise."""
         for tree in self._twice():
-            yield Guess(self._value(tree), lambda tree=tree: perhaps(self._shown(tree)))  # type: ignore[misc]
+            yield Guess(self._value(tree), partial(self._perhaps, tree))
 
     def miscarried(self) -> Iterator[Guess]:
         """Yield the sum with a one that is carried over, or borrowed, left out."""
@@ -232,6 +237,9 @@ class Worked:
     def _said(self, tree: n.Node) -> str:
         said = alone if isinstance(_term_alone(bare(tree)), n.Name | n.Number) else instead
         return said(self._shown(tree))
+
+    def _perhaps(self, tree: n.Node) -> str:
+        return perhaps(self._shown(tree))
 
     def _taken(self) -> Iterator[n.Node]:
         """Yield the formula with one given value that is misread."""
