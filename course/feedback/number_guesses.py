@@ -141,7 +141,11 @@ class Asked:
 
     def _letters(self) -> tuple[dict[str, float], dict[str, float]]:
         """Return the given values by their letters, those in the formula and the others; where there is none, all and none."""
-        of = {*self.known} if self.worked is None else self.worked.letters
+        of = (
+            {*self.known}
+            if self.worked is None
+            else {name for name, value in self.known.items() if self.worked.has(name, value)}
+        )
         own = {name: value for name, value in self.known.items() if name in of}
         return own, {name: value for name, value in self.known.items() if name not in of}
 
@@ -167,6 +171,8 @@ class Asked:
         if self.unit == "rad/s":
             yield Guess(right / (2 * np.pi), lambda: look_up("in turns a second? Radians a second are asked for"))
             yield Guess(right * 30 / np.pi, lambda: look_up("in turns a minute? Radians a second are asked for"))
+            yield Guess(right / np.pi, lambda: look_up("a factor π is missing"))
+            yield Guess(right * np.pi, lambda: look_up("a factor π is too much"))
             yield Guess(right * 2 * np.pi, lambda: look_up("a factor 2π is too much: the rate is in radians already"))
         if right and self.unit not in (*OF_ANGLES, "m") and self.worked is None:  # else its quotient is turned there
             yield Guess(1 / right, lambda: look_up("numerator and denominator are exchanged"))
@@ -185,10 +191,13 @@ class Asked:
         """Return by how much the number is off with one part too few, then with one too many, and the words for it; nothing of what is no term."""
         if self.worked is None or name not in self.known:
             return (_MISSING, -value), (_TOO_MUCH, value)
-        part = self.worked.share_of(name)
+        part = self.worked.share_of(name) if name in self.worked.letters else self.worked.term_of(value)
         if abs(part) < _NOTHING:
             return (_TOO_MUCH, value), (_TOO_MUCH, -value)
-        if abs(self.worked.with_values({name: 2 * value}) - self.right - part) > _NOTHING:
+        if (
+            name in self.worked.letters
+            and abs(self.worked.with_values({name: 2 * value}) - self.right - part) > _NOTHING
+        ):
             return ()
         return (_MISSING, -part), (_TWICE, part)
 

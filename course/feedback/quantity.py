@@ -150,7 +150,8 @@ class Quantity:
             asked, given = partial(self.claim.values_over, ASKED), partial(self._values_over, answer)
             if (true := asked(at)).shape != (obtained := given(at)).shape:
                 return part_astray(true, obtained)
-            if feedback.is_piecemeal and (words := planar_astray(self.loaded, asked, given, at)):
+            of_a_link = any(found.kind in (Kind.WRONG_LINK, Kind.FIRST_WRONG_LINK) for found in feedback.findings)
+            if (feedback.is_piecemeal or of_a_link) and (words := planar_astray(self.loaded, asked, given, at)):
                 return words
             return no_rotation(true, obtained) if feedback.is_general else ""
         except ArmproofError:

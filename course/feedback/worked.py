@@ -83,6 +83,17 @@ class Worked:
         """Return how much less the formula gives where a letter is zero."""
         return self.value - self.with_values({name: 0.0})
 
+    def has(self, name: str, value: float) -> bool:
+        """Whether a letter stands in the formula, or its value as a term."""
+        return name in self.letters or bool(self.term_of(value))
+
+    def term_of(self, value: float) -> float:
+        """Return a number with the sign that it has as a term of the formula; 0 where it is none."""
+        total = bare(self._tree)
+        terms = total.terms if isinstance(total, n.Sum) else ()
+        signs = [sign for sign, term in terms if isinstance(term, n.Number) and abs(float(term.value) - value) < _SMALL]
+        return (-value if signs[0] == "-" else value) if signs else 0.0
+
     @cached_property
     def shown(self) -> str:
         """The formula as it is told."""

@@ -71,3 +71,8 @@ def test_where_a_few_entries_are_wrong_two_explanations_are_told() -> None:
     message = HEAD.judge(pose).message
     assert "(1, 4)" in message
     assert "; or: the link matrices" in message
+
+
+def test_angles_that_are_added_are_no_wrong_link() -> None:
+    pose = r"\begin{bmatrix} C_{12} & -S_{12} & 0 & e C_1 \\ S_{12} & C_{12} & 0 & e S_1 \\ 0 & 0 & 1 & h \\ 0 & 0 & 0 & 1 \end{bmatrix}"
+    assert "are added, as in a planar arm" in HEAD.judge(pose).message

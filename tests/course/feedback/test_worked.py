@@ -46,7 +46,13 @@ COUNTS = Number((6, 7, 7, 1), labels=("rows of J", "columns of J", "rows of q̇"
 FRACTION = Number(0.054, "m", known={"a": 1.25, "b": 0.135}, steps=("b/(2 a)",))
 TRIPLE = Number((0.8, 0.6, 0.75), labels=("sin θ", "cos θ", "tan φ"), steps=("", "", "0.36/0.48"))
 CIRCLE = Number((0.8, 0.6), labels=("sin θ", "cos θ"))
-SPEEDS = Number((-1.2, 0.9, 0.0), "m/s", ("v_x", "v_y", "v_z"), beside=(r"\omega = [0, 0, 3]",))
+SPEEDS = Number(
+    (-1.2, 0.9, 0.0),
+    "m/s",
+    ("v_x", "v_y", "v_z"),
+    beside=(r"\omega = [0, 0, 3]", r"[v_x, v_y, \omega] = [-1.2, 0.9, 3]"),
+)
+DOWN = Number(1.196, "m", known={"d + f": 0.75, "b": 0.25}, steps=("1.946 - 0.75",)).told_in("1.946 m")
 MERGED = Number((1.5,), "m", known={"a": 0.96, "b": 0.54, "c": 0.42}, steps=("a + b",))
 FACTORS = Number((3, 9), labels=("the factor of the speed", "the factor of the acceleration"), steps=("3", "3^2"))
 AWAY = Number(500.0, "m", steps=("0.5/0.001",)).told_in("0.5 m and 0.001 rad")
@@ -134,6 +140,11 @@ ANGLES = Number((0.64, -1.57, -0.93), "rad", ("θ_1", "θ_2", "θ_4"), steps=(""
         (TURNED, [0, 200, 0], "y is not 200: in centimetres? Metres are asked for"),
         (SPEEDS, [0, 0, 1.5], "the size is right, the direction is not: all of it stands in v_z"),
         (SPEEDS, [0, 0, 3], "this is ω"),
+        (SPEEDS, [-1.2, 0.9, -3], "this is [v_x, v_y, ω], but for its sign"),
+        (DOWN, 1.946, "d + f is missing"),
+        (DOWN, 0.446, "d + f is counted twice"),
+        (POLAR, 6.283, "a factor π is too much"),
+        (POLAR, 0.6366, "a factor π is missing"),
         (SPEEDS, [0, 0, 6], "this is 2 · ω"),
         (BOTH, [1.0, 1.0], "this is 1/2 · (a + b)"),
         (TRIPLE, [0.8, 0.6, 0.6], "tan φ is not 0.6: this is cos θ"),
