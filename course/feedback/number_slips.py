@@ -411,7 +411,7 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
     if not given:
         missing = asked.worked.missing if asked.worked is not None else ""
         return missing or look_up(_NOT_ZERO.get(asked.unit, _NOT_ZERO["–"]))
-    is_copied = any(abs(given) == abs(value) for value in (*asked.known.values(), *asked.stated))
+    is_copied = not given.is_integer() and abs(given) in {*map(abs, (*asked.known.values(), *asked.stated))}
     if beside := explained(given, right, _to_the_digit(asked.beside, is_copied), _ALL):
         return beside
     if not right:
@@ -430,7 +430,7 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
         or explained(given, right, _to_the_digit(asked.slips_beside(), is_copied))
         or _factor_of_one(given, asked)
         or _of_reach(given, asked)
-        or (written(ELSEWHERE, value=given) if is_copied else "")
+        or (written(ELSEWHERE, value=abs(given)) if is_copied else "")
         or _by_size(asked, given, is_only)
     )
 

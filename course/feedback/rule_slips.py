@@ -7,19 +7,34 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 from itertools import chain, pairwise
+from typing import TypeGuard
 
 from armproof.verification.diagnosis.slips import Change, Edit, is_scalar_product, is_trigonometric, on_all, with_items
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 
+_ARCS = ("asin", "acos", "atan")
 _TWO = n.Number(Fraction(2), "2")
+
+
+def _groups_squared(cell: n.Node) -> Iterator[Edit]:
+    """Yield the tree with all sums in brackets squared that are terms of a sum, where they are several."""
+    terms = [term for node in n.walk(cell) if isinstance(node, n.Sum) for _, term in node.terms]
+    groups = [term for term in terms if isinstance(term, n.Group) and isinstance(bare(term), n.Sum)]
+    if len(groups) > 1:
+        squares: dict[int, n.Node] = {id(group): n.Power(group, _TWO) for group in groups}
+        yield Edit(n.substitute_each(cell, squares), "number", say(Kind.MISSING_SQUARES))
 
 
 def rule_slips(cell: n.Node) -> Iterator[Edit]:
     """Yield the trees that become of an entry if one of these rules is kept."""
     return chain(
-        on_all(cell, _short_arguments), roots_astray(cell), on_all(cell, _squares_lost), on_all(cell, _roots_lost)
+        on_all(cell, _short_arguments),
+        roots_astray(cell),
+        on_all(cell, _squares_lost),
+        on_all(cell, _roots_lost),
+        _groups_squared(cell),
     )
 
 
@@ -30,7 +45,10 @@ def roots_astray(cell: n.Node) -> Iterator[Edit]:
 
 
 def _short_arguments(node: n.Node) -> Iterator[Change]:
-    """cos θ_1 + θ_2 as cos(θ_1 + θ_2): an argument without its brackets."""
+    """cos θ_1 + θ_2 as cos(θ_1 + θ_2), and sin a / 2 as sin(a / 2): an argument without its brackets."""
+    if isinstance(node, n.Quotient) and _is_of_one_argument(call := bare(node.numerator)):
+        inside = replace(node, numerator=call.arguments[0])
+        yield replace(call, arguments=(inside,), style="macro()"), "function", say(Kind.ARGUMENT_TOO_SHORT)
     if not isinstance(node, n.Sum):
         return
     for k, ((sign, term), (next_sign, next_term)) in enumerate(pairwise(node.terms)):
@@ -44,6 +62,11 @@ def _short_arguments(node: n.Node) -> Iterator[Change]:
         terms = (*node.terms[:k], (sign, whole), *node.terms[k + 2 :])
         changed = whole if terms == (("+", whole),) else replace(node, terms=terms)
         yield changed, "function", say(Kind.ARGUMENT_TOO_SHORT)
+
+
+def _is_of_one_argument(node: n.Node) -> TypeGuard[n.Call]:
+    """Whether a node is a function of an angle, or the angle of one."""
+    return is_trigonometric(node) or (isinstance(node, n.Call) and node.function in _ARCS)
 
 
 def _roots_on_other_side(node: n.Node) -> Iterator[Change]:

@@ -402,7 +402,7 @@ class Kind(MessageKind):
     PRODUCT_FOR_SUM = "product_for_sum", "a product stands where a sum belongs"
     QUOTIENT_FOR_DIFFERENCE = "quotient_for_difference", "a quotient stands where a difference belongs"
     ARGUMENT_TOO_LONG = "argument_too_long", "a term stands in the argument of a function that belongs outside"
-    ARGUMENT_TOO_SHORT = "argument_too_short", "brackets are missing: a term stands outside a sine or cosine that belongs in its argument"
+    ARGUMENT_TOO_SHORT = "argument_too_short", "brackets are missing: a part stands outside a function in whose argument it belongs"
     ARC_OF_SUM = "arc_of_sum", "the angles are added or subtracted, not their tangents, sines or cosines"
     FACTOR_AT_OTHER_TERM = "factor_at_other_term", "a factor stands at the wrong term of a sum"
     UNDER_ROOT = "under_root", "a term stands under the root that belongs outside"

@@ -13,6 +13,11 @@ BOUND = Formula(r"\frac{1}{2 b}", ("b",))
 ELBOW = Formula(r"\frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2}", ("x", "y", "l_1", "l_2"))
 REACH = Formula("4 x^2 y^2 - (x^2 + y^2 - z^2)^2", ("x", "y", "z"))
 OUT = Formula(r"\sqrt{x^2 + y^2} - a", ("x", "y", "a"))
+RING = Formula("((a + b)^2 - x^2)(x^2 - (a - b)^2)", ("x", "a", "b"))
+ANGLE = Formula(
+    r"\arcsin\frac{K}{f} - b", ("K", "f", "b"), given={"K": r"f\sin(3\gamma)"}, symbols={"gamma": "free"}, unit="rad"
+)
+HALF = Formula(r"\sin\frac{\theta}{2}", ("theta",))
 SIDES = Formula(r"\operatorname{atan2}(z, y)", ("x", "y", "z"), unit="rad")
 HEAD = Quantity({"dh": "modified", "rows": [{"alpha": 0, "a": 0, "d": "h", "theta": "theta_1"}, {"alpha": "-pi/2", "a": "e", "d": 0, "theta": "theta_2"}],}, {"pose": 2})  # fmt: skip
 TOOL = Quantity("planar_2r", {"origin": 2, "rows": [1, 2]})
@@ -35,11 +40,14 @@ RATES = Formula(r"\begin{bmatrix} \frac{u C_1 + v S_1}{l_1 S_2} \\ u (l_1 C_1 + 
         (ELBOW, r"\frac{x + y - l_1^2 - l_2^2}{2 l_1 l_2}", "squares are missing"),
         (ELBOW, r"\frac{x^2 + y^2 - l_1 - l_2}{2 l_1 l_2}", "squares are missing"),
         (REACH, "4 x^2 y^2 - (x^2 + y^2 - z^2)", "a square is missing"),
+        (RING, "((a + b) - x^2)(x^2 - (a - b))", "squares are missing"),
+        (ANGLE, r"\frac{\arcsin K}{f} - b", "a part stands outside a function"),
+        (HALF, r"\frac{\sin\theta}{2}", "a part stands outside a function"),
         (OUT, "x^2 + y^2 - a", "a root is missing"),
         (SIDES, r"\operatorname{atan2}(z, x)", "x where y belongs"),
-        (ALONG, r"u \cos\alpha + \beta", "brackets are missing: a term stands outside a sine or cosine"),
+        (ALONG, r"u \cos\alpha + \beta", "brackets are missing: a part stands outside a function"),
         (TOOL, r"\begin{bmatrix} l_1 C_1 + l_2 \cos\theta_1 + \theta_2 \\ l_1 S_1 + l_2 \sin\theta_1 + \theta_2 \end{bmatrix}",
-            "entries (1, 1), (2, 1): brackets are missing: a term stands outside"),
+            "entries (1, 1), (2, 1): brackets are missing: a part stands outside"),
         (FACING, r"\operatorname{atan2}(-y, -x)", "half a turn off everywhere"),
         (FACING, r"\arctan(y/x)", "atan2"),
         (RATES, r"\begin{bmatrix} \frac{v C_1 + u S_1}{l_1 S_2} \\ v (l_1 C_1 + l_2 C_2) + u (l_1 S_1 + l_2 S_2) \end{bmatrix}", "u and v are exchanged"),
