@@ -39,7 +39,7 @@ from armproof.course.feedback.relation import (
     wrong_entries,
 )
 from armproof.course.feedback.rest import told_of_the_rest
-from armproof.course.feedback.rule_slips import roots_astray, rule_slips
+from armproof.course.feedback.rule_slips import roots_astray
 from armproof.course.feedback.slips_by_value import slips_by_value
 from armproof.course.feedback.terms import terms_astray
 from armproof.course.feedback.wholes import part_astray
@@ -296,7 +296,7 @@ class Formula:
             yield partial(factors_astray, asked, given, at)
             yield partial(letters_astray, asked, given, at)
             latex = cache(lambda: self._written(answer))
-            yield lambda: slips_by_value(self.claim, latex(), at, drawn, only=wrong, edits=rule_slips)
+            yield lambda: slips_by_value(self.claim, latex(), at, drawn, only=wrong, edits=roots_astray)
             yield partial(relation, true, obtained, factors)
             yield partial(angle_astray, asked, given, at)
             if true[0].size > 1:

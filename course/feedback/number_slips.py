@@ -247,7 +247,8 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str, is_reckoned: bool) -
     is_long = unit in _LENGTHS
     if (unit not in OF_ANGLES and near(given, 1000 * right)) or (is_long and near(given[wrong], 1000 * right[wrong])):
         yield look_up("in millimetres? Metres are asked for")
-    if is_long and near(given[wrong], 100 * right[wrong]):
+    is_fraction = unit not in OF_ANGLES and not near(right, np.round(right))  # 200 may be counted
+    if (is_long and near(given[wrong], 100 * right[wrong])) or (is_fraction and near(given, 100 * right)):
         yield look_up("in centimetres? Metres are asked for")
     if unit in ("–", *OF_ANGLES) and near(given, np.degrees(right)) and not near(right, np.round(right)):
         yield look_up("in degrees? Radians are asked for")

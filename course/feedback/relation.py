@@ -14,7 +14,7 @@ import numpy as np
 from armproof.course.feedback.claim import ANGLE
 from armproof.course.feedback.outcome import MOST_PLACES, place
 from armproof.models.errors import ArmproofError, counted, written
-from armproof.models.language import look_up, number_text, separator
+from armproof.models.language import look_up, noted, number_text, separator
 from armproof.verification.latex.writer import symbol_as_latex
 
 Letters = Mapping[str, np.ndarray]  # each letter's values at the samples
@@ -510,12 +510,12 @@ def _by_number(factor: float, true: np.ndarray, factors: Letters) -> str:
         return look_up("close, but a number in it is rounded: hand over the fraction or the root itself")
     if number and abs(number - 1) > _TOLERANCE and abs(factor * number - 1) < _TOLERANCE:
         return look_up("the number in front is missing")
-    if number and abs(number - 1) > _TOLERANCE and not _as_root(size) and abs(size - round(size)) > _TOLERANCE:
-        return look_up("the number in front is wrong")
     shown = _as_root(size) or number_text(size, ".4g")
-    if abs(factor) > 1:
-        return written("your answer is {factor} times too large", factor=shown)
-    return written("your answer is {factor} times too small", factor=shown)
+    large, small = noted("your answer is {factor} times too large"), noted("your answer is {factor} times too small")
+    words = written(large if abs(factor) > 1 else small, factor=shown)
+    if number and abs(number - 1) > _TOLERANCE and not _as_root(size) and abs(size - round(size)) > _TOLERANCE:
+        return written("the number in front is wrong: {words}", words=words)
+    return words
 
 
 def _number_in(values: np.ndarray, factors: Letters) -> float:

@@ -33,7 +33,7 @@ RATES = Formula(r"\begin{bmatrix} \frac{u C_1 + v S_1}{l_1 S_2} \\ u (l_1 C_1 + 
     [
         (PEAK, r"10 \sqrt{3} \frac{d}{t_f^2}", "a root stands on the wrong side of the line"),
         (PEAK, r"\frac{10}{3} \cdot \frac{d}{t_f^2}", "a root is missing"),
-        (PEAK, r"\frac{15}{8} \cdot \frac{d}{t_f^2}", "the number in front is wrong"),
+        (PEAK, r"\frac{15}{8} \cdot \frac{d}{t_f^2}", "the number in front is wrong: "),
         (PEAK, r"\frac{d}{t_f^2}", "the number in front is missing"),
         (BOUND, r"\frac{1}{\sqrt{2} b}", "a root does not belong"),
         (BOUND, r"\frac{1}{4 b}", "the number 4 is too large"),
