@@ -318,7 +318,7 @@ def _turned(given: np.ndarray, right: np.ndarray, labels: Sequence[str]) -> str:
 
 def _are_coordinates(right: np.ndarray, labels: Sequence[str]) -> bool:
     """Whether coordinates are asked of which several are not zero."""
-    return right.size > 1 and {label[-1:] for label in labels} <= {*"xyz"} and np.count_nonzero(right) > 1
+    return right.size > 1 and {label[-1:] for label in labels} <= {*"xyz"} and bool(np.count_nonzero(right) > 1)
 
 
 def _size_of_all(right: np.ndarray, labels: Sequence[str], unit: str) -> tuple[Guess, ...]:

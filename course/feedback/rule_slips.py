@@ -47,13 +47,13 @@ def roots_astray(cell: n.Node) -> Iterator[Edit]:
 def _short_arguments(node: n.Node) -> Iterator[Change]:
     """cos θ_1 + θ_2 as cos(θ_1 + θ_2), and sin a / 2 as sin(a / 2): an argument without its brackets."""
     if isinstance(node, n.Quotient) and _is_of_one_argument(call := bare(node.numerator)):
-        inside = replace(node, numerator=call.arguments[0])
-        yield replace(call, arguments=(inside,), style="macro()"), "function", say(Kind.ARGUMENT_TOO_SHORT)
+        divided = replace(node, numerator=call.arguments[0])
+        yield replace(call, arguments=(divided,), style="macro()"), "function", say(Kind.ARGUMENT_TOO_SHORT)
     if not isinstance(node, n.Sum):
         return
     for k, ((sign, term), (next_sign, next_term)) in enumerate(pairwise(node.terms)):
         *before, call = term.factors if is_scalar_product(term) else (term,)
-        if not is_trigonometric(call) or isinstance(call.arguments[0], n.JointAngles):
+        if not is_trigonometric(call) or not _has_letters(call):
             continue
         inside = n.Sum((("+", call.arguments[0]), (next_sign, next_term)))
         whole: n.Node = replace(call, arguments=(inside,), style="macro()")
@@ -66,7 +66,13 @@ def _short_arguments(node: n.Node) -> Iterator[Change]:
 
 def _is_of_one_argument(node: n.Node) -> TypeGuard[n.Call]:
     """Whether a node is a function of an angle, or the angle of one."""
-    return is_trigonometric(node) or (isinstance(node, n.Call) and node.function in _ARCS)
+    is_of_angle = is_trigonometric(node) or (isinstance(node, n.Call) and node.function in _ARCS)
+    return isinstance(node, n.Call) and is_of_angle and _has_letters(node)
+
+
+def _has_letters(call: n.Call) -> bool:
+    """Whether the argument of a function is written as such, and no index as in C_{12}."""
+    return not isinstance(call.arguments[0], n.JointAngles)
 
 
 def _roots_on_other_side(node: n.Node) -> Iterator[Change]:
