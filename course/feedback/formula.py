@@ -18,6 +18,7 @@ from armproof.course.feedback.claim import ANGLE, Claim, as_column, judge_formul
 from armproof.course.feedback.outcome import ASKED, Feedback, Outcome, Row, nothing, place
 from armproof.course.feedback.rearranged import rearranged
 from armproof.course.feedback.relation import (
+    NUMBER_UPSIDE_DOWN,
     Letters,
     Said,
     Values,
@@ -141,7 +142,7 @@ class Formula:
             feedback = replace(feedback, message=words, findings=())
         if feedback.is_piecemeal and (words := self._rearranged(answer) or self._exchanged(answer)):
             feedback = replace(feedback, message=words, findings=())
-        if any(found.kind is Kind.WRONG_NUMBER for found in feedback.findings) and (words := self._of_roots(answer)):
+        if any(found.kind is Kind.WRONG_NUMBER for found in feedback.findings) and (words := self._of_a_number(answer)):
             feedback = replace(feedback, message=words, findings=())
         if feedback.is_general and (words := self._relation(answer)):
             feedback = replace(feedback, message=words)
@@ -246,22 +247,25 @@ class Formula:
             return ""
 
     def _exchanged(self, answer: Any) -> str:
-        """Return which two letters are exchanged in several wrong entries, where that explains them all."""
+        """Return which two letters are exchanged in several wrong entries, or which factor is missing, where that explains them all."""
         try:
             at = random_values(self.arguments)
             given = self._called(answer) if is_function(answer) else partial(self.claim.values_over, self._as_latex(answer))  # fmt: skip
             asked = partial(self.claim.values_over, ASKED)
             wrong = wrong_entries(asked(at), given(at))
-            return letters_exchanged(asked, given, at, wrong) if wrong.sum() > 1 else ""
+            if wrong.sum() < 2:
+                return ""
+            return letters_exchanged(asked, given, at, wrong) or factors_astray(asked, given, at)
         except (ArmproofError, ValueError):
             return ""
 
-    def _of_roots(self, answer: Any) -> str:
-        """Return that a root of a number is missing, one too many, or on the wrong side of the line."""
+    def _of_a_number(self, answer: Any) -> str:
+        """Return what may be behind a wrong number: a root that is missing, too many or on the wrong side of the line; its reciprocal."""
         try:
-            return slips_by_value(self.claim, self._written(answer), random_values(self.arguments), edits=roots_astray)
+            words = slips_by_value(self.claim, self._written(answer), random_values(self.arguments), edits=roots_astray)
         except ArmproofError:
             return ""
+        return words or ((related := self._relation(answer)) == look_up(NUMBER_UPSIDE_DOWN) and related) or ""
 
     def _relation(self, answer: Any, only: np.ndarray | None = None) -> str:
         """Return how an answer with no known slip relates to what is asked, in values and in its letters; of some entries alone."""

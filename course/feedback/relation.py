@@ -21,6 +21,7 @@ Letters = Mapping[str, np.ndarray]  # each letter's values at the samples
 Values = Callable[[Letters], np.ndarray]  # what letters give, (samples, rows, columns)
 Said = Callable[[], str]  # looks for one relation; empty where it does not hold
 
+NUMBER_UPSIDE_DOWN = noted("the number in front is upside down: its reciprocal belongs there")
 _JOINT_ANGLE = re.compile(r"theta_\d$")
 ENOUGH = 5  # samples at which both sides have a value, so that a chance agreement is none
 _TOLERANCE = 1e-8
@@ -217,6 +218,8 @@ def factors_astray(asked: Values, given: Values, at: Letters) -> str:
         return ""
     none = {name: np.zeros_like(at[name]) for name in names}
     factors = {name: asked({**none, name: at[name]}) for name in names}
+    if not all(np.isfinite(each).all() for each in factors.values()):
+        return ""
     orders = [order for order in permutations(names) if same(reduce(np.matmul, map(factors.__getitem__, order)), true)]
     if not orders:
         return ""
@@ -505,7 +508,7 @@ def _by_number(factor: float, true: np.ndarray, factors: Letters) -> str:
         return look_up("in degrees? Radians are asked for") if abs(factor) > 1 else look_up("radians are asked for: no π / 180")  # fmt: skip
     number = _number_in(true, factors)
     if number and abs(factor * number**2 - 1) < _TOLERANCE:
-        return look_up("the number in front is upside down: its reciprocal belongs there")
+        return look_up(NUMBER_UPSIDE_DOWN)
     if size - 1 < _ROUNDED:
         return look_up("close, but a number in it is rounded: hand over the fraction or the root itself")
     if number and abs(number - 1) > _TOLERANCE and abs(factor * number - 1) < _TOLERANCE:

@@ -35,6 +35,7 @@ def rule_slips(cell: n.Node) -> Iterator[Edit]:
         on_all(cell, _squares_lost),
         on_all(cell, _roots_lost),
         _groups_squared(cell),
+        on_all(cell, _extra_roots),
     )
 
 
@@ -122,6 +123,12 @@ def _roots_lost(node: n.Node) -> Iterator[Change]:
         rest = node.terms[squares:]
         changed = replace(node, terms=(("+", root), *rest)) if rest else root
         yield changed, "function", say(Kind.MISSING_ROOT)
+
+
+def _extra_roots(node: n.Node) -> Iterator[Change]:
+    """√(x² + y²) as x² + y²."""
+    if isinstance(node, n.Call) and node.function == "sqrt":
+        yield n.Group(node.arguments[0]), "function", say(Kind.EXTRA_ROOT)
 
 
 def _is_square(node: n.Node) -> bool:

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from armproof.course.feedback import Formula, Outcome, Quantity
+from armproof.course.feedback import Formula, Outcome, Quantity, open_lesson
 
 PEAK = Formula(r"\frac{10}{\sqrt{3}} \cdot \frac{d}{t_f^2}", ("d", "t_f"))
 BOUND = Formula(r"\frac{1}{2 b}", ("b",))
@@ -18,6 +18,9 @@ ANGLE = Formula(
     r"\arcsin\frac{K}{f} - b", ("K", "f", "b"), given={"K": r"f\sin(3\gamma)"}, symbols={"gamma": "free"}, unit="rad"
 )
 HALF = Formula(r"\sin\frac{\theta}{2}", ("theta",))
+GAIN = Formula(r"\frac{x}{x^2 + y^2}", ("x", "y"))
+ROT = r"\begin{bmatrix} C\phi C\theta & -S\phi & C\phi S\theta \\ S\phi C\theta & C\phi & S\phi S\theta \\ -S\theta & 0 & C\theta \end{bmatrix}"
+RPY = open_lesson("tool_orientation").rpy.asks
 SIDES = Formula(r"\operatorname{atan2}(z, y)", ("x", "y", "z"), unit="rad")
 HEAD = Quantity({"dh": "modified", "rows": [{"alpha": 0, "a": 0, "d": "h", "theta": "theta_1"}, {"alpha": "-pi/2", "a": "e", "d": 0, "theta": "theta_2"}],}, {"pose": 2})  # fmt: skip
 TOOL = Quantity("planar_2r", {"origin": 2, "rows": [1, 2]})
@@ -43,6 +46,9 @@ RATES = Formula(r"\begin{bmatrix} \frac{u C_1 + v S_1}{l_1 S_2} \\ u (l_1 C_1 + 
         (RING, "((a + b) - x^2)(x^2 - (a - b))", "squares are missing"),
         (ANGLE, r"\frac{\arcsin K}{f} - b", "a part stands outside a function"),
         (HALF, r"\frac{\sin\theta}{2}", "a part stands outside a function"),
+        (BOUND, r"\frac{2}{b}", "the number in front is upside down"),
+        (GAIN, r"\frac{x}{\sqrt{x^2 + y^2}}", "a root does not belong"),
+        (RPY, ROT, "the factor with \\psi is missing"),
         (OUT, "x^2 + y^2 - a", "a root is missing"),
         (SIDES, r"\operatorname{atan2}(z, x)", "x where y belongs"),
         (ALONG, r"u \cos\alpha + \beta", "brackets are missing: a part stands outside a function"),
