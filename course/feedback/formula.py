@@ -18,6 +18,7 @@ from armproof.course.feedback.claim import ANGLE, Claim, as_column, judge_formul
 from armproof.course.feedback.outcome import ASKED, Feedback, Outcome, Row, nothing, place
 from armproof.course.feedback.rearranged import rearranged
 from armproof.course.feedback.relation import (
+    NUMBER_UPSIDE_DOWN,
     Letters,
     Said,
     Values,
@@ -29,14 +30,17 @@ from armproof.course.feedback.relation import (
     letter_at_fault,
     letters_astray,
     letters_astray_in_each,
+    letters_exchanged,
     random_values,
     relation,
     remembered,
     same,
     transform_astray,
     units_astray,
+    wrong_entries,
 )
 from armproof.course.feedback.rest import told_of_the_rest
+from armproof.course.feedback.rule_slips import roots_astray
 from armproof.course.feedback.slips_by_value import slips_by_value
 from armproof.course.feedback.terms import terms_astray
 from armproof.course.feedback.wholes import part_astray
@@ -136,7 +140,9 @@ class Formula:
         """Return feedback that says how a wrong answer relates to what is asked, where no one mistake explains it."""
         if words := self._as_part(answer) or self._of_inverse(answer, feedback.is_general):
             feedback = replace(feedback, message=words, findings=())
-        if feedback.is_piecemeal and (words := self._rearranged(answer)):
+        if feedback.is_piecemeal and (words := self._rearranged(answer) or self._exchanged(answer)):
+            feedback = replace(feedback, message=words, findings=())
+        if any(found.kind is Kind.WRONG_NUMBER for found in feedback.findings) and (words := self._of_a_number(answer)):
             feedback = replace(feedback, message=words, findings=())
         if feedback.is_general and (words := self._relation(answer)):
             feedback = replace(feedback, message=words)
@@ -240,6 +246,27 @@ class Formula:
         except ArmproofError:
             return ""
 
+    def _exchanged(self, answer: Any) -> str:
+        """Return which two letters are exchanged in several wrong entries, or which factor is missing, where that explains them all."""
+        try:
+            at = random_values(self.arguments)
+            given = self._called(answer) if is_function(answer) else partial(self.claim.values_over, self._as_latex(answer))  # fmt: skip
+            asked = partial(self.claim.values_over, ASKED)
+            wrong = wrong_entries(asked(at), given(at))
+            if wrong.sum() < 2:
+                return ""
+            return letters_exchanged(asked, given, at, wrong) or factors_astray(asked, given, at)
+        except (ArmproofError, ValueError):
+            return ""
+
+    def _of_a_number(self, answer: Any) -> str:
+        """Return what may be behind a wrong number: a root that is missing, too many or on the wrong side of the line; its reciprocal."""
+        try:
+            words = slips_by_value(self.claim, self._written(answer), random_values(self.arguments), edits=roots_astray)
+        except ArmproofError:
+            return ""
+        return words or ((related := self._relation(answer)) == look_up(NUMBER_UPSIDE_DOWN) and related) or ""
+
     def _relation(self, answer: Any, only: np.ndarray | None = None) -> str:
         """Return how an answer with no known slip relates to what is asked, in values and in its letters; of some entries alone."""
         try:
@@ -272,11 +299,12 @@ class Formula:
             drawn = {name: values[: len(true)] for name, values in bound.items()}
             yield partial(factors_astray, asked, given, at)
             yield partial(letters_astray, asked, given, at)
+            latex = cache(lambda: self._written(answer))
+            yield lambda: slips_by_value(self.claim, latex(), at, drawn, only=wrong, edits=roots_astray)
             yield partial(relation, true, obtained, factors)
             yield partial(angle_astray, asked, given, at)
             if true[0].size > 1:
                 yield partial(letters_astray_in_each, asked, given, at)
-            latex = cache(lambda: self._written(answer))
             units = cache(lambda: units_astray(asked, given, at, self._units))
             yield lambda: units() and slips_by_value(self.claim, latex(), at, drawn, only=wrong, most=1)
             yield units

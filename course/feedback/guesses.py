@@ -11,7 +11,7 @@ from math import floor, isfinite, log10
 from armproof.models.errors import written
 from armproof.models.language import look_up, noted
 
-_MOST_BY_CHANCE = 0.025  # of all numbers up to twice the right one, those that are explained
+_MOST_BY_CHANCE = 0.03  # of all numbers up to twice the right one, those that are explained
 _LEAST = 3  # guesses that are tried whatever the number: they come first, and are the usual mistakes
 _FINEST = -4  # the power of ten beside a number beyond which digits tell no more
 _MOST_DECIMALS = 6
@@ -24,7 +24,7 @@ _SMALL = 1e-9
 _EXCHANGED, _LOST = noted("two neighbouring digits are exchanged"), noted("one digit is missing")
 _ROUNDED_OFF, _CUT_OFF = noted("rounded to too few digits"), noted("cut off where it is to be rounded")
 _TWICE, _ONE_WRONG = noted("one digit is written twice"), noted("all digits but one are right")
-_ALONE, _THIS = noted("this is {name} alone"), noted("this is {other}")
+_ALONE, _THIS, _PERHAPS = noted("this is {name} alone"), noted("this is {other}"), noted("is this {other}?")
 
 
 @dataclass(frozen=True)
@@ -46,11 +46,16 @@ def instead(other: str) -> str:
     return written(_THIS, other=other)
 
 
+def perhaps(other: str) -> str:
+    """Ask whether a number is something else, of which it may have the value by chance."""
+    return written(_PERHAPS, other=other)
+
+
 def explained(given: float, right: float, guesses: Iterable[Guess], share: float = _MOST_BY_CHANCE) -> str:
     """Return what is said of the first guess that a number is, to its digits; empty where none is.
 
     A number of few digits meets one of many guesses by chance. So no more are tried than would explain this share of all
-    numbers with as many digits, two at least, up to twice the right one: one of forty.
+    numbers with as many digits, two at least, up to twice the right one: three of a hundred.
     """
     if not isfinite(given):
         return ""
@@ -61,12 +66,17 @@ def explained(given: float, right: float, guesses: Iterable[Guess], share: float
             continue  # who makes this mistake has the right number all the same
         if (is_exact := guess.is_exact or is_short(guess.value)) and not _has_digits(guess.value, step):
             continue
-        tried.add(round(guess.value / step))
+        tried |= _explains(guess.value / step, is_exact or digits_of(given) < _MANY)
         if len(tried) > max(_LEAST, share * 2 * largest / step):
             return ""
         if nearly(given, guess.value, is_exact):
             return guess.words()
     return ""
+
+
+def _explains(units: float, is_rounded: bool) -> set[int]:
+    """Return which numbers a value explains, in units of the last digit: it rounded, and cut off."""
+    return {round(units)} if is_rounded else {round(units), int(units)}
 
 
 def nearly(given: float, value: float, is_exact: bool = False) -> bool:

@@ -4,13 +4,22 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import chain, combinations, permutations
 
 import numpy as np
 
-from armproof.course.feedback.guesses import Guess, alone, digits_astray, digits_exchanged, instead, is_short, shortened
+from armproof.course.feedback.guesses import (
+    Guess,
+    alone,
+    digits_astray,
+    digits_exchanged,
+    instead,
+    is_short,
+    perhaps,
+    shortened,
+)
 from armproof.course.feedback.worked import Worked
 from armproof.models.errors import written
 from armproof.models.language import look_up, noted, number_text
@@ -30,7 +39,7 @@ _CLOSE = 0.1  # of a number, that is lost with parts that are rounded on the way
 _ALONG = 0.01  # the sine of twice an angle that stands along an axis, to two digits
 TWICE, HALF = noted("this is twice what is asked"), noted("this is half of what is asked")
 _MISSING, _TOO_MUCH = noted("{name} is missing"), noted("{name} does not belong in it")
-_ELSEWHERE = noted("{value:g} is given for something else")
+ELSEWHERE = noted("{value:g} is given for something else")
 _TWICE = noted("{name} is counted twice")
 _TWO = {"+": operator.add, "·": operator.mul, "/": operator.truediv, "-": operator.sub}
 
@@ -47,6 +56,7 @@ class Asked:
         worked: how it follows from them; None where that is not known.
         beside: what others give instead.
         further: the formulas among these, in which a slip may stand, too.
+        is_whole: whether a number of things is asked, of which none is a fraction, and no factor.
     """
 
     right: float
@@ -58,11 +68,14 @@ class Asked:
     worked: Worked | None = None
     beside: tuple[Guess, ...] = ()
     further: tuple[Worked, ...] = ()
+    is_whole: bool = True
 
     def guesses(self, given: float) -> Iterator[Guess]:
         """Yield what mistakes would give, the usual ones first."""
         own, far = self._letters()
         yield from self._as_it_stands()
+        if self.label.startswith("tan"):
+            yield from chain(self._another(), self._other_functions())
         yield from self._alone(own, given)
         if self.worked is not None and len(own) == _TWO_LETTERS:
             pairs = {**_pairs(own), **_bent(own)} if self.worked.is_short else _sums(own)
@@ -70,14 +83,13 @@ class Asked:
         yield from shortened(given, self.right)
         yield from digits_exchanged(given, self.right)
         yield from self._of_parts(own)
-        yield from self._alone(far, given)
+        yield from (replace(guess, words=partial(self._and_otherwise, guess, far)) for guess in self._alone(far, given))
         if is_soon := self.worked is None or len(self.stated) <= _FEW_STATED:
             yield from self._copied()
         if self.worked is not None:
             yield from self.worked.parts()
             yield from self.worked.slips()
         yield from self._another()
-        yield from self._other_functions()
         if self.worked is not None:
             yield from self.worked.pairs()
             yield from () if is_soon else self._copied()
@@ -111,7 +123,7 @@ class Asked:
             for sign in "+-":
                 for one, other in permutations(values, 2) if sign == "-" else combinations(values, 2):
                     value = _TWO[sign](values[one], values[other])
-                    yield Guess(value, partial(instead, f"{one} {sign} {other}"), is_exact=True)
+                    yield Guess(value, partial(perhaps, f"{one} {sign} {other}"), is_exact=True)
         for label, value in self.others.items():
             yield Guess(self.right + value, partial(written, _TOO_MUCH, name=label), is_exact=True)
         for name, value in self.known.items():
@@ -121,9 +133,19 @@ class Asked:
     def _with_more(self, sign: str, name: str) -> str:
         return instead(f"{self.worked.shown} {sign} {name}") if self.worked is not None else ""
 
+    def _and_otherwise(self, guess: Guess, far: Mapping[str, float]) -> str:
+        """Return that a number is a given value of which the formula has nothing, and what else of the same size it may be."""
+        slips = self.worked.slips() if self.worked is not None else ()
+        words = [each.words() for each in chain(slips, self._of_parts(far)) if abs(each.value - guess.value) < _NOTHING]
+        return look_up("; or: ").join(dict.fromkeys([guess.words(), *words][:2]))
+
     def _letters(self) -> tuple[dict[str, float], dict[str, float]]:
         """Return the given values by their letters, those in the formula and the others; where there is none, all and none."""
-        of = {*self.known} if self.worked is None else self.worked.letters
+        of = (
+            {*self.known}
+            if self.worked is None
+            else {name for name, value in self.known.items() if self.worked.has(name, value)}
+        )
         own = {name: value for name, value in self.known.items() if name in of}
         return own, {name: value for name, value in self.known.items() if name not in of}
 
@@ -149,6 +171,8 @@ class Asked:
         if self.unit == "rad/s":
             yield Guess(right / (2 * np.pi), lambda: look_up("in turns a second? Radians a second are asked for"))
             yield Guess(right * 30 / np.pi, lambda: look_up("in turns a minute? Radians a second are asked for"))
+            yield Guess(right / np.pi, lambda: look_up("a factor π is missing"))
+            yield Guess(right * np.pi, lambda: look_up("a factor π is too much"))
             yield Guess(right * 2 * np.pi, lambda: look_up("a factor 2π is too much: the rate is in radians already"))
         if right and self.unit not in (*OF_ANGLES, "m") and self.worked is None:  # else its quotient is turned there
             yield Guess(1 / right, lambda: look_up("numerator and denominator are exchanged"))
@@ -167,10 +191,13 @@ class Asked:
         """Return by how much the number is off with one part too few, then with one too many, and the words for it; nothing of what is no term."""
         if self.worked is None or name not in self.known:
             return (_MISSING, -value), (_TOO_MUCH, value)
-        part = self.worked.share_of(name)
+        part = self.worked.share_of(name) if name in self.worked.letters else self.worked.term_of(value)
         if abs(part) < _NOTHING:
             return (_TOO_MUCH, value), (_TOO_MUCH, -value)
-        if abs(self.worked.with_values({name: 2 * value}) - self.right - part) > _NOTHING:
+        if (
+            name in self.worked.letters
+            and abs(self.worked.with_values({name: 2 * value}) - self.right - part) > _NOTHING
+        ):
             return ()
         return (_MISSING, -part), (_TWICE, part)
 
@@ -193,7 +220,7 @@ class Asked:
 
     def _other_functions(self) -> Iterator[Guess]:
         """Yield sine and cosine of the angle whose tangent is asked."""
-        for name in _CIRCULAR if self.label.startswith("tan") else ():
+        for name in _CIRCULAR:
             words = partial(
                 _with_function, noted("this is the {function} of the angle: its tangent is asked"), _FUNCTIONS[name]
             )
@@ -244,7 +271,7 @@ class Asked:
 
     def slips_beside(self) -> Iterator[Guess]:
         """Yield what a formula that others take gives with one thing done otherwise."""
-        return chain.from_iterable(worked.slips() for worked in self.further)
+        return chain.from_iterable(worked.asked_slips() for worked in self.further)
 
     def doubled(self) -> Iterator[Guess]:
         """Yield the double, the half and the square, and what a turn more makes of a number that is no angle."""
@@ -275,7 +302,7 @@ class Asked:
         stated = self.stated if self.right else {*self.stated, *(-value for value in self.stated)}
         for value in stated if self.unit != "rad" and len(self.stated) <= _MOST_STATED else ():
             if not value.is_integer():
-                yield Guess(value, partial(written, _ELSEWHERE, value=value))
+                yield Guess(value, partial(written, ELSEWHERE, value=value))
 
     def alone(self, given: float) -> Iterator[Guess]:
         """Yield the given values, with the sign of the number that is given."""
@@ -292,7 +319,7 @@ class Asked:
     def whole_ones(self) -> Iterator[Guess]:
         """Yield the whole numbers of the text, of which one may stand where zero belongs."""
         for value in filter(float.is_integer, self.stated):
-            yield Guess(value, partial(written, _ELSEWHERE, value=value))
+            yield Guess(value, partial(written, ELSEWHERE, value=value))
 
     def _of_the_text(self) -> Iterator[Guess]:
         """Yield two or three numbers of the text put together."""
@@ -313,7 +340,7 @@ class Asked:
 
 
 def _reckoned(one: float, sign: str, other: float) -> str:
-    return instead(f"{number_text(one, 'g')} {sign} {number_text(other, 'g')}")
+    return perhaps(f"{number_text(one, 'g')} {sign} {number_text(other, 'g')}")
 
 
 def _root(squares: Sequence[float]) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -11,8 +11,8 @@ from itertools import combinations
 
 import numpy as np
 
-from armproof.course.feedback.guesses import Guess, explained, instead, nearly
-from armproof.course.feedback.number_guesses import HALF, OF_ANGLES, TWICE, Asked
+from armproof.course.feedback.guesses import Guess, explained, instead, is_short, nearly
+from armproof.course.feedback.number_guesses import ELSEWHERE, HALF, OF_ANGLES, TWICE, Asked
 from armproof.course.feedback.steps import NO_STEPS, Beside, Steps
 from armproof.course.feedback.worked import IN_RADIANS, LETTER, Worked
 from armproof.models.errors import counted, written
@@ -38,6 +38,7 @@ _OF_LENGTHS = {
 _LONE_FACTORS = (2, 3, 4, *_TENS)  # of one number: seven comes by chance
 _NEAR = 2e-3  # of numbers that were rounded, where the mistake is sought
 _NEAR_SHORT = 1e-4  # of one that has many digits, where the right one has few
+_LENGTHS = ("m", "m/s")
 _SMALL_ANGLE = 0.1  # rad, of which a length may have the number of degrees
 _USUAL_ANGLE = 5  # degrees: of a direction that is taken for another
 _NEAR_ANGLE = 0.06  # of it
@@ -103,12 +104,16 @@ def number_slip(
     own = dict(zip(labels, given.tolist(), strict=True))
     of_angles = [Guess(float(np.degrees(angle)), partial(instead, f"{plain_text(symbol_as_latex(name))} = {np.degrees(angle):g}°"))
                  for name, angle in way.angles.items() if abs(angle) > _SMALL_ANGLE] if unit in ("m", "m/s") else []  # fmt: skip
+    is_whole = not any(each.has_powers for each in worked.values())
+    sizes = _size_of_all(right, labels, unit)
     asked = {
-        k: Asked(float(right[k]), labels[k], unit, others[k], known, tuple(stated), worked.get(k), (*near_by.of_one(k, given, wrong), *of_angles), near_by.formulas)
+        k: Asked(float(right[k]), labels[k], unit, others[k], known, tuple(stated), worked.get(k), (*near_by.of_one(k, given, wrong), *of_angles, *sizes), near_by.formulas, is_whole)
         for k in wrong
     }  # fmt: skip
     if whole := (
-        near_by.of_all(given)
+        near_by.of_all(given, (1.0, -1.0))
+        or _in_one_place(given, right, labels)
+        or near_by.of_all(given)
         or next(_whole(given, right, unit, bool(worked)), "")
         or _of_another_value(given, right, worked, way.angles)
         or ("" if any(_carried(asked[k], own[labels[k]], own) for k in wrong) else _reordered(given, right, labels))
@@ -239,9 +244,11 @@ def _whole(given: np.ndarray, right: np.ndarray, unit: str, is_reckoned: bool) -
         and not set(given.tolist()) <= {*kinds}
     ):
         yield written("each of them is {one:g} or {other:g}", one=kinds[1], other=kinds[0])
-    if unit not in OF_ANGLES and near(given, 1000 * right):
+    is_long = unit in _LENGTHS
+    if (unit not in OF_ANGLES and near(given, 1000 * right)) or (is_long and near(given[wrong], 1000 * right[wrong])):
         yield look_up("in millimetres? Metres are asked for")
-    if unit not in OF_ANGLES and near(given, 100 * right) and not near(right, np.round(right)):
+    is_fraction = unit not in OF_ANGLES and not near(right, np.round(right))  # 200 may be counted
+    if (is_long and near(given[wrong], 100 * right[wrong])) or (is_fraction and near(given, 100 * right)):
         yield look_up("in centimetres? Metres are asked for")
     if unit in ("–", *OF_ANGLES) and near(given, np.degrees(right)) and not near(right, np.round(right)):
         yield look_up("in degrees? Radians are asked for")
@@ -290,7 +297,7 @@ def _reordered(given: np.ndarray, right: np.ndarray, labels: Sequence[str]) -> s
 
 def _reordered_with_signs(given: np.ndarray, right: np.ndarray, asked: Mapping[int, Asked]) -> str:
     """Return that numbers are in another order and have other signs, where that is not what slips of each make of them."""
-    if not near(np.sort(np.abs(given)), np.sort(np.abs(right))):
+    if given.size < 2 or not near(np.sort(np.abs(given)), np.sort(np.abs(right))):
         return ""
     has_slips = all(each.worked and explained(float(given[k]), each.right, each.guesses(float(given[k]))) for k, each in asked.items())  # fmt: skip
     return "" if has_slips else look_up("the numbers are right, their order and signs are not")
@@ -307,6 +314,31 @@ def _turned(given: np.ndarray, right: np.ndarray, labels: Sequence[str]) -> str:
         return ""
     turn = round(angle) * _USUAL_ANGLE
     return written("the length is right, the direction is not: yours is turned by {angle}°", angle=turn)
+
+
+def _are_coordinates(right: np.ndarray, labels: Sequence[str]) -> bool:
+    """Whether coordinates are asked of which several are not zero."""
+    return right.size > 1 and {label[-1:] for label in labels} <= {*"xyz"} and bool(np.count_nonzero(right) > 1)
+
+
+def _size_of_all(right: np.ndarray, labels: Sequence[str], unit: str) -> tuple[Guess, ...]:
+    """Return the speed, the size of a velocity's coordinates together, which may stand for one of them."""
+    if unit != "m/s" or not _are_coordinates(right, labels):
+        return ()
+    size = float(np.linalg.norm(right))
+    return (Guess(size, partial(look_up, noted("this is the size of all of them together")), is_short(size)),)
+
+
+def _in_one_place(given: np.ndarray, right: np.ndarray, labels: Sequence[str]) -> str:
+    """Return which coordinate alone is as large as all that are asked together, the others being zero."""
+    places = np.flatnonzero(given).tolist()
+    if (
+        not _are_coordinates(right, labels)
+        or len(places) != 1
+        or not near(np.linalg.norm(given), np.linalg.norm(right))
+    ):
+        return ""
+    return written("the size is right, the direction is not: all of it stands in {label}", label=labels[places[0]])
 
 
 def _by_factor(given: np.ndarray, right: np.ndarray, usual: Sequence[int] = ()) -> Iterator[str]:
@@ -362,9 +394,11 @@ def _common_factor(given: np.ndarray, right: np.ndarray) -> int:
     if ratio < 0:
         return 0
     factor = max(ratio, 1 / ratio)
+    whole = right * round(factor) if ratio > 1 else right / round(factor)
     return (
         round(factor)
-        if near(factor, round(factor)) and (1 < round(factor) <= _LARGEST_FACTOR or round(factor) in _POWERS_OF_TEN)
+        if all(map(nearly, given.tolist(), whole.tolist()))
+        and (1 < round(factor) <= _LARGEST_FACTOR or round(factor) in _POWERS_OF_TEN)
         else 0
     )
 
@@ -378,7 +412,8 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
     if not given:
         missing = asked.worked.missing if asked.worked is not None else ""
         return missing or look_up(_NOT_ZERO.get(asked.unit, _NOT_ZERO["–"]))
-    if beside := explained(given, right, asked.beside, _ALL):
+    is_copied = not given.is_integer() and abs(given) in {*map(abs, (*asked.known.values(), *asked.stated))}
+    if beside := explained(given, right, _to_the_digit(asked.beside, is_copied), _ALL):
         return beside
     if not right:
         said = explained(given, right, asked.guesses(given), _MOST_TRUE)
@@ -393,11 +428,17 @@ def _of_one(asked: Asked, given: float, own: Mapping[str, float], is_only: bool)
         or explained(given, right, asked.identities(), _MOST_TRUE)
         or explained(given, right, asked.alone(given), _ALL)
         or next((guess.words() for guess in asked.by_hand(given) if nearly(given, guess.value, guess.is_exact)), "")
-        or explained(given, right, asked.slips_beside())
+        or explained(given, right, _to_the_digit(asked.slips_beside(), is_copied))
         or _factor_of_one(given, asked)
         or _of_reach(given, asked)
+        or (written(ELSEWHERE, value=abs(given)) if is_copied else "")
         or _by_size(asked, given, is_only)
     )
+
+
+def _to_the_digit(guesses: Iterable[Guess], is_copied: bool) -> Iterator[Guess]:
+    """Yield guesses that a number copied from the text meets in all digits only: 0.2 is not the arcsine of 0.2, rounded."""
+    return (replace(guess, is_exact=guess.is_exact or is_copied) for guess in guesses)
 
 
 def _factor_of_one(given: float, asked: Asked) -> str:
@@ -439,7 +480,7 @@ def _of_a_count(given: float, asked: Asked) -> str:
     if asked.unit != "–" or not all(map(float.is_integer, values)) or not max(values) > 1 or asked.right < 0:
         return ""
     if not float(given).is_integer():
-        return look_up("a whole number is asked") if asked.worked is None or not asked.worked.has_powers else ""
+        return look_up("a whole number is asked") if asked.is_whole else ""
     if given < 0:
         return look_up("a number of things is not negative")
     more = int(given - asked.right)

@@ -37,9 +37,10 @@ from armproof.course.feedback.wholes import no_rotation, part_astray, planar_ast
 from armproof.models.arm import Arm
 from armproof.models.catalogue import load_arm
 from armproof.models.errors import ArmproofError, written
-from armproof.models.language import noted
+from armproof.models.language import look_up, noted
 from armproof.verification.algebra.quantity_kinds import kind_of
 from armproof.verification.errors import ShapeError
+from armproof.verification.findings import Kind
 from armproof.verification.findings.finding import write_all
 from armproof.verification.functions import check_function
 from armproof.verification.functions.arguments import read_layout
@@ -57,7 +58,15 @@ MANY = 32  # by which the relation of a wrong answer to the right one is found
 NOT_DRAWN = noted("`{task}`: only a function that gives a pose, an origin or a Jacobian can be drawn.")
 NOTHING_YET = noted("`{task}`: no answer yet, nothing to draw.")
 _LONGEST = 1500  # characters of an answer in which slips and terms are sought
+_OF_PRODUCTS = {Kind.LINKS_SWAPPED, Kind.LINKS_OF_ROW_BELOW, Kind.LINKS_OF_ROW_ABOVE}
+_FEW_ENTRIES = 3
 _USUAL = (0.5, -0.9, 1.1, 0.7, -0.6, 0.8)  # rad; of a slide a third of it, in metres
+
+
+def _has_another_reading(feedback: Feedback) -> bool:
+    """Whether products of links are said to be wrong where a few entries are, as if nobody had multiplied any."""
+    kinds = {found.kind for found in feedback.findings}
+    return 0 < len(feedback.rows) <= _FEW_ENTRIES and bool(kinds) and kinds <= _OF_PRODUCTS
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,7 +127,10 @@ class Quantity:
             feedback = replace(feedback, message=formula.message, findings=formula.findings)
         if feedback.is_general and (words := self._relation(answer)):
             feedback = replace(feedback, message=words)
-        return told_of_the_rest(feedback, self._shape, partial(self._relation, answer))
+        words = self._relation(answer) if _has_another_reading(feedback) else ""
+        told = replace(feedback, message=words) if words else feedback
+        told = told_of_the_rest(told, self._shape, partial(self._relation, answer))
+        return replace(told, message=told.message + look_up("; or: ") + feedback.message) if words else told
 
     def _readable(self, answer: Any) -> Any:
         """Return a function as LaTeX where it can be traced and read: that has its values many times quicker."""
@@ -138,7 +150,8 @@ class Quantity:
             asked, given = partial(self.claim.values_over, ASKED), partial(self._values_over, answer)
             if (true := asked(at)).shape != (obtained := given(at)).shape:
                 return part_astray(true, obtained)
-            if feedback.is_piecemeal and (words := planar_astray(self.loaded, asked, given, at)):
+            of_a_link = any(found.kind in (Kind.WRONG_LINK, Kind.FIRST_WRONG_LINK) for found in feedback.findings)
+            if (feedback.is_piecemeal or of_a_link) and (words := planar_astray(self.loaded, asked, given, at)):
                 return words
             return no_rotation(true, obtained) if feedback.is_general else ""
         except ArmproofError:

@@ -14,13 +14,14 @@ import numpy as np
 from armproof.course.feedback.claim import ANGLE
 from armproof.course.feedback.outcome import MOST_PLACES, place
 from armproof.models.errors import ArmproofError, counted, written
-from armproof.models.language import look_up, number_text, separator
+from armproof.models.language import look_up, noted, number_text, separator
 from armproof.verification.latex.writer import symbol_as_latex
 
 Letters = Mapping[str, np.ndarray]  # each letter's values at the samples
 Values = Callable[[Letters], np.ndarray]  # what letters give, (samples, rows, columns)
 Said = Callable[[], str]  # looks for one relation; empty where it does not hold
 
+NUMBER_UPSIDE_DOWN = noted("the number in front is upside down: its reciprocal belongs there")
 _JOINT_ANGLE = re.compile(r"theta_\d$")
 ENOUGH = 5  # samples at which both sides have a value, so that a chance agreement is none
 _TOLERANCE = 1e-8
@@ -94,11 +95,8 @@ def _letter_astray(asked: Values, given: Values, at: Letters, wrong: np.ndarray)
     obtained, few = given(at), list(at)[:_MOST_LETTERS]
     if any(not np.nan_to_num(np.abs(side[:, wrong])).max(initial=0) > _TOLERANCE for side in (asked(at), obtained)):
         return ""  # that zero stands there, or belongs there, is said in its own words
-    pairs = list(combinations(few, 2))
-    exchanged = at_each(asked, [{**at, one: at[other], other: at[one]} for one, other in pairs])
-    for (one, other), true in zip(pairs, exchanged, strict=True):
-        if same(true[:, wrong], obtained[:, wrong]):
-            return written("{one} and {other} are exchanged", one=symbol_as_latex(one), other=symbol_as_latex(other))
+    if exchanged := letters_exchanged(asked, given, at, wrong):
+        return exchanged
     threes = list(combinations(few, 3)) if len(few) <= _MOST_OF_THREE else []
     orders = [dict(zip(three, order, strict=True)) for three in threes for order in list(permutations(three))[1:]]
     moved = at_each(asked, [{**at, **{name: at[other] for name, other in order.items()}} for order in orders])
@@ -115,6 +113,21 @@ def _letter_astray(asked: Values, given: Values, at: Letters, wrong: np.ndarray)
     if missing := [name for name, needed, own in zip(few, theirs, mine, strict=True) if needed.all() and not own.any()]:
         return _missing_letters(missing)
     return _alien_letter(asked, given, at, wrong)
+
+
+def letters_exchanged(asked: Values, given: Values, at: Letters, wrong: np.ndarray) -> str:
+    """Say which two letters are exchanged in the wrong entries; empty where none are."""
+    pairs, obtained = list(combinations(list(at)[:_MOST_LETTERS], 2)), given(at)
+    exchanged = at_each(asked, [{**at, one: at[other], other: at[one]} for one, other in pairs])
+    for (one, other), true in zip(pairs, exchanged, strict=True):
+        if same(true[:, wrong], obtained[:, wrong]):
+            shown = symbol_as_latex(one), symbol_as_latex(other)
+            needed = [places.any() for places in _followed(asked, at, (one, other), wrong)]
+            if needed == [True, True]:
+                return written("{one} and {other} are exchanged", one=shown[0], other=shown[1])
+            right, stray = shown if needed[0] else shown[::-1]
+            return written("{stray} where {right} belongs", stray=stray, right=right)
+    return ""
 
 
 def _alien_letter(asked: Values, given: Values, at: Letters, wrong: np.ndarray | None = None) -> str:
@@ -205,6 +218,8 @@ def factors_astray(asked: Values, given: Values, at: Letters) -> str:
         return ""
     none = {name: np.zeros_like(at[name]) for name in names}
     factors = {name: asked({**none, name: at[name]}) for name in names}
+    if not all(np.isfinite(each).all() for each in factors.values()):
+        return ""
     orders = [order for order in permutations(names) if same(reduce(np.matmul, map(factors.__getitem__, order)), true)]
     if not orders:
         return ""
@@ -379,6 +394,8 @@ def _plain(true: np.ndarray, obtained: np.ndarray) -> Iterator[str]:
     ):
         yield look_up("right up to a quarter turn: the angle is counted from another direction")
     turns = (obtained - true) / np.pi
+    if same(turns, np.round(turns)) and (np.round(turns) % 2 == 1).all():
+        yield look_up("half a turn off everywhere: of `atan2` both arguments have the wrong sign, or π does not belong")
     if same(turns, np.round(turns)) and (np.round(turns) % 2 == 1).any():
         yield look_up("right up to half a turn: `atan2` keeps the quadrant, `arctan` does not")
     if same(np.exp(2j * (obtained + true)), np.full(len(true), -1 + 0j)):
@@ -491,13 +508,17 @@ def _by_number(factor: float, true: np.ndarray, factors: Letters) -> str:
         return look_up("in degrees? Radians are asked for") if abs(factor) > 1 else look_up("radians are asked for: no π / 180")  # fmt: skip
     number = _number_in(true, factors)
     if number and abs(factor * number**2 - 1) < _TOLERANCE:
-        return look_up("the number in front is upside down: its reciprocal belongs there")
+        return look_up(NUMBER_UPSIDE_DOWN)
     if size - 1 < _ROUNDED:
         return look_up("close, but a number in it is rounded: hand over the fraction or the root itself")
+    if number and abs(number - 1) > _TOLERANCE and abs(factor * number - 1) < _TOLERANCE:
+        return look_up("the number in front is missing")
     shown = _as_root(size) or number_text(size, ".4g")
-    if abs(factor) > 1:
-        return written("your answer is {factor} times too large", factor=shown)
-    return written("your answer is {factor} times too small", factor=shown)
+    large, small = noted("your answer is {factor} times too large"), noted("your answer is {factor} times too small")
+    words = written(large if abs(factor) > 1 else small, factor=shown)
+    if number and abs(number - 1) > _TOLERANCE and not _as_root(size) and abs(size - round(size)) > _TOLERANCE:
+        return written("the number in front is wrong: {words}", words=words)
+    return words
 
 
 def _number_in(values: np.ndarray, factors: Letters) -> float:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from copy import deepcopy
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from itertools import chain, combinations, islice, pairwise, product
 from typing import TypeVar
 
@@ -14,6 +15,7 @@ import numpy as np
 from armproof.course.feedback.claim import ANGLE, Claim
 from armproof.course.feedback.outcome import ASKED, MOST_PLACES
 from armproof.course.feedback.relation import ENOUGH, Letters, by_places, same, wrong_entries
+from armproof.course.feedback.rule_slips import rule_slips
 from armproof.models.errors import written
 from armproof.verification.diagnosis.diagnosis import find_cell
 from armproof.verification.diagnosis.misconceptions import misconceptions
@@ -35,6 +37,7 @@ from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.writer import symbol_as_latex
 
 Item = TypeVar("Item")
+Edits = Callable[[n.Node], Iterator[Edit]]
 Value = Callable[[n.Node], np.ndarray | None]
 
 _FIRST = 60  # changes from which a second one is tried
@@ -69,6 +72,7 @@ def slips_by_value(
     only: np.ndarray | None = None,
     with_turns: bool = False,
     most: int = 2,
+    edits: Edits | None = None,
 ) -> str:
     """Return the slip, or the two slips, after whose mend an answer is what is asked; of each wrong entry of a matrix.
 
@@ -77,13 +81,15 @@ def slips_by_value(
         only: the entries to tell of.
         with_turns: whether the entries are angles, of which whole turns too many are no mistake.
         most: how many slips an entry may have, one or two.
+        edits: the changes that are tried, one slip alone; all if none are given.
     """
     node, letters, budget = claim.read(latex), _letters(claim), _Budget()
     sets = [(claim.values_over(ASKED, at), claim.values_over(latex, at), claim.evaluated_over(at)) for at in samples]
     sets = (
         sets[:1] if np.isfinite(sets[0][0]).all() else sets
     )  # what is asked has a value everywhere: no others are needed
-    for search in (_one_slip, _two_slips)[:most]:
+    searches = (_one_slip, _two_slips)[:most] if edits is None else (partial(_one_slip, edits=edits),)
+    for search in searches:
         for true, obtained, value in sets:
             if true.shape != obtained.shape:
                 return ""
@@ -127,10 +133,13 @@ class _Target:
         return same(np.exp(1j * found), np.exp(1j * self.true))
 
 
-def _one_slip(cell: n.Node, letters: Drawn, target: _Target, budget: _Budget) -> list[Finding]:
+def _one_slip(
+    cell: n.Node, letters: Drawn, target: _Target, budget: _Budget, edits: Edits | None = None
+) -> list[Finding]:
     """Return the finding whose change mends an entry, as it stands or with its brackets multiplied out; none where none does."""
-    for tree in (cell, *expanded(cell)):
-        for edit in budget.spent_on(tree, chain(_edits(tree, letters), _added_terms(tree, letters)), _SINGLE):
+    for tree in (cell, *expanded(cell)) if edits is None else (cell,):
+        changes = chain(_edits(tree, letters), _added_terms(tree, letters)) if edits is None else edits(tree)
+        for edit in budget.spent_on(tree, changes, _SINGLE):
             if not _is_bare(edit.node) and target.is_met(edit):
                 return [edit.finding]
     return []
@@ -153,6 +162,7 @@ def _edits(cell: n.Node, letters: Drawn) -> Iterator[Edit]:
     """Yield the changes of one slip, mistakes of a rule first."""
     return chain(
         misconceptions(cell),
+        rule_slips(cell),
         single_edits(cell, letters),
         sign_pairs(cell),
         function_pairs(cell),

@@ -11,11 +11,14 @@ import numpy as np
 
 from armproof.course.feedback.guesses import Guess, instead, nearly
 from armproof.course.feedback.worked import IN_RADIANS, LETTER, Worked
-from armproof.models.language import look_up
+from armproof.models.errors import written
+from armproof.models.language import look_up, noted
 from armproof.verification.latex.plain import plain_text
 
 _NUMBER = re.compile(r"(-?\d+(?:\.\d+)?)(\^\\circ)?")
 _TIMES = {1.0: "", -1.0: "−", 2.0: "2 · ", -2.0: "−2 · ", 0.5: "1/2 · ", -0.5: "−1/2 · "}
+_OTHER_SIGN = noted("this is {other}, but for its sign")
+_SUMMED = re.compile(r" [-+−] ")
 _LIST = re.compile(r"\[(.*)\]", re.DOTALL)
 
 
@@ -128,27 +131,34 @@ class Beside:
     lines: tuple[str, ...]
     known: Mapping[str, float]
 
-    def of_all(self, given: np.ndarray) -> str:
-        """Return which list the numbers are, as it is, doubled, halved or with the other sign; empty where they are none."""
-        for times, shown in _TIMES.items():
+    def of_all(self, given: np.ndarray, often: Sequence[float] = tuple(_TIMES)) -> str:
+        """Return which list the numbers are, as it is, doubled, halved or with the other sign; empty where they are none.
+
+        Args:
+            often: how many times the list may be taken.
+        """
+        for times in often:
             for line in map(equation_of, self.lines):
                 if self._is_whole(line, given.size) and self._agree(line, given / times, range(given.size)):
-                    return instead(shown + plain_text(line.name))
+                    return instead(_so_often(times, line.name))
                 in_radians = Equation(line.name, line.latex.replace(r"^\circ", ""))
                 if (
                     in_radians != line
                     and self._is_whole(line, given.size)
                     and self._agree(in_radians, given / times, range(given.size))
                 ):
-                    return instead(shown + plain_text(line.name)) + look_up("; ") + look_up(IN_RADIANS)
+                    return instead(_so_often(times, line.name)) + look_up("; ") + look_up(IN_RADIANS)
         return ""
 
     def of_one(self, place: int, given: np.ndarray, wrong: Sequence[int]) -> Iterator[Guess]:
         """Yield what one of the numbers may be instead; of a list with a name, where all that are wrong are its."""
+        others = [k for k in range(given.size) if k != place]
         for line in map(equation_of, self.lines):
-            if self._is_whole(line, given.size) and not self._agree(
-                line, given, wrong if len(wrong) > 1 else range(given.size)
-            ):
+            is_whole = self._is_whole(line, given.size)
+            if is_whole and not self._agree(line, given, wrong if len(wrong) > 1 else range(given.size)):
+                if len(wrong) == 1 and self._agree(line, given, others):
+                    told = partial(written, _OTHER_SIGN, other=plain_text(line.name))
+                    yield Guess(-self._value(line.cells[place]), told)
                 continue
             latex = line.cells[place] if len(line.cells) == given.size > 1 else "" if line.cells else line.latex
             if latex and (line.name or not _NUMBER.fullmatch(latex)):
@@ -168,6 +178,11 @@ class Beside:
 
     def _value(self, latex: str) -> float:
         return Worked(latex, self.known).value
+
+
+def _so_often(times: float, name: str) -> str:
+    shown = plain_text(name)
+    return _TIMES[times] + (f"({shown})" if _TIMES[times] and _SUMMED.search(shown) else shown)
 
 
 def _told(name: str, latex: str, known: Mapping[str, float]) -> str:

@@ -11,7 +11,7 @@ from itertools import combinations
 import numpy as np
 
 from armproof.course.feedback.claim import Claim
-from armproof.course.feedback.guesses import Guess, alone, instead, nearly
+from armproof.course.feedback.guesses import Guess, alone, instead, nearly, perhaps
 from armproof.course.feedback.miscalculated import (
     done_otherwise,
     done_twice,
@@ -40,7 +40,7 @@ _SPELLINGS = (
 IN_RADIANS = noted("an angle in degrees is taken as radians")
 _EITHER = noted("this is {one} or {other}, which are the same here")
 _CARRIED = noted("a one that is carried over or borrowed is lost")
-_OFF_BY_ONE = noted("one digit is off by one: a slip in the reckoning")
+_OFF_BY_ONE = noted("one digit is off by one: a slip in the reckoning?")
 _EARLY = noted("rounded too early: {short:g} in place of {part}")
 _ONES = (0.01, 0.1, 1, 10)  # that are carried over
 _DECIMALS = 6
@@ -82,6 +82,17 @@ class Worked:
     def share_of(self, name: str) -> float:
         """Return how much less the formula gives where a letter is zero."""
         return self.value - self.with_values({name: 0.0})
+
+    def has(self, name: str, value: float) -> bool:
+        """Whether a letter stands in the formula, or its value as a term."""
+        return name in self.letters or bool(self.term_of(value))
+
+    def term_of(self, value: float) -> float:
+        """Return a number with the sign that it has as a term of the formula; 0 where it is none."""
+        total = bare(self._tree)
+        terms = total.terms if isinstance(total, n.Sum) else ()
+        signs = [sign for sign, term in terms if isinstance(term, n.Number) and abs(float(term.value) - value) < _SMALL]
+        return (-value if signs[0] == "-" else value) if signs else 0.0
 
     @cached_property
     def shown(self) -> str:
@@ -154,6 +165,11 @@ class Worked:
             for tree in trees:
                 yield Guess(self._value(tree), partial(self._said_of, tree, trees))
 
+    def asked_slips(self) -> Iterator[Guess]:
+        """Yield what the formula gives with one thing done otherwise, where it is not the one that is asked: this is not said, but asked."""
+        for tree in (tree for trees in self._slipped for tree in trees):
+            yield Guess(self._value(tree), partial(self._perhaps, tree))
+
     def pairs(self) -> Iterator[Guess]:
         """Yield what the formula gives with two like things done otherwise."""
         return self._told(done_twice(self._tree))
@@ -203,7 +219,8 @@ class Worked:
 
     def long_shots(self) -> Iterator[Guess]:
         """Yield what it gives with two things done otherwise."""
-        return self._told(self._twice())
+        for tree in self._twice():
+            yield Guess(self._value(tree), partial(self._perhaps, tree))
 
     def miscarried(self) -> Iterator[Guess]:
         """Yield the sum with a one that is carried over, or borrowed, left out."""
@@ -231,6 +248,9 @@ class Worked:
     def _said(self, tree: n.Node) -> str:
         said = alone if isinstance(_term_alone(bare(tree)), n.Name | n.Number) else instead
         return said(self._shown(tree))
+
+    def _perhaps(self, tree: n.Node) -> str:
+        return perhaps(self._shown(tree))
 
     def _taken(self) -> Iterator[n.Node]:
         """Yield the formula with one given value that is misread."""

@@ -749,6 +749,8 @@ LESSON = Lesson(
                     r"6 \cdot 0.4/5^2",
                     "0.4/5^2",
                     r"3/2 \cdot 0.4/5",
+                    r"2 \cdot 0.4/5",
+                    r"3 \cdot 0.4/5",
                     r"3/2 \cdot 0.4",
                     r"3/2 \cdot 0.4/5^2",
                     r"10/\sqrt{3} \cdot 0.4",

@@ -378,6 +378,8 @@ LESSON = Lesson(
                     "s_y/s_z",
                     "s_x/s_z",
                     "s_z/s_x",
+                    r"\cos\phi = s_x/0.96",
+                    r"\sin\phi = s_y/0.96",
                 ),
             ),
             hints=(

@@ -403,6 +403,7 @@ class Kind(MessageKind):
     PRODUCT_FOR_SUM = "product_for_sum", "a product stands where a sum belongs"
     QUOTIENT_FOR_DIFFERENCE = "quotient_for_difference", "a quotient stands where a difference belongs"
     ARGUMENT_TOO_LONG = "argument_too_long", "a term stands in the argument of a function that belongs outside"
+    ARGUMENT_TOO_SHORT = "argument_too_short", "brackets are missing: a part stands outside a function in whose argument it belongs"
     ARC_OF_SUM = "arc_of_sum", "the angles are added or subtracted, not their tangents, sines or cosines"
     FACTOR_AT_OTHER_TERM = "factor_at_other_term", "a factor stands at the wrong term of a sum"
     UNDER_ROOT = "under_root", "a term stands under the root that belongs outside"
@@ -414,6 +415,10 @@ class Kind(MessageKind):
     WRONG_NUMBER = "wrong_number", "the number {number}", "the number {number} is too {size}"
     WRONG_POWER = "wrong_power", "the power", "the exponent {number} is too {size}"
     MISSING_SQUARE = "missing_square", "a square is missing"
+    MISSING_SQUARES = "missing_squares", "squares are missing"
+    MISSING_ROOT = "missing_root", "a root is missing"
+    EXTRA_ROOT = "extra_root", "a root does not belong"
+    ROOT_ON_OTHER_SIDE = "root_on_other_side", "a root stands on the wrong side of the line: below it for above, or above it for below"
 
     # -- a matrix as a whole: what was printed or computed instead ------------------------------------------------------
     ALONE = "alone", "{cause}, in {place} alone"

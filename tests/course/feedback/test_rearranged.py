@@ -53,7 +53,7 @@ CRANE = Table({"dh": "classic", "rows": [{"theta": "theta_1", "d": "h", "a": 0, 
         (MOTION, matrix("x", "x - y", "z"), "entry (1, 1): the term y is missing; entry (3, 1): a factor x is missing"),
         (MOTION, matrix("0", "x + y", "1"), "entry (2, 1): wrong sign of term 2; entries (1, 1), (3, 1): x is missing"),
         (TURN, r"\operatorname{atan2}(y m - n x, x m - y n)", "wrong sign of term 2"),
-        (WRIST, matrix(r"\operatorname{atan2}(\sqrt{v^2 + w^2}, u)", r"\operatorname{atan2}(v, u)"), "entry (2, 1): u and w are exchanged"),
+        (WRIST, matrix(r"\operatorname{atan2}(\sqrt{v^2 + w^2}, u)", r"\operatorname{atan2}(v, u)"), "entry (2, 1): u where w belongs"),
     ],
 )  # fmt: skip
 def test_what_is_wrong_is_told_of_every_wrong_entry(asks: Any, answer: str, words: str) -> None:
