@@ -22,7 +22,7 @@ from armproof.verification.equations.differentials import is_of_rates, of_small_
 from armproof.verification.equations.doubts import is_of_arm
 from armproof.verification.equations.each_joint import holds_for_each_joint, index_of, slip_of_law, with_inverses
 from armproof.verification.equations.elementary import axis_of_another_frame, is_elementary_rotation
-from armproof.verification.equations.general_links import GeneralStatements, is_sum_of_indices
+from armproof.verification.equations.general_links import GeneralStatements, is_sum_of_indices, of_link_i
 from armproof.verification.equations.given_targets import asked_of_the_tool
 from armproof.verification.equations.given_values import GivenValues, named_sign
 from armproof.verification.equations.inequalities import check_relation, is_numbers, parts_of
@@ -403,7 +403,7 @@ class Claims:
         return [check_relation(self.checker, part, equation)]
 
     def _claimed(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
-        is_general = any(is_inverse_link(m, self.names.transforms) is not None for m in chain.members)
+        is_general = any(is_inverse_link(m, self.names.transforms) is not None for m in of_link_i(chain).members)
         found = self.general.check(chain, equation, line, define) if is_general else None
         for outcome in found or ():
             outcome.role = Role.LAW
