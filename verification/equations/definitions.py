@@ -21,7 +21,7 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.printed_factors import letters_of_factor
 from armproof.verification.equations.rates import stand_for_scalars
 from armproof.verification.equations.readings import Readings
-from armproof.verification.equations.rigid import misses_group
+from armproof.verification.equations.rigid import misses_group, with_entry_mended
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError, NoValue, UnboundName
 from armproof.verification.evaluation.blocks import Block, cells_of, partition, written_rows
@@ -93,7 +93,9 @@ class Definitions:
                 return Outcome(Verdict.UNCHECKED, (say(Kind.ON_BOTH_SIDES, name=key),), equation, true, member)
             if self.members.decimals(true.node, least=1) is None and (group := misses_group(member.node, true.value)):
                 other = (say(Kind.NOT_IN_GROUP, group=group),)
-                return Outcome(Verdict.UNCHECKED, other, equation, true, member, role=Role.DEFINITION)
+                found = Outcome(Verdict.UNCHECKED, other, equation, true, member, role=Role.DEFINITION)
+                slip = with_entry_mended(true.value) if isinstance(true.value, Matrix) else None
+                return found if slip is None else found.as_wrong_claim(Pair(slip[0], true.value), [slip[1]])  # type: ignore[arg-type]
             if self.defines:
                 self.names.define(key, self.members.meaning(true.node), self.line, node=true.node)
                 if (decimals := self.members.decimals(true.node)) is not None:

@@ -41,5 +41,30 @@ def misses_group(name: n.Node, value: object) -> str:
     return "SE(3)" if value.shape == (4, 4) else "SO(3)"
 
 
+def with_entry_mended(value: Matrix) -> tuple[Matrix, tuple[int, int]] | None:
+    """Return a rotation or a pose with the one entry of its rotation, and its place, that makes it one; None where none does, or several.
+
+    Each entry of a rotation is its own cofactor. What is orthonormal and turns right into left is a reflection, and has no slip; nor has
+    a number, which may be a scale.
+    """
+    turns = value.block(range(3), range(3))
+    cofactors = turns.cofactors()
+    found = []
+    for r, c in turns.places:
+        printed, correct = turns.rows[r][c], cofactors.rows[r][c]
+        if not (_has_angle(printed) and _has_angle(correct)):
+            continue
+        row = (*value.rows[r][:c], correct, *value.rows[r][c + 1 :])
+        mended = Matrix((*value.rows[:r], row, *value.rows[r + 1 :]))
+        if is_pose(mended) if value.shape == (4, 4) else is_rotation(mended):
+            found.append((mended, (r, c)))
+    is_reflection = is_zero(turns.determinant() + 1)
+    return found[0] if len(found) == 1 and not is_reflection else None
+
+
+def _has_angle(cell: object) -> bool:
+    return isinstance(cell, Scalar) and any(kind in ("cos", "sin") for kind, _ in cell.generators)
+
+
 def _has_two_frames(name: n.Name) -> bool:
     return bool(name.pre_sup and (name.pre_sub or name.sub)) or bool(name.sup and name.sub and not name.pre_sub)
