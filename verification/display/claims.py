@@ -30,7 +30,7 @@ from armproof.verification.equations.misreadings import without_misreading
 from armproof.verification.equations.named_signs import unless_of_a_sign
 from armproof.verification.equations.order_of_factors import unless_exchanged
 from armproof.verification.equations.outcome import Outcome, hold
-from armproof.verification.equations.printed_factors import factors_otherwise
+from armproof.verification.equations.printed_factors import factors_no_rotation, factors_otherwise
 from armproof.verification.equations.readings import counted, side_by_side, without_count
 from armproof.verification.equations.under_rates import JACOBIAN, UnderRates
 from armproof.verification.equations.vectors import crossed_letters, of_vectors
@@ -439,7 +439,9 @@ class Claims:
 
     def _with_factors(self, chain: n.Chain, outcomes: list[Outcome], equation: int) -> list[Outcome]:
         """Leave open a product that holds, and prints another matrix than the factor that it stands for."""
-        others = {equation + place - 1: found for place, found in factors_otherwise(chain, self.checker.members)}
+        members = self.checker.members
+        found = (*factors_no_rotation(chain, members), *factors_otherwise(chain, members))
+        others = {equation + place - 1: other for place, other in found}
         return [
             each.left_open(others[each.equation])
             if each.equation in others and each.verdict is Verdict.PROVED
