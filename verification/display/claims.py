@@ -417,7 +417,7 @@ class Claims:
         outcomes = [self._understood(o, chain, define) if o.verdict is Verdict.REFUTED else o for o in outcomes]
         if self.names.state.told.bounds:
             outcomes = [self.circumstances.within_bounds(outcome) for outcome in outcomes]
-        if len(chain.members) > 2 and any(outcome.verdict is Verdict.PROVED for outcome in outcomes):
+        if any(outcome.verdict is Verdict.PROVED for outcome in outcomes):
             outcomes = self._with_factors(chain, outcomes, equation)
         if any(outcome.tells(Kind.NOT_AS_USUAL_BOUND) for outcome in outcomes):
             outcomes = self._with_sign_of_vectors(chain, outcomes, line)
@@ -440,7 +440,8 @@ class Claims:
     def _with_factors(self, chain: n.Chain, outcomes: list[Outcome], equation: int) -> list[Outcome]:
         """Leave open a product that holds, and prints another matrix than the factor that it stands for."""
         members = self.checker.members
-        found = (*factors_no_rotation(chain, members), *factors_otherwise(chain, members))
+        behind = factors_otherwise(chain, members) if len(chain.members) > 2 else ()
+        found = (*factors_no_rotation(chain, members), *behind)
         others = {equation + place - 1: other for place, other in found}
         return [
             each.left_open(others[each.equation])
