@@ -157,7 +157,7 @@ class Circumstances:
                 self.names.leave_open(name.key, say(Kind.SECOND_MEANING, name=name.text or name.key, line=line))
                 return
             del self.names.state.definitions[name.key]
-        if not self.names.is_open(name):
+        if not self.names.is_open(name) or self.names.angle_sum(name) is not None:  # θ_{23} is θ_2 + θ_3
             return
         members, value = self.checker.members, chain.members[1]
         usual = is_usual(name) and self.names.usual(name)  # type: ignore[arg-type]

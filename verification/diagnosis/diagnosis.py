@@ -13,7 +13,7 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.algebra.written import write_bounded
 from armproof.verification.diagnosis.carried_errors import consequence_of
 from armproof.verification.diagnosis.mend import LearntNotation, Mender
-from armproof.verification.diagnosis.slips import plain_edits, swapped_lengths
+from armproof.verification.diagnosis.slips import plain_edits, single_edits, swapped_lengths
 from armproof.verification.diagnosis.slips_before import nothing_else_mends, slip_before, written
 from armproof.verification.diagnosis.whole_matrix import swapped_cells, whole_matrix
 from armproof.verification.equations.alignment import Pair, equal_matrices, exactly_equal
@@ -28,6 +28,9 @@ from armproof.verification.latex.nodes import bare, is_number
 from armproof.verification.latex.writer import Notation
 from armproof.verification.naming.state import PrintedError
 from armproof.verification.verdict import Record, SlipBefore, Verdict, WrongEntry
+
+_ARCS = ("acos", "asin", "atan", "atan2")
+_PLAIN = frozenset(("sign", "function", "index", "length"))  # changes by which nothing is dropped or added
 
 if TYPE_CHECKING:
     from armproof.verification.diagnosis.by_samples import BySamples
@@ -110,11 +113,26 @@ class Diagnostician:
         try:
             if usual.outcome.there:
                 return list(self._slips_there(latex, usual.outcome, holds))
-            entries = self._on_either_side(latex, usual.outcome)[2]
+            entries = [each for each in self._on_either_side(latex, usual.outcome)[2] if each.finding is not None]
+            if not entries and any(map(_has_arcs, usual.outcome.nodes)):
+                entries = self._slip_on_a_branch(latex, usual.outcome, holds)
         finally:
             state.forget_usual(usual.meanings)
             state.definitions |= aside
-        return [entry for entry in entries if entry.finding is not None]
+        return entries
+
+    def _slip_on_a_branch(self, latex: str, outcome: Outcome, holds: Callable[[str], bool]) -> list[WrongEntry]:
+        """Return the one sign, function or index of which another makes a solution right on a branch: θ_2 = atan2(y, x) for θ_1."""
+        found = []
+        for node in outcome.nodes:
+            start, end = node.span
+            for edit in single_edits(node, self.learnt.letters(node)):
+                self.checker.exact.budget.check()
+                correct = written(edit.node)
+                if edit.kind in _PLAIN and holds(latex[:start] + correct + latex[end:]):
+                    printed = latex[start:end].strip()
+                    found.append(WrongEntry(outcome.equation, None, None, printed, correct, edit.finding, node.span))
+        return found if len(found) == 1 else []
 
     def _slips_there(self, latex: str, outcome: Outcome, holds: Callable[[str], bool]) -> Iterator[WrongEntry]:
         """Yield the sign or the function of which another one makes numbers right at the values that the text gives: 2 sin 30°."""
@@ -240,6 +258,10 @@ class Diagnostician:
             return ""
         mark = next((mark for mark in ("{,}", ",") if mark in printed), ".")
         return f"{self.checker.members.number(true):.{decimals}f}".replace(".", mark)
+
+
+def _has_arcs(node: n.Node) -> bool:
+    return any(isinstance(below, n.Call) and below.function in _ARCS for below in n.walk(node))
 
 
 def _turned(outcome: Outcome) -> Outcome | None:

@@ -22,7 +22,7 @@ from armproof.verification.equations.differentials import is_of_rates, of_small_
 from armproof.verification.equations.doubts import is_of_arm
 from armproof.verification.equations.each_joint import holds_for_each_joint, index_of, slip_of_law, with_inverses
 from armproof.verification.equations.elementary import axis_of_another_frame, is_elementary_rotation
-from armproof.verification.equations.general_links import GeneralStatements, is_sum_of_indices
+from armproof.verification.equations.general_links import GeneralStatements, is_sum_of_indices, of_link_i
 from armproof.verification.equations.given_targets import asked_of_the_tool
 from armproof.verification.equations.given_values import GivenValues, named_sign
 from armproof.verification.equations.inequalities import check_relation, is_numbers, parts_of
@@ -30,7 +30,7 @@ from armproof.verification.equations.misreadings import without_misreading
 from armproof.verification.equations.named_signs import unless_of_a_sign
 from armproof.verification.equations.order_of_factors import unless_exchanged
 from armproof.verification.equations.outcome import Outcome, hold
-from armproof.verification.equations.printed_factors import factors_otherwise
+from armproof.verification.equations.printed_factors import factors_no_rotation, factors_otherwise
 from armproof.verification.equations.readings import counted, side_by_side, without_count
 from armproof.verification.equations.under_rates import JACOBIAN, UnderRates
 from armproof.verification.equations.vectors import crossed_letters, of_vectors
@@ -403,7 +403,7 @@ class Claims:
         return [check_relation(self.checker, part, equation)]
 
     def _claimed(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
-        is_general = any(is_inverse_link(m, self.names.transforms) is not None for m in chain.members)
+        is_general = any(is_inverse_link(m, self.names.transforms) is not None for m in of_link_i(chain).members)
         found = self.general.check(chain, equation, line, define) if is_general else None
         for outcome in found or ():
             outcome.role = Role.LAW
@@ -417,7 +417,7 @@ class Claims:
         outcomes = [self._understood(o, chain, define) if o.verdict is Verdict.REFUTED else o for o in outcomes]
         if self.names.state.told.bounds:
             outcomes = [self.circumstances.within_bounds(outcome) for outcome in outcomes]
-        if len(chain.members) > 2 and any(outcome.verdict is Verdict.PROVED for outcome in outcomes):
+        if any(outcome.verdict is Verdict.PROVED for outcome in outcomes):
             outcomes = self._with_factors(chain, outcomes, equation)
         if any(outcome.tells(Kind.NOT_AS_USUAL_BOUND) for outcome in outcomes):
             outcomes = self._with_sign_of_vectors(chain, outcomes, line)
@@ -439,7 +439,10 @@ class Claims:
 
     def _with_factors(self, chain: n.Chain, outcomes: list[Outcome], equation: int) -> list[Outcome]:
         """Leave open a product that holds, and prints another matrix than the factor that it stands for."""
-        others = {equation + place - 1: found for place, found in factors_otherwise(chain, self.checker.members)}
+        members = self.checker.members
+        behind = factors_otherwise(chain, members) if len(chain.members) > 2 else ()
+        found = (*factors_no_rotation(chain, members), *behind)
+        others = {equation + place - 1: other for place, other in found}
         return [
             each.left_open(others[each.equation])
             if each.equation in others and each.verdict is Verdict.PROVED

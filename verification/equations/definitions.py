@@ -21,7 +21,7 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.printed_factors import letters_of_factor
 from armproof.verification.equations.rates import stand_for_scalars
 from armproof.verification.equations.readings import Readings
-from armproof.verification.equations.rigid import misses_group
+from armproof.verification.equations.rigid import misses_group, with_entry_mended
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError, NoValue, UnboundName
 from armproof.verification.evaluation.blocks import Block, cells_of, partition, written_rows
@@ -93,7 +93,7 @@ class Definitions:
                 return Outcome(Verdict.UNCHECKED, (say(Kind.ON_BOTH_SIDES, name=key),), equation, true, member)
             if self.members.decimals(true.node, least=1) is None and (group := misses_group(member.node, true.value)):
                 other = (say(Kind.NOT_IN_GROUP, group=group),)
-                return Outcome(Verdict.UNCHECKED, other, equation, true, member, role=Role.DEFINITION)
+                return _with_slip(Outcome(Verdict.UNCHECKED, other, equation, true, member, role=Role.DEFINITION))
             if self.defines:
                 self.names.define(key, self.members.meaning(true.node), self.line, node=true.node)
                 if (decimals := self.members.decimals(true.node)) is not None:
@@ -307,6 +307,16 @@ class Definitions:
         problem = other or unbound
         findings = (finding_of(problem),) if problem is not None else ()
         return [Outcome(Verdict.UNCHECKED, findings, equation)]
+
+
+def _with_slip(outcome: Outcome) -> Outcome:
+    """Refute what is to be a rotation or a pose, and would be one with another entry in one place."""
+    value = outcome.true.value if outcome.true is not None else None
+    slip = with_entry_mended(value) if isinstance(value, Matrix) else None
+    if slip is None or not isinstance(value, Matrix):
+        return outcome
+    mended, place = slip
+    return outcome.as_wrong_claim(Pair(mended, value), [place])
 
 
 def _by_both(names: Names, second: tuple[str, int], meaning: Callable[[Any], Value], algebra: Any) -> Value:

@@ -40,10 +40,11 @@ def holds_for_each_joint(checker: ChainChecker, chain: n.Chain, equation: int, l
 
 
 def _ahead(chain: n.Chain, letter: str) -> int:
-    r"""Return how far the joint of a chain is ahead of its index: 1 for \dot\theta_{i+1}, which is said of link i + 1."""
+    r"""Return how far the joint of a chain is ahead of its index: 1 for \dot\theta_{i+1} or v_{i+1}, which is said of link i + 1."""
     joints = (name.sub for name in _names(chain) if name.base in ("theta", "q", "d") and name.dots)
     told = {each[2] for sub in joints for each in _INDEX.finditer(sub) if each[1] == letter}
-    return int(told == {"+"})
+    spoken = {each[2] for name in _names(chain) for script in _scripts(name) for each in _INDEX.finditer(script)}
+    return int(told == {"+"} or (not told and "+" in spoken and "-" not in spoken))
 
 
 def _is_idle(checker: ChainChecker, name: n.Name, letter: str, numbers: list[int]) -> bool:

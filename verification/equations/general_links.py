@@ -55,7 +55,7 @@ class GeneralStatements:
 
     def check(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome] | None:
         """Return the outcomes of a chain with a link matrix of any link if they are about that, else None."""
-        chain = _of_link_i(chain)
+        chain = of_link_i(chain)
         if any(m.key in self.checker.names.quantities for m in chain.members if isinstance(m, n.Name)):
             return None
         self._general = self._nearest_letters(chain)
@@ -242,19 +242,30 @@ def _of_another_link(member: n.Node) -> bool:
     return any({*name.sub.split(","), name.sup, name.pre_sub, name.pre_sup} - {"i", "i-1", ""} for name in names)
 
 
-def _of_link_i(chain: n.Chain) -> n.Chain:
-    """Return a chain about link n with the index i: T_n^{n-1} = Rot(z, θ_n) …."""
+def of_link_i(chain: n.Chain) -> n.Chain:
+    """Return a chain about link n with the index i: T_n^{n-1} = Rot(z, θ_n) …, A_n = […] or {}^jT_{j+1} = […] of θ_j or θ_{j+1}."""
     names = [below for member in chain.members for below in n.walk(member) if isinstance(below, n.Name)]
-    scripts = {script for name in names for script in (name.sub, name.sup, name.pre_sub, name.pre_sup)}
-    letter = next((letter for letter in "jkn" if {letter, f"{letter}-1"} <= scripts), "")
-    if not letter or scripts & {"i", "i-1"}:
+    scripts = {script for name in names for script in _scripts(name)}
+    own = {name.sub for name in names if name.base in ("theta", "alpha", "a", "d")}
+    next_one = next((letter for letter in "ijkn" if {letter, f"{letter}+1"} <= scripts), "")
+    letter = next((letter for letter in "jkn" if {letter, f"{letter}-1"} <= scripts or own == {letter}), "")
+    if next_one and f"{next_one}-1" not in scripts:
+        spelt = {next_one: "i-1", f"{next_one}+1": "i"}
+        inner = {next_one: "i"} if own == {next_one} else spelt
+    elif letter and not scripts & {"i", "i-1"}:
+        spelt = inner = {letter: "i", f"{letter}-1": "i-1"}
+    else:
         return chain
-    spelt = {letter: "i", f"{letter}-1": "i-1"}
     for name in names:
-        sub, sup, below, above = (spelt.get(each, each) for each in (name.sub, name.sup, name.pre_sub, name.pre_sup))
+        meant = spelt if name.base in "TAHRM" else inner
+        sub, sup, below, above = (meant.get(each, each) for each in _scripts(name))
         changed = replace(name, sub=sub, sup=sup, pre_sub=below, pre_sup=above)
         chain = n.substitute(chain, name, changed) if changed != name else chain  # type: ignore[assignment]
     return chain
+
+
+def _scripts(name: n.Name) -> tuple[str, str, str, str]:
+    return name.sub, name.sup, name.pre_sub, name.pre_sup
 
 
 def is_sum_of_indices(chain: n.Chain) -> bool:

@@ -78,7 +78,7 @@ class RowsOfJacobians:
             return outcome
         rows = tuple(row + 1 for row in pair.true_rows) if pair.true_rows is not None else WHOLE
         before = self.names.rows_of(name.key)
-        if before not in (None, rows):
+        if before not in (None, rows) and not (before == WHOLE and self._are_zero_beyond(name, rows)):
             return outcome.left_open(say(Kind.ROWS_TOLD_OTHERWISE, name=name.text, rows=list(before or ())))
         if before is None and len(rows) == 1 < pair.true.shape[1]:  # a row is missing, or one alone is meant
             return outcome.left_open(say(Kind.ONE_ROW, name=name.text))
@@ -87,6 +87,12 @@ class RowsOfJacobians:
         is_matrix = isinstance(bare(printed.node), n.Matrix)
         self.names.state.shown.setdefault(name.key, JacobianRows(rows, self.names.state.section, is_matrix))
         return outcome
+
+    def _are_zero_beyond(self, name: n.Name, rows: tuple[int, ...]) -> bool:
+        """Whether the rows of J that are not printed again hold zeros alone."""
+        whole = self.members.evaluate(name).value
+        others = [row for k, row in enumerate(whole.rows, 1) if k not in rows] if isinstance(whole, Matrix) else []
+        return bool(others) and all(isinstance(cell, Scalar) and cell.is_zero() for row in others for cell in row)
 
     def with_fewer(
         self, chain: n.Chain, outcomes: list[Outcome], check: Callable[[n.Chain], list[Outcome]]

@@ -14,7 +14,7 @@ from armproof.verification.equations.alignment import is_constant, is_near
 from armproof.verification.equations.given_values import keys_alone
 from armproof.verification.equations.other_screws import of_other_screws
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.equations.rigid import is_rotation
+from armproof.verification.equations.rigid import is_rotation, misses_group
 from armproof.verification.equations.shorthands import digits_of
 from armproof.verification.equations.sides import Member
 from armproof.verification.equations.unit_vectors import holds_for_unit_vector
@@ -259,7 +259,7 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
 
     Letters that the other side lacks make an equation a definition or a law of letters that nothing else binds.
     """
-    if names.arm is not None or outcome.role is Role.LAW or _tells_sizes(outcome):
+    if names.arm is not None or outcome.role is Role.LAW or _tells_sizes(outcome) or _misses_its_group(outcome):
         return None
     below = [each for member in chain.members for each in n.walk(member)]
     written = any(isinstance(b, n.Matrix) for b in below)
@@ -295,6 +295,12 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
     else:
         bound = all(found == first for found in others)
     return None if bound else say(Kind.NO_ARM_TO_COMPARE)
+
+
+def _misses_its_group(outcome: Outcome) -> bool:
+    """Whether a matrix with a slip is printed for a name with two frames: it is to be a rotation or a pose, whatever the arm."""
+    true, printed = outcome.true, outcome.printed
+    return true is not None and printed is not None and misses_group(bare(true.node), printed.value) != ""
 
 
 def _breaks_rotation(outcome: Outcome) -> bool:

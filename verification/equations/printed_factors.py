@@ -6,10 +6,13 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from armproof.verification.algebra.matrix import Matrix, is_zero
+from armproof.verification.equations.rigid import mends_of, of_angles
 from armproof.verification.equations.sides import Members
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
+
+_SPACE = 3
 
 
 def factors_otherwise(chain: n.Chain, members: Members) -> Iterator[tuple[int, Finding]]:
@@ -21,6 +24,21 @@ def factors_otherwise(chain: n.Chain, members: Members) -> Iterator[tuple[int, F
         for one, other in zip(_terms(before), _terms(after), strict=False):
             if found := _otherwise(one, other, members):
                 yield place, found
+
+
+def factors_no_rotation(chain: n.Chain, members: Members) -> Iterator[tuple[int, Finding]]:
+    """Yield the place of a member of a chain in which a matrix times a column is a rotation but for one entry, which may meet a zero."""
+    for place, member in enumerate(chain.members):
+        for product in (below for below in n.walk(member) if isinstance(below, n.Product)):
+            for one, other in pairwise(map(bare, product.factors)):
+                if isinstance(one, n.Matrix) and len(one.rows) == len(one.rows[0]) == _SPACE and _is_column(other):
+                    value = members.evaluate(one).value
+                    if isinstance(value, Matrix) and of_angles(value) and any(mends_of(value)):
+                        yield max(1, place), say(Kind.NOT_IN_GROUP, group="SO(3)")
+
+
+def _is_column(node: n.Node) -> bool:
+    return not isinstance(node, n.Matrix) or len(node.rows[0]) == 1
 
 
 def letters_of_factor(one: n.Node, other: n.Node, members: Members) -> tuple[n.Node, n.Matrix] | None:

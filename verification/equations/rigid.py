@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from armproof.verification.algebra.matrix import Matrix, is_zero
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.latex import nodes as n
@@ -33,12 +35,48 @@ def misses_group(name: n.Node, value: object) -> str:
     if not isinstance(value, Matrix) or value.shape not in ((3, 3), (4, 4)):
         return ""
     turns = value.block(range(3), range(3)) if value.shape == (4, 4) else value
-    cells = [cell for cell in turns.cells if isinstance(cell, Scalar)]
-    if len(cells) < 9 or any(kind not in TRIGONOMETRIC for cell in cells for kind, _ in cell.generators):
+    if not of_angles(turns):
         return ""
     if is_pose(value) or (value.shape == (3, 3) and is_rotation(value)):
         return ""
     return "SE(3)" if value.shape == (4, 4) else "SO(3)"
+
+
+def of_angles(turns: Matrix) -> bool:
+    """Whether a matrix holds numbers and sines and cosines alone."""
+    return all(
+        isinstance(cell, Scalar) and all(kind in TRIGONOMETRIC for kind, _ in cell.generators) for cell in turns.cells
+    )
+
+
+def with_entry_mended(value: Matrix) -> tuple[Matrix, tuple[int, int]] | None:
+    """Return a rotation or a pose with the one entry of its rotation, and its place, that makes it one; None where none does, or several."""
+    found = [*mends_of(value)]
+    return found[0] if len(found) == 1 else None
+
+
+def mends_of(value: Matrix) -> Iterator[tuple[Matrix, tuple[int, int]]]:
+    """Yield the rotations and poses with another entry in one place, and that place.
+
+    Each entry of a rotation is its own cofactor. What is orthonormal and turns right into left is a reflection, and has no slip; nor has
+    a number, which may be a scale.
+    """
+    turns = value.block(range(3), range(3))
+    if is_zero(turns.determinant() + 1):
+        return
+    cofactors = turns.cofactors()
+    for r, c in turns.places:
+        printed, correct = turns.rows[r][c], cofactors.rows[r][c]
+        if not (_has_angle(printed) and _has_angle(correct)) or is_zero(printed - correct):
+            continue
+        row = (*value.rows[r][:c], correct, *value.rows[r][c + 1 :])
+        mended = Matrix((*value.rows[:r], row, *value.rows[r + 1 :]))
+        if is_pose(mended) if value.shape == (4, 4) else is_rotation(mended):
+            yield mended, (r, c)
+
+
+def _has_angle(cell: object) -> bool:
+    return isinstance(cell, Scalar) and any(kind in ("cos", "sin") for kind, _ in cell.generators)
 
 
 def _has_two_frames(name: n.Name) -> bool:

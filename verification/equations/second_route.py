@@ -265,9 +265,16 @@ class SecondRoute:
             node = node.arguments[0]
         plain = n.Name | n.JointAngles | n.Number | n.Sum | n.Product | n.Quotient | n.Group
         return all(
-            isinstance(b, plain) and (not isinstance(b, n.Name) or self.members.is_symbol(b) or self._is_free_angle(b))
+            isinstance(b, plain) and (not isinstance(b, n.Name) or self._is_angle(b) or self._is_free_angle(b))
             for b in n.walk(node)
         )
+
+    def _is_angle(self, name: n.Name) -> bool:
+        """Whether a name is a joint variable, θ_{23} for the sum of two, or φ for the angle of a planar arm's frame."""
+        quantity = self.members.quantity_of(name)
+        if self.members.is_symbol(name) or (quantity is not None and quantity.kind == "angle"):
+            return True
+        return name.key not in self.names.state.definitions and self.names.angle_sum(name) is not None
 
     def _is_half_a_turn_away(self, node: n.Node, by: n.Node) -> bool:
         """Whether a letter is defined as atan2(y, x), and what is said of it now is the arctangent of y/x."""

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable
 from collections.abc import Sequence as Seq
 from dataclasses import replace
+from fractions import Fraction
 
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
@@ -82,6 +83,9 @@ class NameReader:
             return node
         if note == "(0)" or (isinstance(node, n.Number) and node.value == 0):  # seen from frame 0; 0_3, a zero vector
             return node
+        if isinstance(node, n.Group) and node.brackets == "()" and note in tuple("xyz"):  # (ω_e)_x; [ω]_x is a matrix
+            row = tuple(n.Number(Fraction(int(axis == note)), span=node.span) for axis in "xyz")
+            return n.Product((n.Matrix((row,), span=node.span), node), ("", ""), span=span)
         if is_norm and note in ("F", "Fro"):
             return replace(node, function="frobenius", span=span)  # type: ignore[call-arg]
         return n.Name("words", note, text=self.text[slice(*span)], span=span)

@@ -215,7 +215,7 @@ def environment_node(name: str, rows: list[list[Cell]], span: tuple[int, int], t
     anywhere = any(
         isinstance(part, Token) and part.type in ("REL", "CONN") for row in rows for cell in row for part in cell
     )
-    if name in ("cases", "dcases", "rcases") and not any(relations):
+    if name in ("cases", "dcases", "rcases") and not any(relations) and not _are_aligned(rows):
         return _cases(rows, span, text)
     if name in LAYOUTS or anywhere:
         if len(rows) == 1 and len(rows[0]) == 1 and len(rows[0][0]) == 1 and isinstance(rows[0][0][0], n.Node):
@@ -224,6 +224,12 @@ def environment_node(name: str, rows: list[list[Cell]], span: tuple[int, int], t
     return n.Matrix(
         tuple(tuple(_matrix_cell(cell, span) for cell in row) for row in _checked(rows, span)), name, span=span
     )
+
+
+def _are_aligned(rows: list[list[Cell]]) -> bool:
+    """Whether each row is an equation that is aligned at its sign, x &= …: what a case holds for begins with no sign."""
+    seconds = [row[1][:1] if len(row) > 1 else [] for row in rows]
+    return all(isinstance(part, Token) and part.type == "REL" for second in seconds for part in second or [None])
 
 
 def _checked(rows: list[list[Cell]], span: tuple[int, int]) -> list[list[Cell]]:

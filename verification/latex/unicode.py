@@ -27,6 +27,7 @@ COMMANDS |= {"∅": r"\varnothing ", "⌀": r"\varnothing ", "⊖": r"\ominus ",
 _BELOW = dict(zip("₀₁₂₃₄₅₆₇₈₉₊₋ₐₑᵢⱼₖₗₘₙₚᵣₛₜₓ", "0123456789+-aeijklmnprstx", strict=True))
 _ABOVE = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁱⁿᵀᵗ", "0123456789+-inTt", strict=True))
 _SCRIPTS = re.compile(f"(?P<below>[{''.join(_BELOW)}]+)|(?P<above>[{''.join(_ABOVE)}]+)")
+_INDEXED = re.compile(f"[{''.join(letter for letter in NAMES if letter != 'π')}](?=\\d)")
 _BEHIND_A_COMMAND = re.compile(rf"(?<=[A-Za-z])[{''.join(_STYLED)}]")  # \cdot𝑙: no letter of the command's name
 
 
@@ -50,6 +51,8 @@ def _written(text: str) -> list[str]:
     """Return what each character is written as."""
     apart = {found.start() for found in _BEHIND_A_COMMAND.finditer(text)}
     written = [_command(character, index in apart) for index, character in enumerate(text)]
+    for run in _INDEXED.finditer(text):  # θ1 is \theta1, an index and no factor
+        written[run.start()] = written[run.start()].rstrip()
     for run in _SCRIPTS.finditer(text):  # θ₁₂, J⁻¹
         written[run.start() : run.end()] = [(_BELOW if run["below"] else _ABOVE)[character] for character in run[0]]
         written[run.start()] = ("_{" if run["below"] else "^{") + written[run.start()]

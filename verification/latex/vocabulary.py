@@ -15,7 +15,7 @@ FUNCTIONS = {
     "ArcCos": "acos", "ArcSin": "asin", "ATAN": "atan", "ACOS": "acos", "COS": "cos", "SIN": "sin", "arcos": "acos",
     "arcsen": "asin", "arctang": "atan", "Cos": "cos", "Sin": "sin", "Tan": "tan",
     "atan2": "atan2", "Atan2": "atan2", "ATAN2": "atan2", "arctan2": "atan2", "Arctan2": "atan2", "arctg": "atan",
-    "tg": "tan", "sen": "sin",
+    "tg": "tan", "sen": "sin", "Sen": "sin", "SEN": "sin",
     "det": "det", "Det": "det", "DET": "det", "rank": "rank", "rang": "rank", "rg": "rank", "rk": "rank", "adj": "adj", "com": "com",
     "cof": "com", "tr": "tr", "Tr": "tr", "trace": "tr", "sqrt": "sqrt", "Rot": "Rot", "rot": "Rot", "Trans": "Trans", "trans": "Trans",
     "diag": "diag", "exp": "exp", "ln": "ln", "log": "log", "sgn": "sgn", "sign": "sgn", "sinh": "sinh", "cosh": "cosh",

@@ -186,7 +186,7 @@ def _apart(before: str, text: str, after: str) -> str:
 
 def bare_head(call: n.Call) -> str:
     """Return the spelling of a function without the power in \\sin^2(\\theta), which is a node of its own."""
-    if call.function in ("Rot", "Rot3", "Trans", "name"):
+    if call.function in ("Rot", "Rot3", "Trans", "name", "asin", "acos", "atan"):  # \\tan^{-1} is no power
         return call.head
     return re.sub(r"\s*\^.*", "", call.head, flags=re.DOTALL)
 

@@ -26,7 +26,9 @@ _COUNTS = {word: count for count, word in enumerate(("two", "three", "four", "fi
 _OF_LINKS = re.compile(
     rf"\b(\d|{'|'.join(_COUNTS)})[- ]*(?:links?|dofs?|r|joints?|axis|axes|segments?|degrees?[ -]of[ -]freedom)\b", re.I
 )
-_STEP = re.compile(r"\W*(?:step|paso|passo|[eé]tape|schritt)\W*\d", re.I)  # for one arm: "Step 3: solve the 2R arm"
+_STEP = re.compile(
+    r"\W*(?:step|paso|passo|[eé]tape|schritt|ad[ıi]m|krok|bước|шаг|步骤?|단계)\W*\d", re.I
+)  # for one arm: "Step 3: solve the 2R arm"
 EXERCISE = re.compile(rf"\W*(?:{_KINDS}){_NUMBER}", re.I)
 WITH_ITS_ARM = re.compile(rf"\W*(?:{_OF_ITS_OWN}){_NUMBER}", re.I)
 

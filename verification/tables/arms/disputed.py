@@ -97,7 +97,8 @@ def _best(part: Inference, lost: Sequence[Record], result: DocumentResult, lette
     """Return the arm with another entry under which most of the displays that are lost hold, and more than under any second one."""
     assert part.arm is not None
     places = {each.place for each in lost} | {each.place for each in result.equations if _defines(each)}
-    holds = [each.place for each in result.equations if each.verdict in HOLDS and any(o.links for o in each.outcomes)]
+    told = (each for each in result.equations if each.verdict in HOLDS and any(o.links for o in each.outcomes))
+    holds = [each.place for each in told if not _is_data(each, part)]  # with another entry its own matrix fails
     places |= {*holds[:TELLING]}
     others = {str(other.front["arm"]["rows"]): other for other in _others(part, letters)}
     likely = sorted(others.values(), key=lambda other: other.column in ("a", "d"))  # of lengths there are many

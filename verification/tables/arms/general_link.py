@@ -18,7 +18,7 @@ from armproof.verification.tables.columns import CONVENTIONS
 from armproof.verification.tables.row import PARAMETERS, equal, row_matrix
 
 _SHOWS = re.compile(r"alpha.*(?:matri|array|Rot|R_|\\text)|(?:matri|array|Rot|R_|\\text).*alpha", re.DOTALL)
-_OF_ANY_LINK = re.compile(r"(?:[ijkn](?:-1)?)?")
+_OF_ANY_LINK = re.compile(r"(?:[ijkn](?:[-+]1)?)?")
 _LETTERS = {"theta": "theta", "q": "theta", "alpha": "alpha", "a": "a", "d": "d"}
 SECONDS = 0.3
 

@@ -98,7 +98,7 @@ def candidates_of_matrices(document: Document, names: Names) -> list[Candidate]:
     fixed: dict[int, _Link] = {}
     algebra = ExactAlgebra(Ring(), None)
     with algebra.budget.of(SECONDS):
-        for link in _by_place([*_links(document, names, algebra)], document, names):
+        for link in _by_place(_without_poses([*_links(document, names, algebra)]), document, names):
             if not link.is_constant and not equal(links.setdefault(link.index, link).value, link.value):
                 raise EvaluationError(say(Kind.LINK_AGAIN, number=link.index, line=link.display.line))
             if link.is_constant and not link.is_spelt_as_pose and link.index not in links:
@@ -153,6 +153,12 @@ def _by_own_index(found: Candidate, chain: Sequence[_Link], document: Document) 
 def _between(links: Mapping[int, _Link], fixed: Mapping[int, _Link]) -> Iterator[int]:
     """Yield the links in which nothing moves, between those that move and the one behind them."""
     yield from (index for index in range(min(links), max(links) + 2) if index in fixed and index not in links)
+
+
+def _without_poses(links: list[_Link]) -> list[_Link]:
+    """Return the links without T_6, the pose of the last one, where another letter is theirs: A_1, …, A_6."""
+    own = {link.index for link in links if link.index and not link.is_spelt_as_pose}
+    return [link for link in links if not (link.is_spelt_as_pose and link.index in own)]
 
 
 def _by_place(links: list[_Link], document: Document, names: Names) -> list[_Link]:

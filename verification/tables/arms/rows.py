@@ -22,7 +22,7 @@ from armproof.verification.tables.columns import CONVENTIONS, Columns, Reading, 
 from armproof.verification.tables.row import ANGLES, PARAMETERS, SCALES
 
 _MARK = re.compile(r"\*|\\ast|\\star|\bvar", re.IGNORECASE)  # of a variable
-_OF_ANY_ROW = re.compile(r"(?<![A-Za-z])(q|(?:var)?theta|θ|ϑ)(?:_?\{?i\}?)?(?!\s*[A-Za-z_0-9₀-₉^<{(*\['])")
+_OF_ANY_ROW = re.compile(r"(?<![A-Za-z])(q|(?:var)?theta|θ|ϑ)(?:_?\{?i\}?)?(?!\s*(?:\}\s*_|[A-Za-z_0-9₀-₉^<{(*\[']))")
 _GENERAL = frozenset("ijkn")
 _SLIDES = frozenset("dqrs")  # letters of a joint that slides; l, h and their like are lengths
 

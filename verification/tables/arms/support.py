@@ -63,7 +63,7 @@ def links_of(outcome: Outcome, members: Members, source: str = "", told_by: str 
         is_linear = not any(_multiplies_moves(below, members) for side in (one, other) for below in n.walk(side))
         links = _links([*told, *others], members, source, is_linear) if is_of_one else frozenset()
         return frozenset(link for link in links if link > HEIGHTS) if _moves_otherwise(outcome, members) else links
-    return frozenset() if others else _links(told, members, source)
+    return frozenset() if others or _rates(other, members) else _links(told, members, source)
 
 
 def _moves_otherwise(outcome: Outcome, members: Members) -> bool:
