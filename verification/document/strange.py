@@ -28,7 +28,9 @@ _RATIO = 9  # of how many words of a longer sentence one is not known where it i
 _SUBJECT = 5  # words of a sentence of the arm within which a word for a part of it stands
 _RATIO_OF_ARM = 5
 _MANY = 50  # words of a text that tell its language
-_NO_WORDS = re.compile(r"https?:\S*|\S+\.(?:png|jpe?g|svg|eps|pdf|gif|md|py|m)\b|\S*[/_=]\S*|`[^`]*`|\b[lcr]{2,}\b")
+_NO_WORDS = re.compile(
+    r"\b\d\w*|https?:\S*|\S+\.(?:png|jpe?g|svg|eps|pdf|gif|md|py|m)\b|\S*[/_=]\S*|`[^`]*`|\b[lcr]{2,}\b"
+)
 _OF_DISPLAY = re.compile(  # a sentence whose subject is the display, or a part of it
     r"(?:[^\w\s]+ )*(?:(?:and|but|so|yet|however|thus|hence|et|mais|or|donc|aber|und|doch|pero|y|ma|mas|e) (?:, )?)?"
     r"(?:this|that|it|which|such|these|the (?:\S+ )?(?:formula|equation|expression|relation|result|identity|statement|claim|above|line|latter)"

@@ -17,93 +17,94 @@ anisotropy announced annulus another answer anthropomorphic anticlockwise any ap
 applying approach appropriate arbitrary architecture arctan arctangent are area aren argument arise arises arising arithmetic arms around array arrive
 arrow articulated as asks aspects assembly assign assignment assigns associated assume assumed assumes assuming assumption asymptotic at atan attached
 attachment attainable augmented automatically available average avoid avoidance axis back backlash backward balance ball based basic basically basis
-be because become becomes been before begin behavior behind being belongs below bench bends between beyond bibliography big bigger bisector bit block
-blocks bodies body book books both bottom bound boundary bounded bounding bounds brackets braking branch branches brevity building builds built but by
-calculate calculus call called calls camera can cancel cancellation candidate cannot canonical capture carriage carries carry cart cartesian cascade
-case cases cauchy causes center centers centimetres central centre centrifugal certain chain chaining chains change changes changing chapter
-characterized chart check checked checking checks choice cholesky choose choosing chosen circle circles circular claim clarity classic classify clear
-clearly clockwise close closed closes closure cm code coefficient cofactor coincide col collaborative collecting collision collocation column columns
-combination combine combining comes command common commonly communicates compact companion compare comparing compatible compensating complete complex
-component compose composite compound computation compute computing concatenate concept conciseness conclude conclusion concrete condition cone cones
-confirm conjugate connect consecutive consequence conservation consider consist constant constraint construct contact contain context continues
-contrast contributes control convenient converge conversely convert convex convexity coordinated core coriolis cornerstone corollary correct
-corresponds cos cosine cosines cost counterclockwise coupled course courses covariance covers craig crank create creates critically cross crucial
-cubic cumulative current curve curves custom cycle cycles cylinder cylindrical damped damping dashed decay deceleration decide decides decision
-decomposing decreases deficient defined defines defining definite deformation degenerate degree degrees delta demonstrate denavit denominator denote
-denoted denotes denoting dense density depend dependent depending depends depicted derivation derive derived descent describe description design
-designate designed desirable desire desired det detail detailed details detect detection determine deviation device dexterity diagonal diagram did
-different difficulty dimension directions directly disc discrete discriminant discuss displacement display distal distribution diverges divide
+be because become becomes been before begin behavior behind being belongs below bench bend bends between beyond bibliography big bigger bisector bit
+block blocks bodies body book books both bottom bound boundary bounded bounding bounds brackets braking branch branches break breaks brevity building
+builds built but by calculate calculus call called calls camera can cancel cancellation candidate cannot canonical capture carriage carries carry cart
+cartesian cascade case cases cauchy causes ceiling center centers centimetres central centre centrifugal certain chain chaining chains change changes
+changing chapter characterized chart check checked checking checks choice cholesky choose choosing chosen circle circles circular claim clarity
+classic classify clear clearly clockwise close closed closes closure cm code coefficient cofactor coincide col collaborative collecting collision
+collocation column columns combination combine combining comes command common commonly communicates compact companion compare comparing compatible
+compensating complete complex component compose composite compound computation compute computing concatenate concept conciseness conclude conclusion
+concrete condition cone cones confirm conjugate connect consecutive consequence conservation consider consist constant constraint construct contact
+contain context continues contrast contributes control convenient converge conversely convert convex convexity coordinated core coriolis cornerstone
+corollary correct corresponds cos cosine cosines cost counterclockwise coupled course courses covariance covers craig crank create creates critically
+cross crucial cubic cumulative current curve curves custom cycle cycles cylinder cylindrical damped damping dashed decay deceleration decide decides
+decision decomposing decreases deficient defined defines defining definite deformation degenerate degree degrees delta demonstrate denavit denominator
+denote denoted denotes denoting dense density depend dependent depending depends depicted derivation derive derived descent describe description
+design designate designed desirable desire desired det detail detailed details detect detection determine deviation device dexterity diagonal diagram
+did different difficulty dimension directions directly disc discrete discriminant discuss displacement display distal distribution diverges divide
 dividing division document does dof dofs doing domain done dot dots double down download downward draw drawing drawn drive drives dual duality
 duration during dynamic each earlier easier easiest easily easy edge edition effect effective effector effects efficient effort efforts eigen
 eigenvalue eigenvector eight either elastic elbow elbows elegant element eliminate ellipsoid elsewhere embed embedded embedding emphasizes employed
 enables enabling encode encoded encoder encodes encompassed end ends energy enforce enforcing engine engineering enough ensure ensures ensuring enter
 entire entirely entries entry eq eqn eqs equal equality equals equate equated equating equation equilibrium equivalent especially essential establish
 estimation etc euclidean euler evaluate even eventually every everywhere exact exactly example execute exercise exerted exist existence existing
-exists expand expanded expanding expansion expect expected experiment explain explicit exponential express extended extension external extra extract
-extremely face faces fact factor factoring factors facts families family far farther fashion fast faster fastest feasible feature feed feedback few
-field fields fifth fig figure figures file files fill filter filtering finally find finding finds fingers finite firmware first five fix fixed fixes
-fk flange flat flipped flipping flow focus folded folder follow followed following follows foot for force forced forces forearm form formal formally
-format formed former forming forms formulae forward found foundation four fourth fraction frame frames framework free freedom frequency fresh friction
-frobenius from front full fully function fundamental further future gain gamma gantry gear gearbox general generate generic geometry get gets gimbal
-give given gives giving global go goals good governed gradient graph graphical grasp gravitational gravity greater grid gripper ground group grouping
-grow grows guarantees had half halfway hand handed handle handling handy happens hartenberg has have having header headers heading heads heavier
-height helper hence here hertz high higher highly historically history hold holds hollow holonomic homework homogenous horizontal host how however
-ideal identical identify identity if iff ik ill-conditioned illustrate image images imaginary immediately impedance implement implies implying
-important in include including incorporate incremental indeed independent index indicate individual induced industrial inequality inertia infinity
-influence information initial inner input inputs inside insight inspecting instance instant instead integer integral interactive interested interface
-interior intermediate internal interpolate interpret interrupt intersect interval into introduce intuitive invariant inverse inversion invert inverted
-inverting inverts invoking involves is isolate isotropic it iteration ith its itself jacobian jerk joint joints jordan jth just kHz keep keeps kernel
-key keys khz kinematic kinetic know knowing knowledge known kutta lab label labeled labels laboratory lagrange language laplace laplacian large larger
-largest last later latter law laws lead leading leads learn learned learning least lecture left leg legible legs leibniz lemma length lengths less
-lesson lessons let lets letters level lever library lie lies lighter like limit limited limits line linearise linearly lines link linkage links list
-listed listing little load loaded local locally located location lock log logarithm logic long longer longest look looking looks loop lower lyapunov
-made magnitude main mainly maintaining make makes making manifold manipulate many map mapping maps mass masses massive massless match matches matching
-math mathematica matlab matter matters maximal maximise maximize maximum may mean meaning means meant measure mechanism meet meets memorise memorize
-meter meters method methods metre metres metric metrics microcontroller middle millimetres millisecond minimal minimise minimize minimum minor minors
-minus mirror mirrors mm mobile mobility mode model modeled modeling models modes modest modified modify module modulo moment moments momentum moore
-more most motion motions motor motors mounted move movements moves moving mth much multi multiple must mutually name named namely names natural nature
-near necessary need needed needs negative neglect neighborhood neither net new newton next nine node noise non nonconvex none nonlinear nonsingular
-nontrivial nonzero norm normal normalise norms notes notice noting notions now null number numbers numerator numeric object objective objects
-observation observe observing obstacles obtain obtained obtaining obtains occur occurs of off offers offset offsets often once one online onto open
-operation operator opposite optimal optimise optimized optional or order ordered orientations oriented origin original origins orthogonal our out
-outer outline output outputs outside outwards over overall overshoot own packages page pages pair pairs panel paper papers parallel parameter part
-partial particle particular partition parts pass passed passing passive passivity path paths pattern payload peak peaks pendulum penrose perfectly
-perform period periodic periods perpendicular perspective perturbations pfaffian phase phi physical pi pick picks piece pieper pin pinned pipeline
-pitch pivoting place places planar plane planes planned planning plate platform plays plot plots plotted plotting plus pointing polar polynomial poor
-portion portrait posed poses positional positive possibility possible post postmultiply postures potential power powerful powers practice pre
-preceding precise precision predict preferable preferred premultiply prepare preparing prescribed present preserves prevent previous primary principal
-printed prism prismatic problem procedure proceeds process produce product profile program project promised proof propagate proper properly property
-proportional proposition prototype prove proved provide providing proximal proximity pseudo pseudoinverse published puma pure purely purposes push put
-puts pythagoras python quadrant quadratic quantities quarter quasi quaternion query question quintic quoted quotient radial radians radius rail ram
-random range ranges rank rate rates ratio rational re reach reachable reached reaches reaching reactions read readability readable reader readers
-ready real realizing rearrange reason reasonable recall recalled recalling recent recognizing recommended record recorded records rectangular
-recursion reduce reducer reduces redundant refer reference referred refers reflects regardless region regions regrouping regular relabeling relate
-related relates relating relationship relative relevant remain remaining remains remark remember reminder remove removed removes removing render
-rendered repeat repeated repeats replace replay report repository represent reprinted reproduced require requiring research reset resistance
-resolution resolving respect responsiveness rest restrict result resultant resulting results return returned returning returns review revolute rewrite
-rewriting rewritten rhs right rigid rigidly rigorous ring robotic robots robust robustness rodrigues roll rolling root roots rotary rotate rotated
-rotates rotating rotational round routines row rows rpy rule run runge running runs rx sac same sampled sampling satisfied satisfy saw say scalar
-scale scaled scaling scara scene schematic schur schwarz science scratch screen screw screws script scripts sec second seconds section see seek seen
-select selecting selects self semi sense sensitive sensor sent separate sequence sequentially serial series serves set sets setting settling setup
-seven several severity shape share shared sheet shifts short shorter shortest shorthand shoulder show showed showing shown shows side sides signal
-signed similar simple simpler simplest simplicity simplify simply simulated simultaneous sin since sine sines single singular situation sixth size
-sketch skew slice slide slider slides slow slowest small smaller smallest smooth smoother smoothly smoothness smooths so software solve solved solver
-solvers solves solving some sophisticated sort source space spaces span sparse spatial speak speaks special specific specify spectral speed speeds
-sphere spheres spherical spline splitting square squared squares squaring stability stable stack stacking stage stand standard stands start started
-starting starts state stated statement states static statics stay step steps stewart still stop stops stored stores straight strategy stress stretched
-strictly strong strongly structural studied studies study studying sub subject submatrix subscript subsection subsequent subset subspace substitute
-subtract success such suitable sum summarize summary summing sums superscript supported suppose supposing sure surface sweep sweeping symbolic symbols
-symmetry system systems table tables tabular take taken takes taking tall tangent target targets task tasks taylor tcp technically techniques
-telescoping ten tends tensor term terms test text textbook th than that the their them then theorem theoretical theory there thereby therefore these
-thesis theta they third this those though three threshold through thus time timer times tip to together tolerances too tool toolbox tools top topology
-torque torques total toward towards trace traces tracking trajectory transcendental transcription transfer transform transition translate transmitted
-transpose trapezoid treat treated treatment treats tree triangular trig trigonometry trivial true turn turned turning turns twelve twist twists two
-type types typical ultimate unchanged under underlying understand uniform unique uniquely unit units universal unknown unstable until up update
-updated updates upon upper upward upwards us use used useful uses using usual usually valid value values vanish vanishes variable variance variation
-varies various vary varying vectors velocity verification verified verify version vertical very via vice view virtual viscous visualize volume want
-was way waypoint ways we weight weighted weighting weights well were what wheel wheels when whence whenever where whereas wherein which while whole
-whom whose why wide widely width will with within word words work works workspace world wrap wrapped wrench wrenches wrist write writes writing
-written wrt xy yaw yet yield yielding yields yoshikawa you your zero zeros zyx zyz
+exists expand expanded expanding expansion expect expected experiment explain explicit exponential express extend extended extends extension external
+extra extract extremely face faces fact factor factoring factors facts families family far farther fashion fast faster fastest feasible feature feed
+feedback few field fields fifth fig figure figures file files fill filter filtering finally find finding finds fingers finite firmware first five fix
+fixed fixes fk flange flat flipped flipping floor flow focus fold folded folder folds follow followed following follows foot for force forced forces
+forearm form formal formally format formed former forming forms formulae forward found foundation four fourth fraction frame frames framework free
+freedom frequency fresh friction frobenius from front full fully function fundamental further future gain gamma gantry gear gearbox general generate
+generic geometry get gets gimbal give given gives giving global go goal goals good governed gradient graph graphical grasp gravitational gravity
+greater grid gripper ground group grouping grow grows guarantees had half halfway hand handed handle handling handy happens hartenberg has have having
+header headers heading heads heavier height helper hence here hertz high higher highly historically history hold holds hollow holonomic homework
+homogenous horizontal host how however ideal identical identify identity if iff ik ill-conditioned illustrate image images imaginary immediately
+impedance implement implies implying important in include including incorporate incremental indeed independent index indicate individual induced
+industrial inequality inertia infinity influence information initial inner input inputs inside insight inspecting instance instant instead integer
+integral interactive interested interface interior intermediate internal interpolate interpret interrupt intersect interval into introduce intuitive
+invariant inverse inversion invert inverted inverting inverts invoking involves is isolate isotropic it iteration ith its itself jacobian jerk joint
+joints jordan jth just kHz keep keeps kernel key keys khz kinematic kinetic know knowing knowledge known kutta lab label labeled labels laboratory
+lagrange language laplace laplacian large larger largest last later latter law laws lead leading leads learn learned learning least lecture left leg
+legible legs leibniz lemma length lengthen lengths less lesson lessons let lets letters level lever library lie lies lift lifts lighter like limit
+limited limits line linearise linearly lines link linkage links list listed listing little load loaded local locally located location lock log
+logarithm logic long longer longest look looking looks loop lower lowers lyapunov made magnitude main mainly maintaining make makes making manifold
+manipulate many map mapping maps mass masses massive massless match matches matching math mathematica matlab matter matters maximal maximise maximize
+maximum may mean meaning means meant measure mechanism meet meets memorise memorize meter meters method methods metre metres metric metrics
+microcontroller middle millimetres millisecond minimal minimise minimize minimum minor minors minus mirror mirrors mm mobile mobility mode model
+modeled modeling models modes modest modified modify module modulo moment moments momentum moore more most motion motions motor motors mounted move
+movements moves moving mth much multi multiple must mutually name named namely names natural nature near necessary need needed needs negative neglect
+neighborhood neither net new newton next nine node noise non nonconvex none nonlinear nonsingular nontrivial nonzero norm normal normalise norms
+notebook notes notice noting notions now null number numbers numerator numeric object objective objects observation observe observing obstacles obtain
+obtained obtaining obtains occur occurs of off offers offset offsets often once one online onto open operation operator opposite optimal optimise
+optimized optional or order ordered orientations oriented origin original origins orthogonal our out outer outline output outputs outside outwards
+over overall overshoot own packages page pages pair pairs panel paper papers parallel parameter part partial particle particular partition parts pass
+passed passing passive passivity path paths pattern payload peak peaks pendulum penrose perfectly perform period periodic periods perpendicular
+perspective perturbations pfaffian phase phi physical pi pick picks piece pieper pin pinned pipeline pitch pivoting place places planar plane planes
+planned planning plate platform plays plot plots plotted plotting plus pointing polar polynomial poor portion portrait posed poses positional positive
+possibility possible post postmultiply postures potential power powerful powers practice pre preceding precise precision predict preferable preferred
+premultiply prepare preparing prescribed present preserves prevent previous primary principal printed prism prismatic problem procedure proceeds
+process produce product profile program project promised proof propagate proper properly property proportional proposition prototype prove proved
+provide providing proximal proximity pseudo pseudoinverse published puma pure purely purposes push put puts pythagoras python quadrant quadratic
+quantities quarter quasi quaternion query question quintic quoted quotient radial radians radius rail raise raises ram random range ranges rank rate
+rates ratio rational re reach reachable reached reaches reaching reactions read readability readable reader readers ready real realizing rearrange
+reason reasonable recall recalled recalling recent recognizing recommended record recorded records rectangular recursion reduce reducer reduces
+redundant refer reference referred refers reflects regardless region regions regrouping regular relabeling relate related relates relating
+relationship relative relevant remain remaining remains remark remember reminder remove removed removes removing render rendered repeat repeated
+repeats replace replay report repository represent reprinted reproduced require requiring research reset resistance resolution resolving respect
+responsiveness rest restrict result resultant resulting results return returned returning returns review revolute rewrite rewriting rewritten rhs
+right rigid rigidly rigorous ring robotic robots robust robustness rodrigues roll rolling root roots rotary rotate rotated rotates rotating rotational
+round routines row rows rpy rule run runge running runs rx sac same sampled sampling satisfied satisfy saw say scalar scale scaled scaling scara scene
+schematic schur schwarz science scratch screen screw screws script scripts sec second seconds section see seek seen select selecting selects self semi
+sense sensitive sensor sent separate sequence sequentially serial series serves set sets setting settling setup seven several severity shape share
+shared sheet shifts short shorten shorter shortest shorthand shoulder show showed showing shown shows side sides signal signed similar simple simpler
+simplest simplicity simplify simply simulated simultaneous sin since sine sines single singular situation sixth size sketch skew slice slide slider
+slides slow slowest small smaller smallest smooth smoother smoothly smoothness smooths so software solve solved solver solvers solves solving some
+sophisticated sort source space spaces span sparse spatial speak speaks special specific specify spectral speed speeds sphere spheres spherical spline
+splitting square squared squares squaring stability stable stack stacking stage stand standard stands start started starting starts state stated
+statement states static statics stay step steps stewart still stop stops stored stores straight strategy stress stretch strictly strong strongly
+structural studied studies study studying sub subject submatrix subscript subsection subsequent subset subspace substitute subtract success such
+suitable sum summarize summary summing sums superscript supported suppose supposing sure surface sweep sweeping swing swings symbolic symbols symmetry
+system systems table tables tabular take taken takes taking tall tangent target targets task tasks taylor tcp technically techniques telescoping ten
+tends tensor term terms test text textbook th than that the their them then theorem theoretical theory there thereby therefore these thesis theta they
+third this those though three threshold through thus time timer times tip to together tolerances too tool toolbox tools top topology torque torques
+total toward towards trace traces tracking trajectory transcendental transcription transfer transform transition translate transmitted transpose
+trapezoid treat treated treatment treats tree triangular trig trigonometry trivial true turn turned turning turns twelve twist twists two type types
+typical ultimate unattainable unchanged under underlying understand uniform unique uniquely unit units universal unknown unreachable unstable until up
+update updated updates upon upper upward upwards us use used useful uses using usual usually valid value values vanish vanishes variable variance
+variation varies various vary varying vectors velocity verification verified verify version vertical very via vice view virtual viscous visualize
+volume wall want was way waypoint ways we weight weighted weighting weights well were what wheel wheels when whence whenever where whereas wherein
+which while whole whom whose why wide widely width will with within word words work works workspace world wrap wrapped wrench wrenches wrist write
+writes writing written wrt xy yaw yet yield yielding yields yoshikawa you your zero zeros zyx zyz
 """
 FRENCH = """
 a abord abordé abréviations absolue accorde accélère accélération achève addition adjointe affecte affichage ai ailleurs ainsi aisément ait ajoute
@@ -207,30 +208,30 @@ difieren dimensión dinámica dirección directa diseñar diseño disponible dis
 edición efector efectuando efectúa eje ejecutar ejemplo ejercicio ejes el elegimos elegir elemento eleva elevando elimina eléctrico emplea en encoder
 encontrar encuentra energía enlace ensayo entonces entre entrega equivale es escalar escogido escribe esférica eslabones eslabón espacio especial
 esquema esta establece estas este esto estos estructura estudia está están evaluar evalúa exactamente existe experimento explica expresa extendida
-externa extremo fabricante factor fichero figura fija fijo fijos fila fin final finales finalmente flexión flujo forma forman formas fricción fue
-fuente fuera fuerza función fácil fácilmente fórmula garra generar geometría geométrica gira giran giro giros grado grados gravedad gráfica haber
+externa extremo fabricante factor fichero figura fija fijo fijos fila filas fin final finales finalmente flexión flujo forma forman formas fricción
+fue fuente fuera fuerza función fácil fácilmente fórmula garra generar geometría geométrica gira giran giro giros grado grados gravedad gráfica haber
 había hace hacemos hacen hacer hacia hallamos hallar han hasta hay hecha hecho herramienta hipotenusa historia hoja hojas hombro homogénea
 horizontales identidad igual igualar igualdades iguales implementa implica inclinación incluye incógnita indica industria inercia ingeniería inicial
 inicio inmediatamente interior intermedia interna intersección interés introdujo inversa invertir ir isotrópica izquierda jacobiana la laboratorio
 lado lados lagrange las le lenguaje ley libertad libre libres libro libros lineal llama llamada llamamos llega llegada llegamos llegar lleva lo local
 localización longitud los luego límite línea líneas manera manipuladores mano marco masa masas matrices matriz mecanismo mediante medición medida
-medido medio memoria menos metros mide miden miembro milisegundo milímetros misma mismo modelo modifica momento montaje motor motores movimiento mucho
-muchos muestra mueve mueven multiplica muñeca más máxima máximo método mínima mínimo módulo múltiples necesaria necesita negativa norma normal nos
-notación notas nueva nuevo nula nulo numerador numérica número obtener obtenida obtiene obtuvo operación operador operando orden orientación origen
-ortogonal otra otras otro otros palabras par para paralela parcial pares parte particular partida partir parámetros paso pasos pendiente perfil
-periodo permite pero perpendicular pinza pitágoras plana planar planificación plano planos plantea plataforma poco pocos podemos polares polinomio por
-posible posición positiva posterior postura potencia precedente presenta primer principal prismática problema procede proceso producto programa propia
-propiedad propio proporciona prototipo proyecto práctica publicado puede pueden punto puntos página que queda quedan queremos rad radianes radio rama
-rango razón raíces raíz realiza recoge recogidos recta rectángulo recíproca reemplazar reescribe referencia regla relación repositorio representa
-resolver respecto resta restando resto resuelve resulta resumen robot robots robótica rota rotación rotan rotativa rotatoria rueda ruedas ruta
-rápidamente rígida rígido sabe sabemos saber sabiendo salida se sea sean secciones sección secuencia segmento segunda según selección semana semestre
-seno senos sentido separa ser serie será serán señala si sido siendo significa sigue siguen siguiente simbólica similar simple simplifica simulador
-singular sistema situación situado sobre software solución son su subconjunto subsistema suele suma sumar superior sus sustituir tabla tablas tal
-tales también tangente tanto tarea tareas tema temas temporal tenemos teniendo tensor teorema teoría tercer tesis texto textos teórico tiempo tiene
-tienen tipo tipos toda todas todavía todos toma tomamos toman tomando tomar torque total trabajo tramo transforma transponer tras traslada trata
-tratará través trayectoria tres trigonométrica triángulo término un una unidad unitario usando usaremos usará utiliza vale valor valores variable
-varía vector velocidad ver verdadero veremos verifica vertical verán vez viene vimos vio vista vistas visto volveremos vuelve válida válido x y ya
-zona ángulo índice órdenes última último única único útil
+medido medio memoria menos meta metros mide miden miembro milisegundo milímetros misma mismo modelo modifica momento montaje motor motores movimiento
+mucho muchos muestra mueve mueven multiplica muñeca más máxima máximo método mínima mínimo módulo múltiples necesaria necesita negativa norma normal
+nos notación notas nueva nuevo nula nulo numerador numérica número objetivo obtener obtenida obtiene obtuvo operación operador operando orden
+orientación origen ortogonal otra otras otro otros palabras par para paralela parcial pares parte particular partida partir parámetros paso pasos
+pendiente perfil periodo permite pero perpendicular pinza pitágoras plana planar planificación plano planos plantea plataforma poco pocos podemos
+polares polinomio por posible posición positiva posterior postura potencia precedente presenta primer principal prismática problema procede proceso
+producto programa propia propiedad propio proporciona prototipo proyecto práctica publicado puede pueden punto puntos página que queda quedan queremos
+quitando rad radianes radio rama rango razón raíces raíz realiza recoge recogidos recta rectángulo recíproca reemplazar reescribe referencia regla
+relación repositorio representa resolver respecto resta restando resto resuelve resulta resumen robot robots robótica rota rotación rotan rotativa
+rotatoria rueda ruedas ruta rápidamente rígida rígido sabe sabemos saber sabiendo salida se sea sean secciones sección secuencia segmento segunda
+según selección semana semestre seno senos sentido separa ser serie será serán señala si sido siendo significa sigue siguen siguiente simbólica
+similar simple simplifica simulador singular sistema situación situado sobre software solución son su subconjunto subsistema suele suma sumar superior
+sus sustituir tabla tablas tal tales también tangente tanto tarea tareas tema temas temporal tenemos teniendo tensor teorema teoría tercer tesis texto
+textos teórico tiempo tiene tienen tipo tipos toda todas todavía todos toma tomamos toman tomando tomar torque total trabajo tramo transforma
+transponer tras traslada trata tratará través trayectoria tres trigonométrica triángulo término un una unidad unitario usando usaremos usará utiliza
+vale valor valores variable varía vector velocidad ver verdadero veremos verifica vertical verán vez viene vimos vio vista vistas visto volveremos
+vuelve válida válido x y ya zona ángulo índice órdenes última último única único útil
 """
 ITALIAN = """
 a abbiamo accelerazione addizione adesso affronta aggiunge al alcuni algebrica alla allora alto altra altre altri ambedue ampiezza analitica
@@ -269,39 +270,40 @@ usati usato uso utensile utile utilizza vale valida valide validi valido valore 
 vengono vera verifica vero verranno verrà verso versore verticale vettore via viene vincoli vista visto volevasi volta zero è
 """
 PORTUGUESE = """
-a abaixo abreviaturas aceleração acima adicionando adição agora ainda alcança algum alguns algébrica altura além ambas ambos amostragem analisando
-analogamente anexo angular antebraço anterior antes análise análoga ao aos aplica apresenta apêndice após aqui arco arcotangente arquivo artigo as
-assim associada atrito atuador aula aulas base bases biblioteca bloco blocos braço busca cada cadeia calcula caminho capítulo característica
-cartesiana caso casos cateto centro chamada chega chegada chegamos ciclo cinco cinemática circunferência clássica coeficientes coincide colocando
-coluna com combinando começa como compara completa componente composição comprimento computador compõe comum concatenando condição configurações
-conforme conhecida conjunto consequentemente considera consiste constante construir controle contém convenção coordenada coroa corpo corresponde
-correta cosseno cotovelo cruzado cuja cujas cujo cujos curso curva curvas cálculo círculo código da dada dado dados das de decomposição deduzir
-dedução define definir demais demonstrada denavit denominador denota dentro depende depois derivar descreve descrita desejada deslocamento desta deste
-destes detalhes determina dh diagonal diagrama diferença dimensão dinâmica direita direta direção direções disciplina disponível dispõe disso distinto
-dividindo divisão do dobro documento dois dos duas durante e edição efetuador eixo eixos elemento elevando elimina elo elos em encoder encontra
-energia ensaio entre então equação equações equivale escalar escolha escreve escrita esférica espaço especial esquema esquerda essa essas esse esses
-esta este estrutura estuda estudo estão exemplo exercício existe experimento expressa externa extremidade fabricante facilmente fator fatores faz
-fazem fazer feita feito ferramenta fica ficam figura fim final finalmente fixa fixo fixos fora forma formado formam formas força forças fosse função
-funções fácil fórmula garra geometria geométrica gerais geral gira giram giro grandeza graus gravidade gráfico havia hipotenusa história homogénea
-homogênea horizontal identidade iguais igual igualar ilustra imediatamente implementa incógnita indica industrial indústria inicial inserindo interior
-intermediária interna interseção introduzida inversa inverter inércia início isolando isolar jacobiana junta juntas já laboratório lado lados lagrange
-laço lei leis lembrando liberdade ligação ligações limite linear linguagem linha linhas livre livres livro livros local logo longo mais manipulador
-mas massa massas matricial matriz mecanismo medida medido medição medições meio menos mesma mesmas mesmo mesmos metros milissegundo milímetros modelo
-modificada momento mostra motor motores move movem movimento muito muitos multiplica mão método múltiplas na nas negativa nesta neste no norma normal
-nos nota notas notação nova novo numerador numérica número o objetivo observa obtemos obtendo obter obteve obtida obtido obtém onde operação ordem
-orientado origem ortogonal os ou outra outras outro outros palavras par para paralela parcial parte partes particular partida partindo partir
-parâmetro passa passo passos pela pelas pelo pelos percebe permite perpendicular período pitágoras plana planar planejamento plano planos pode podem
-podemos polinômio ponto por porque portanto posicionamento positiva posição posições possível posto postura potência pouco poucos primeira prismática
-problema procedimento produto programa projeto projeção propriedade protótipo prática própria próxima publicado punho página quadrado quadrática quais
-qual quando quantidade quarta quarto quatro que quinta radianos raio raiz rapidamente razão raízes realiza recorrendo reescrever referida referência
-regra relaciona relativa relação relações repositório representa resolver respectiva respeito resta restante resulta reta retângulo reunindo robótica
-robô roda rotacional rotativa rotação rotações rígido script se segmento segue seguinte seguir segunda seja sejam semestre sempre sendo seno sensores
-sentido separando sequência ser serial serão seção seções si similar simples simplifica simulador simétrica singular sistema situação sobre software
-solução soluções soma somando somar sua suas subsequente substitui subtraindo superior são tabela tais tal também tangente tarefa tem temos tempo
-teorema ter terceira teremos termo termos terão tese texto textos tipo tipos toda todas todo todos torna torque total trabalho trajetória transforma
-translada transposta tratada trigonometria triângulo três técnica têm um uma unidade unitário usa usada usadas usado usados usando usaremos usuais
-usual utiliza vale valor valores varia variação variável velocidade vem verdadeiro veremos verificar vertical vetor vetores vetorial vez vimos vista
-visto volta voltaremos válido zero à às ângulo é índice última último
+a abaixo abreviaturas aceleração acha achamos achar acima adicionando adição agora ainda alcança algum alguns algébrica altura alvo além ambas ambos
+amostragem analisando analogamente anexo angular antebraço anterior antes análise análoga ao aos aplica apresenta apêndice após aqui arco arcotangente
+arquivo artigo as assim associada atrito atuador aula aulas base bases biblioteca bloco blocos braço busca cada cadeia calcula caminho capítulo
+característica cartesiana caso casos cateto centro chamada chega chegada chegamos ciclo cinco cinemática circunferência clássica coeficientes coincide
+colocando coluna com combinando começa como compara completa componente composição comprimento computador compõe comum concatenando condição
+configurações conforme conhecida conjunto consequentemente considera consiste constante construir controle contém convenção coordenada coroa corpo
+corresponde correta cosseno cotovelo cruzado cuja cujas cujo cujos curso curva curvas cálculo círculo código da dada dado dados das de decomposição
+deduzir dedução define definir demais demonstrada denavit denominador denota dentro depende depois derivar descreve descrita desejada deslocamento
+desta deste destes detalhes determina dh diagonal diagrama diferença dimensão dinâmica direita direta direção direções disciplina disponível dispõe
+disso distinto dividindo divisão do dobro documento dois dos duas durante e edição efetuador eixo eixos elemento elevando elimina elo elos em encoder
+encontra energia ensaio entre então equação equações equivale escalar escolha escreve escrita esférica espaço especial esquema esquerda essa essas
+esse esses esta este estrutura estuda estudo estão exemplo exercício existe experimento expressa externa extremidade fabricante facilmente fator
+fatores faz fazem fazer feita feito ferramenta fica ficam figura fim final finalmente fixa fixo fixos fora forma formado formam formas força forças
+fosse função funções fácil fórmula garra geometria geométrica gerais geral gira giram giro grandeza graus gravidade gráfico havia hipotenusa história
+homogénea homogênea horizontal identidade iguais igual igualar ilustra imediatamente implementa incógnita indica industrial indústria inicial
+inserindo interior intermediária interna interseção introduzida inversa inverter inércia início isolando isolar jacobiana junta juntas já laboratório
+lado lados lagrange laço lei leis lembrando liberdade ligação ligações limite linear linguagem linha linhas livre livres livro livros local logo longo
+mais manipulador mas massa massas matricial matriz mecanismo medida medido medição medições meio menos mesma mesmas mesmo mesmos meta metros
+milissegundo milímetros modelo modificada momento mostra motor motores move movem movimento muito muitos multiplica mão método múltiplas na nas
+negativa nesta neste no norma normal nos nota notas notação nova novamente novo numerador numérica número o objetivo observa obtemos obtendo obter
+obteve obtida obtido obtém onde operação ordem orientado origem ortogonal os ou outra outras outro outros palavras par para paralela parcial parte
+partes particular partida partindo partir parâmetro passa passo passos pela pelas pelo pelos percebe permite perpendicular período pitágoras plana
+planar planejamento plano planos pode podem podemos polinômio ponto por porque portanto posicionamento positiva posição posições possível posto
+postura potência pouco poucos primeira prismática problema procedimento produto programa projeto projeção propriedade protótipo prática própria
+próxima publicado punho página quadrado quadrática quais qual quando quantidade quarta quarto quatro que quinta radianos raio raiz rapidamente razão
+raízes realiza recorrendo reescrever referida referência regra relaciona relativa relação relações removendo repositório representa resolver
+respectiva respeito resta restante resulta reta retirando retângulo reunindo robótica robô roda rotacional rotativa rotação rotações rígido script se
+segmento segue seguinte seguir segunda seja sejam semestre sempre sendo seno sensores sentido separando sequência ser serial serão seção seções si
+similar simples simplifica simulador simétrica singular sistema situação sobre software solução soluções soma somando somar sua suas subsequente
+substitui subtraindo superior são tabela tais tal também tangente tarefa tem temos tempo teorema ter terceira teremos termo termos terão tese texto
+textos tipo tipos toda todas todo todos torna torque total trabalho trajetória transforma translada transposta tratada trigonometria triângulo três
+técnica têm um uma unidade unitário usa usada usadas usado usados usando usaremos usuais usual utiliza vale valor valores varia variação variável
+velocidade vem verdadeiro veremos verificar vertical vetor vetores vetorial vez vimos vista visto volta voltaremos válido zerada zerado zero à às
+ângulo é índice última último
 """
 OF_ARM = """
 arm arms manipulator robot gripper hand tool wrist elbow shoulder forearm effector base joint joints link links axis axes frame frames motion motions velocity velocities rates position orientation pose
