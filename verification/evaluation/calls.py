@@ -104,9 +104,10 @@ def _of_screws(evaluator: Evaluating, node: n.Name) -> Matrix | None:
 
 def _square_of_defined(evaluator: Evaluating, node: n.Name) -> Any:
     r"""Return the square that x_1^2 or \dot x_1^2 is where the document says of a number x_1 what it is; None of another name."""
+    if node.sup != "2" or node.pre_sup or node.pre_sub:
+        return None
     names, plain = evaluator.names, replace(node, sup="", dots=0)
-    told = plain.key in names.state.definitions or plain.key in names.quantities
-    if node.sup != "2" or node.pre_sup or node.pre_sub or not told:
+    if plain.key not in names.state.definitions and plain.key not in names.quantities:
         return None
     if replace(node, dots=0).key in names.state.definitions or not _is_scalar(evaluator.evaluate(plain)):
         return None

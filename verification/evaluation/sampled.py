@@ -12,6 +12,7 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.exact.numbers import angle_value
+from armproof.models.exact.polynomial import Generator
 from armproof.models.numeric.configurations import FAMILIES, sample
 from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.algebra.budget import Budget
@@ -60,6 +61,7 @@ class SampledAlgebra(ArmAlgebra):
         self.seed = seed
         self.overrides = dict(overrides or {})
         self.free: dict[str, np.ndarray] = {}
+        self._generators: dict[tuple[Ring, Generator], np.ndarray] = {}
         self.regular = np.ones(len(q), dtype=bool)
         self.random = np.ones(len(q), dtype=bool) if random is None else random
         self.kinematics = _kinematics(self.arm, len(q), q.tobytes()) if self.arm is not None else None
@@ -142,8 +144,8 @@ class SampledAlgebra(ArmAlgebra):
         """Return an exact value at the samples."""
         if isinstance(value, Matrix):
             return value.map(self.from_exact)
-        ring = value.ring
-        return self._sample(ring, value.numerator) / self._sample(ring, value.denominator)
+        ring, numerator = value.ring, self._sample(value.ring, value.numerator)
+        return numerator if value.denominator.is_one() else numerator / self._sample(ring, value.denominator)
 
     def stacked(self, value: Value) -> np.ndarray:
         """Return a sampled matrix or scalar as an array, (N, rows, columns)."""
@@ -152,18 +154,21 @@ class SampledAlgebra(ArmAlgebra):
 
     def _sample(self, ring: Ring, polynomial: Any) -> np.ndarray:
         total = np.zeros(self.samples)
-        known: dict[tuple[tuple[str, str], int], np.ndarray] = {}
         for powers, coefficient in ring.terms(polynomial):
-            term = np.full(self.samples, float(coefficient))
-            for item in powers.items():
-                if item not in known:
-                    known[item] = self._generator(ring, item[0]) ** item[1]
-                term = term * known[item]
-            total = total + term
+            term: Any = float(coefficient)
+            for generator, power in powers.items():
+                values = self._generator(ring, generator)
+                term = term * (values if power == 1 else values**power)
+            total += term
         return total
 
-    def _generator(self, ring: Ring, generator: tuple[str, str]) -> np.ndarray:
-        kind, name = generator
+    def _generator(self, ring: Ring, generator: Generator) -> np.ndarray:
+        """Return a generator at the samples, each computed once."""
+        if (ring, generator) not in self._generators:
+            self._generators[ring, generator] = self._new_generator(ring, *generator)
+        return self._generators[ring, generator]
+
+    def _new_generator(self, ring: Ring, kind: str, name: str) -> np.ndarray:
         if kind == "symbol":
             return self.symbol(name)
         if kind in ("cos", "sin"):
