@@ -62,6 +62,7 @@ class SampledAlgebra(ArmAlgebra):
         self.overrides = dict(overrides or {})
         self.free: dict[str, np.ndarray] = {}
         self._generators: dict[tuple[Ring, Generator], np.ndarray] = {}
+        self._with_lengths: dict[tuple[tuple[str, float], ...], SampledAlgebra] = {}
         self.regular = np.ones(len(q), dtype=bool)
         self.random = np.ones(len(q), dtype=bool) if random is None else random
         self.kinematics = _kinematics(self.arm, len(q), q.tobytes()) if self.arm is not None else None
@@ -208,6 +209,13 @@ class SampledAlgebra(ArmAlgebra):
         """Return the algebra at configurations in which each of these letters is negative at half of the samples, at random."""
         signs = np.random.default_rng(self.seed).choice((-1.0, 1.0), size=(len(names), self.samples))
         return self.at({name: sign * self.symbol(name) for name, sign in zip(names, signs, strict=True)})
+
+    def with_lengths(self, lengths: Mapping[str, float]) -> SampledAlgebra:
+        """Return the algebra of the arm with other lengths, one for all equations that are held against them."""
+        key = tuple(sorted(lengths.items()))
+        if key not in self._with_lengths:
+            self._with_lengths[key] = self.at({name: np.full(self.samples, value) for name, value in key})
+        return self._with_lengths[key]
 
     def at(self, values: Mapping[str, np.ndarray]) -> SampledAlgebra:
         """Return the algebra at configurations in which some joint variables or lengths have other values."""
