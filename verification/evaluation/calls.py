@@ -109,7 +109,7 @@ def _square_of_defined(evaluator: Evaluating, node: n.Name) -> Any:
     names, plain = evaluator.names, replace(node, sup="", dots=0)
     if plain.key not in names.state.definitions and plain.key not in names.quantities:
         return None
-    if replace(node, dots=0).key in names.state.definitions or not _is_scalar(evaluator.evaluate(plain)):
+    if node.undotted.key in names.state.definitions or not _is_scalar(evaluator.evaluate(plain)):
         return None
     return evaluator.evaluate(n.Power(replace(node, sup=""), n.Number(Fraction(2), "2"), span=node.span))
 
@@ -295,7 +295,7 @@ def _of_own_arguments(value: Value, name: n.Name, given: Mapping[str | None, str
 
 def is_variable(node: n.Node, names: Names) -> bool:
     r"""Whether an argument is one of joints and of lengths, or all joints, or their rates: the q and \dot q of \dot J(q, \dot q)."""
-    plain = replace(node, dots=0) if isinstance(node, n.Name) else None
+    plain = node.undotted if isinstance(node, n.Name) else None
     return plain is not None and (plain.key in WHOLE_VECTORS or names.known_symbol(plain.key) is not None)
 
 

@@ -66,6 +66,11 @@ class Name(Node):
             object.__setattr__(self, "_key", self._spelt())
             return self._key
 
+    @property
+    def undotted(self) -> Name:
+        """The name whose rate it may be: x of x-dot."""
+        return replace(self, dots=0) if self.dots else self
+
     def _spelt(self) -> str:
         front = ""
         if self.pre_sup or self.pre_sub:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cache, partial
 from operator import methodcaller
 from types import MappingProxyType
 from typing import Any
@@ -25,6 +26,7 @@ from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Kind
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key
+from armproof.verification.latex.tokens import Spelling
 from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.tables.arms.support import links_of
 from armproof.verification.verdict import Verdict
@@ -32,6 +34,7 @@ from armproof.verification.verdict import Verdict
 WORK = 3_000  # for one display under one reading: counted, so that no machine's load chooses an arm
 WORK_IN_ALL = 50_000
 SECONDS = 2.0  # what no count bounds
+SpellingOf = Callable[[frozenset[str]], Spelling]
 LEAD = 4  # so many more hold under one reading than under all others: the rest need not be tried
 
 
@@ -76,10 +79,12 @@ class Reading:
 class _Trial:
     """A document read in one way, its displays taken one by one."""
 
-    def __init__(self, document: Document, front: Mapping[str, Any], arm: Arm, numbers: Mapping[str, Fraction]) -> None:
+    def __init__(
+        self, spelling: SpellingOf, front: Mapping[str, Any], arm: Arm, numbers: Mapping[str, Fraction]
+    ) -> None:
         self.front, self.name = front, arm.name
         names = read_names(arm, front)
-        names.reader.spelling = spelling_of(document, names.reader.words)
+        names.reader.spelling = spelling(names.reader.words)
         self.checker = ChainChecker(names, ExactAlgebra(Ring(), arm), no_samples)
         self.checker.confirm, self.checker.route.weighs = False, True
         for key, number in numbers.items():
@@ -151,11 +156,12 @@ def weigh(
 def _trials(
     document: Document, fronts: Sequence[Mapping[str, Any]], numbers: Mapping[str, Fraction]
 ) -> Iterator[_Trial]:
+    spelling = cache(partial(spelling_of, document))  # one for all readings: it does not rest on the arm
     problem: ArmproofError | None = None
     found = False
     for front in fronts:
         try:
-            trial = _Trial(document, front, load_arm(front["arm"], document.path.parent), numbers)
+            trial = _Trial(spelling, front, load_arm(front["arm"], document.path.parent), numbers)
         except ArmproofError as error:
             problem = problem or error
             continue
