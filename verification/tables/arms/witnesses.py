@@ -135,14 +135,15 @@ def weigh(
     apart: Collection[tuple[int | None, int]] = (),
     numbers: Mapping[str, Fraction] = MappingProxyType({}),
     only: Collection[tuple[int | None, int]] = (),
+    work: int = WORK_IN_ALL,
 ) -> list[Reading]:
     """Return the readings that an arm can be built of, the one under which most holds first; raises where there is none.
 
-    What stands at the places `apart` is no evidence; `numbers` are those that names stand for by their indices. Where `only` names places, what stands elsewhere only tells how the document is spelt. What is read is judged by its equations alone: labels often belong to another convention than the table beside them.
+    What stands at the places `apart` is no evidence; `numbers` are those that names stand for by their indices. Where `only` names places, what stands elsewhere only tells how the document is spelt. Behind so much `work` no display is taken any more. What is read is judged by its equations alone: labels often belong to another convention than the table beside them.
     """
     trials = list(_trials(document, fronts, numbers))
     for display in (each for each in document.displays if not only or each.place in only):
-        if sum(trial.checker.exact.budget.asked for trial in trials) > WORK_IN_ALL:
+        if sum(trial.checker.exact.budget.asked for trial in trials) > work:
             break
         if display.closed and not (display.erratum or display.denied) and "=" in display.latex:
             for trial in trials:
