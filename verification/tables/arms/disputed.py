@@ -4,29 +4,24 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.ring import Ring
-from armproof.verification.document import Document
-from armproof.verification.errors import ReadError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, say
-from armproof.verification.latex import nodes as n
-from armproof.verification.naming.reading import read_names, spelling_of
+from armproof.verification.naming.reading import read_names
 from armproof.verification.tables.arms.support import Inference
 from armproof.verification.tables.arms.values import entries_by_place
-from armproof.verification.tables.arms.witnesses import WORK_IN_ALL, weigh
+from armproof.verification.tables.arms.witnesses import weigh
 from armproof.verification.verdict import HOLDS, DocumentResult, Record, Role, Verdict
 
 FEWEST = 2  # displays that hold with another length, where one alone may hold the slip itself, unless the arm lacks that length
 MOST = 100  # other arms that are weighed
 TELLING = 2  # displays that hold, which may tell which index of a transform is the reference
 _NAME = re.compile(r"[A-Za-z]\w*")
-_NEVER_PLACED = frozenset("theta q a l L c s C S m".split())  # letters of which θ_1^2 is a square
 
 Check = Callable[[Inference], DocumentResult]
 
@@ -106,13 +101,12 @@ def _best(part: Inference, lost: Sequence[Record], result: DocumentResult, lette
     places |= {*holds[:TELLING]}
     others = {str(other.front["arm"]["rows"]): other for other in _others(part, letters)}
     likely = sorted(others.values(), key=lambda other: other.column in ("a", "d"))  # of lengths there are many
-    fronts, work = [other.front for other in likely][:MOST], WORK_IN_ALL
+    fronts = [other.front for other in likely][:MOST]
     if "transforms" not in part.document.front:  # what is lost may be what would tell
-        ways = ("upper", "lower") if _has_two_scripts(part.document) else ("lower",)
-        fronts, work = fronts[: MOST // 2], work // 2 * len(ways)
-        fronts = [{**front, "transforms": which} for front in fronts for which in ways]
+        fronts = fronts[: MOST // 2]
+        fronts = [{**front, "transforms": which} for front in fronts for which in ("upper", "lower")]
     try:
-        readings = weigh(part.document, fronts, numbers=_numbers(part), only=places, work=work) if fronts else []
+        readings = weigh(part.document, fronts, numbers=_numbers(part), only=places) if fronts else []
     except ArmproofError:
         return None
     held = [each for each in readings if each.held == readings[0].held]
@@ -122,26 +116,6 @@ def _best(part: Inference, lost: Sequence[Record], result: DocumentResult, lette
     best = [other for other in best if is_one or readings[0].held >= _fewest(other, _own_letters(part))]
     numbers = [other for other in best if other.printed.isdigit() and other.printed != "0"]  # of lines in parallel
     return next(iter(numbers if len(best) > 1 else best), None)
-
-
-def _has_two_scripts(document: Document) -> bool:
-    """Whether a name of a document has an index above and one below: of others nobody asks which of them is the reference."""
-    reader = read_names(None, {}).reader
-    reader.spelling = spelling_of(document, reader.words)
-    for display in document.displays:
-        with suppress(ReadError, RecursionError):
-            nodes = (node for statement in reader.read(display.latex) for node in n.walk(statement))
-            if any(_is_between(node) for node in nodes):
-                return True
-    return False
-
-
-def _is_between(node: n.Node) -> bool:
-    """Whether a node may be a name with an index above and one below, T_1^0; p_1^0 is read as a power first."""
-    name = n.bare(node.base) if isinstance(node, n.Power) else node
-    if not isinstance(name, n.Name) or not name.sub:
-        return False
-    return bool(name.sup) if name is node else name.base not in _NEVER_PLACED
 
 
 def _defines(record: Record) -> bool:
