@@ -164,7 +164,7 @@ show_rates(rates)
 #
 # $$ \left. \begin{bmatrix} C_1 & S_1 \end{bmatrix} J \right|_{\theta_2 = 0} = \begin{bmatrix} 0 & 0 \end{bmatrix} $$
 #
-# The trouble begins earlier: a velocity that is possible, but nearly lost, already asks for rates that no drive gives.
+# A velocity that is possible, but close to the lost one, asks for rates that no drive gives.
 #
 # ## Jacobians that are not square
 #

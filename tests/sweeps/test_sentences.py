@@ -15,7 +15,16 @@ def test_no_sentence_makes_a_verdict_false() -> None:
     assert not (false := [each for each in found if each.fault]), "\n".join(
         f"{each.fault}: {each.words} | {each.latex}" for each in false
     )
-    assert {each.effect for each in found} == {"denied", "asked", "world", "where", "only", "nearly", "nothing"}
+    assert {each.effect for each in found} == {
+        "denied",
+        "asked",
+        "world",
+        "where",
+        "only",
+        "nearly",
+        "nothing",
+        "strange",
+    }
     assert sum(each.verdict == "proved" for each in found) > COUNT / 10
 
 
@@ -29,6 +38,8 @@ def test_no_sentence_makes_a_verdict_false() -> None:
         ("where", False, True, "refuted", "", "refuted"),
         ("nothing", True, True, "unchecked", "proved", "lost"),
         ("nothing", True, True, "proved", "proved", ""),
+        ("strange", True, True, "unchecked", "proved", ""),
+        ("strange", False, False, "proved", "", "passes"),
     ],
 )
 def test_a_false_verdict_is_noticed(

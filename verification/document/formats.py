@@ -26,13 +26,17 @@ from armproof.verification.document.sentences import (
     LIMITED_ABOVE,
     OF_NEXT,
     OTHER_POINT,
+    STRANGE,
+    STRANGE_ABOVE,
     SUPPOSED,
     denied_in,
     denies_above,
     denies_below,
     heading_denies,
     is_of_a_case,
+    words_of,
 )
+from armproof.verification.document.strange import is_in_known_language
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
@@ -80,6 +84,8 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
 
         document = with_macros(document)
     document = _with_what_is_said(document)
+    if any(display.strange for display in document.displays) and not is_in_known_language(words_of(text)):
+        document = replace(document, displays=tuple(replace(each, strange="") for each in document.displays))
     if may_mean(text):
         document = with_other_meanings(document, text)
     if (images := sum(not shows_its_latex(each) for each in _IMAGE.findall(text))) and suffix != ".py":
@@ -125,6 +131,9 @@ def _with_what_is_said(document: Document) -> Document:
             displays[-1:] = [replace(each, denied=not each.erratum) for each in displays[-1:]]
         elif display.latex == LIMITED_ABOVE:
             displays[-1:] = [replace(each, supposed=not each.erratum) for each in displays[-1:]]
+        elif display.latex.startswith(STRANGE_ABOVE):
+            sentence = display.latex.removeprefix(STRANGE_ABOVE)
+            displays[-1:] = [replace(each, strange="" if each.erratum else sentence) for each in displays[-1:]]
         elif _SAYS.search(display.latex):
             between[-1].append(display)
     told = tuple(_with_what_is_behind(displays, between[1:]))
@@ -144,7 +153,8 @@ def _listings(document: Document) -> Iterator[Listing]:
 
 def _with_what_is_before(display: Display, all_said: Sequence[Display], is_marked: bool) -> Display:
     of_it = {each.latex for each in all_said if each.section == display.section}
-    said = [each for each in all_said if each.latex not in OF_NEXT]
+    strange = [each.removeprefix(STRANGE) for each in of_it if each.startswith(STRANGE)]
+    said = [each for each in all_said if not each.latex.startswith(OF_NEXT)]
     above = sum(each.section != display.section for each in said)
     outside = sum(not encloses(each.section, display.section) for each in said)
     return replace(
@@ -156,6 +166,7 @@ def _with_what_is_before(display: Display, all_said: Sequence[Display], is_marke
         denied=not display.erratum and (DENIED in of_it or _denies_itself(display, is_marked)),
         supposed=not display.erratum
         and (SUPPOSED in of_it or (bool(display.section) and is_of_a_case(display.section))),
+        strange="" if display.erratum else " ".join(strange),
         of_other_point=not display.erratum and OTHER_POINT in of_it,
     )
 
@@ -174,7 +185,9 @@ def _with_what_is_behind(displays: Sequence[Display], behind: Sequence[Sequence[
     """Yield the displays with what the next text in their section says: "where ρ = …" is often told below several of them."""
     found: list[Display] = []
     for display, said in zip(reversed(displays), reversed(behind), strict=True):
-        own = tuple(each.latex for each in said if each.section == display.section and each.latex not in OF_NEXT)
+        own = tuple(
+            each.latex for each in said if each.section == display.section and not each.latex.startswith(OF_NEXT)
+        )
         later = found[-1].said_behind if found and found[-1].section == display.section else ()
         found.append(replace(display, said_next=own, said_behind=own or later))
     yield from reversed(found)

@@ -57,6 +57,7 @@ class Display:
     denied: bool = (
         False  # whether the text around it, or a tag, says that it is wrong: of an erratum that goes without saying
     )
+    strange: str = ""  # the sentence around it that is not understood, and may take it back
     supposed: bool = False  # whether that supposes it, asks for it, or says in words that it holds in a case alone
     of_other_point: bool = False  # whether the sentence before it is of another point than the tool, or another frame
     meant: tuple[str, ...] = ()  # the letters that the text gives another meaning than the arm has for them

@@ -62,6 +62,15 @@ nicht stimmt
 not/never/nobody/nothing/neither/no/cannot/~n'/rien/pas/jamais/aucun/aucune/nicht/kein/keine/nie/nunca/jamás/non * that/que/qu'/dass/che/is/est/ist $
 """
 HARMLESS = """
+pas sorcier
+without/sans/sin/senza/sem/ohne (any/a/further/aucune) (the) loss/perte/pérdida/perdita/perda/doubt/duda/doute/dubbio/dúvida/ado/zweifel
+unless/sauf otherwise/mention/indication (stated/noted/specified/mentioned) (contraire)
+does/do/did/is not/n' depend/matter/involve/change/affect/enter/appear/contain
+ne dépend/change/contient/intervient pas
+no need
+what we wanted/expected/sought
+wrong/incorrect to think/believe that % matters/depends/matter/depend
+often/sometimes printed/written with a/the wrong sign
 not/nicht/pas/non/no only/just/merely/seulement/uniquement/nur/solo
 not/nicht/pas/no (so/too/very/si/très/sehr) difficult/hard/easy/surprising/difficile/facile/schwer/schwierig/difícil
 nothing/rien (is) wrong/false/incorrect
@@ -95,6 +104,34 @@ ELSEWHERE = """
 if/when/whenever/where/for/at/unless/that/to/si/quand/pour/que/lorsque/lorsqu'/de/où/wenn/falls/für/dass/para/cuando
 """
 DENIED_BEHIND = """
+^ * must/should/ought/needs/need/has/have (to) (still) (be) (have) (been) exchanged/changed/replaced/swapped/interchanged/switched/reversed/negated/removed/deleted/corrected/subtracted/flipped
+^ * should/ought (to) (still) (be) (have) (been) multiplied/divided/added/squared/inverted/transposed/omitted/dropped/moved
+^ * (was/were) (has/have) (been) swapped/interchanged/exchanged/forgotten/overlooked/omitted/mistyped/miscopied
+^ (please) (now) change/correct/reverse/swap/exchange/interchange/flip * . $
+^ (please) replace the/a sine/cosine/sign/index/term/factor/exponent
+^ * doit/doivent/devrait/devraient être remplacé~/changé~/corrigé~/inversé~/interverti~/permuté~/supprimé~/retiré~/soustrait~/échangé~
+^ * est/sont à (nouveau) (être) corriger/remplacer/changer/inverser/revoir/reprendre/intervertir/supprimer
+^ * a/ont été interverti~/inversé~/permuté~/oublié~/échangé~/omis/omise
+^ * il faut/fallait/faudrait/convient/reste (de) (donc) (à) remplacer/changer/corriger/inverser/intervertir/soustraire/permuter/échanger/supprimer/retirer
+^ * muss/müssen/sollte/sollten/soll/gehört/gehören … umgekehrt/vertauscht/ersetzt/geändert/korrigiert/gestrichen/weggelassen
+^ * wurde/wurden/ist/sind … vertauscht/vergessen/verwechselt
+^ * hay/habría/debe/deben/debería/deberían/tiene/tienen (que) (ser) cambiar/cambiarse/sustituir/sustituirse/corregir/corregirse/invertir/invertirse/quitar/intercambiar/intercambiarse/reemplazar/reemplazarse/cambiado/cambiada/sustituido/sustituida/corregido/corregida
+^ * va/vanno/andrebbe/deve/devono/dovrebbe/bisogna/occorre (essere) corrett~/cambiat~/sostituit~/scambiat~/invertit~/correggere/cambiare/sostituire/scambiare/invertire
+^ * deve/devem/deveria/deveriam/precisa/precisam/tem/têm/preciso/necessário (ser) (de/que) trocad~/substituíd~/corrigid~/invertid~/trocar/substituir/corrigir/mudar/inverter
+^ * correct/right/true/proper/corrected version/formula/expression/result/value/equation/relation (is/reads/has/would/can/should/follows/stands)
+^ * bonne/bon formule/version/expression/résultat/relation (est)
+^ * formule/version/expression/résultat/relation correcte/exacte/exact/juste/corrigée est/se/a/figure
+^ * richtig/korrekt ist/wäre/lautet/muss/heißt
+^ * richtige/korrekte formel/gleichung/ausdruck/ergebnis
+^ * fórmula/resultado/expresión/ecuación/relación correcto/correcta es/está/sería/se
+^ * formula/risultato/espressione/relazione corretta/corretto/giusta è/sarebbe/si
+^ * fórmula/resultado/expressão/equação/relação correta/correto é/está/seria
+^ * sides/units/members/dimensions (of) (the) (two) (both) (sides) (do/does/don'/are) not/t/disagree/differ
+^ * membres/unités/dimensions ne * pas
+^ * seiten/einheiten … nicht
+^ * lados/miembros/unidades/membri/membros/unità no/non/não
+^ * belong/belongs/refer/refers (only) to another/other/a/the (different/other)
+^ * appartient/appartiennent (à/aux) (un/une/d') autre/autres
 ^ … should/must/has/have/ought/doit/muss/debe (to) be corrected/replaced/withdrawn/remplacée
 ^ … should/must/doit (have/read/avoir) (an) (another) (a) (une) differently/sign/autre
 ^ … should/must read/say/have
@@ -165,7 +202,34 @@ at rest
 unit/equal/identical (link) length/lengths/links
 longueurs unitaire~/égale~
 """
+SPECIAL = """
+same/equal/identical (link) length/lengths/links
+equally long
+lengths/links are/were/being (here) equal/identical/the (same)
+(segments/longueurs) de (la) même longueur
+longueurs/segments égales/égaux
+gleich lang/lange/langen
+gleiche/gleicher/gleichen länge/längen
+misma longitud
+miden lo mismo
+eslabones/longitudes iguales
+stessa lunghezza
+bracci/aste/lunghezze uguali
+mesmo comprimento
+elos/comprimentos iguais
+special/particular/limiting/degenerate case
+cas particulier/limite
+spezialfall/sonderfall/grenzfall
+caso particular/particolare/limite/límite/especial
+set/put/taken/chosen/fixed (equal) (to/as/at) zero/one/unity
+this/that/these … only/alone ,
+gestreckt~/ausgestreckt~/eingeklappt~
+extendido/extendida/estirado/estirada/plegado/plegada
+disteso/distesa/esteso/estesa/ripiegato/ripiegata
+esticado/esticada/estendido/estendida/dobrado/dobrada
+"""
 NEARLY = """
+terms … (have) (has) (been/were/are) dropped/omitted/discarded/ignored
 first/second/leading/third/premier/deuxième/erster/zweiter order/ordre/ordnung
 erster/primera näherung/aproximación
 approximat~/linearis~/lineariz~/linéaris~/neglect~/néglige~/vernachlässig~/näherungsweise/roughly
@@ -230,6 +294,8 @@ as in the case
 comme dans le cas
 """
 SUPPOSED = """
+suppose/assume/imagine/pretend/supposons/admettons/imaginons/angenommen/supongamos/supponiamo/suponhamos * that/que/dass/che $
+prove/show/verify/montrer/démontrer/montrez/démontrez/beweisen/demuestre/dimostrare/demonstrar or/ou/oder/o/u disprove/refute/infirmer/infirmez/réfuter/réfutez/widerlegen/refute/confutare/refutar
 ^ & (or/ou/oder/o) (also/aussi/auch/también) when/whenever/if/for/at/lorsque/lorsqu'/quand/si/pour/wenn/falls/für/cuando/para $
 suppose/supposing/assume/assuming/imagine/pretend/believe/supposons/supposant/admettons/admettant/angenommen/supongamos (,) (by) (contradiction) (for) (a) (the) (sake) (of) (argument) (moment) (now) (that) (que) (par) (l') (absurde) $
 on suppose (que) $
@@ -267,12 +333,28 @@ WE_DO = """
 ^ & if/when/whenever/si/quand/lorsque/lorsqu' we/one/you/i/on/nous/l'
 """
 ASKED_BEHIND = """
+prove/show/verify/montrer/démontrer/montrez/démontrez/beweisen/demuestre/dimostrare/demonstrar or/ou/oder/o/u disprove/refute/infirmer/infirmez/réfuter/réfutez/widerlegen/refute/confutare/refutar
+^ (&) (or) does/do/did/is/are/can/could/will/would/should this/it/that/these/the * ? $
 true/false/right/wrong/correct/so/agree/think/it/case/vrai/faux/exact/juste/accord/richtig/falsch/das/cierto/verdadero/falso/correcto/why ? $
 true/false/right/wrong/correct/vrai/faux/exact/juste/richtig/falsch/verdadero/falso * ? $
 est-ce/est-il * ? $
 justify/justifiez
 """
+OPEN_QUESTION = """
+^ (and/but/so/et/mais/und/aber/y/e) what/how/where/when/who/whose/which/comment/que/qu'/quel/quelle/quels/quelles/où/quand/qui/wie/was/wo/wer/welche/welcher/welches/cómo/qué/dónde/cuál/cuáles/quién/come/che/cosa/dove/quale/quali/chi/como/onde/qual/quais/quem
+"""
+SAYS_LIMITS = """
+^ * terms * dropped/neglected/omitted/discarded/ignored
+^ * formula/equation/relation/result/expression/it/this (does/do/is) not/n'/never/longer (longer) (t) hold/apply/valid/usable/true
+^ * applies/holds/valid/true (only) (to/for/in/at/within/on) (this/that/these) (one/single) configuration/case/posture/range/branch
+^ * another/other/different expression/formula/equation/relation (has/must/is/should/applies/holds)
+^ * gleichung/formel/beziehung (ist/gilt) … nicht/nur
+^ * válida/válido/vale/vrai/vraie/valable/valida/valido (que) (solo/sólo/solamente/seulement/apenas/somente/nur) (para/pour/per/en/em)
+^ solo/sólo/solamente/apenas/somente/seulement/nur es/est/é/è/vale/gilt/válid~/valid~/valable
+"""
 LIMITED_BEHIND = """
+^ at least when/if/for/in/as/where
+^ du moins si/quand/lorsque/pour/en/dans
 ^ (only) (and) (et) if/when/whenever/provided/assuming/supposing/unless/except/lorsque/lorsqu'/quand/pourvu/sauf/si/falls/wenn/sofern/cuando
 ^ (only) (and) as long as
 ^ à condition que

@@ -12,13 +12,18 @@ from functools import cache
 import armproof.verification.document.phrases as phrases
 from armproof.verification.document.model import INLINE, Display
 from armproof.verification.document.postures import SINGULAR, is_of_singularities
+from armproof.verification.document.strange import is_strange_before, is_strange_behind
 
 DENIED_ABOVE, LIMITED_ABOVE = r"\text{denies above}", r"\text{limits above}"  # what a text says of the display above it
 DENIED = r"\text{denies below}"  # and of the one that it leads to
 GENERAL = r"\text{in general}"  # what ends a configuration
 SUPPOSED = r"\text{under a hypothesis}"  # what is supposed, sought, quoted, of another case, or an approximation
 OTHER_POINT = r"\text{of another point}"  # what is no coordinate of the tool in the base
-OF_NEXT = (DENIED, SUPPOSED, OTHER_POINT)  # what is said of one display, and of no configuration
+STRANGE_ABOVE, STRANGE = (
+    r"\text{strange above}",
+    r"\text{strange}",
+)  # what is not understood of the one above it, or below; the sentence follows
+OF_NEXT = (DENIED, SUPPOSED, OTHER_POINT, STRANGE)  # what is said of one display, and of no configuration
 
 _GENERAL = re.compile(
     r"\b(?:in general|generally|(?:for|in|at|holds for|true for) (?:all|any|every|each|arbitrary) (?:possible )?(?:joint )?"
@@ -39,6 +44,10 @@ AXIS = re.compile(
 _LAYOUT = re.compile(
     r"\\(?:begin|end)\s*\{\w+\*?\}|\\[A-Za-z]+\*?|[{}()\[\]\"“”«»*~>|¿¡]|(?<!\w)_+(?=\w)|(?<=\w)_+(?!\w)|(?<!\S)[-–—]+(?!\S)"
 )
+_ARGUMENTS = re.compile(  # \begin{frame}<2->[fragile]{Title}, \section{Inverse}, ![a figure](arm.png)
+    r"\\begin\s*\{\w+\*?\}(?:<[^<>]*>|\[[^\[\]]*\]|\{[^{}]*\})*|\\(?:(?:sub)*section|chapter|paragraph|label|\w*ref|cite|includegraphics|caption|[vh]space|setcounter)\*?"
+    r"(?:\[[^\[\]]*\])?\{[^{}]*\}|!\[[^\[\]]*\]\([^()]*\)|<[^<>\s][^<>]{0,200}>"
+)
 _STOP = re.compile(r"(?<!\\)[.;!?](?=\s+\S)")
 _IS_OVER = re.compile(r"[.!]\W*\Z")
 _LIGHT = frozenset(re.split(r"[/\s]+", phrases.LIGHT.strip()))
@@ -49,10 +58,14 @@ _FARTHEST = 10  # and behind one of what stands below
 
 def said_above(text: str, line: int, section: str) -> Iterator[Display]:
     """Yield what a text says of the display that it stands right behind."""
-    if denies_above(text):
+    sentence = _first_sentence(text)
+    is_denied, is_limited = denies_above(text), _limits_above(text)
+    if is_denied:
         yield Display(line, DENIED_ABOVE, section=section, opening=INLINE)
-    if _limits_above(text):
+    if is_limited:
         yield Display(line, LIMITED_ABOVE, section=section, opening=INLINE)
+    if not (is_denied or is_limited) and is_strange_behind(_plain(sentence)):
+        yield Display(line, STRANGE_ABOVE + sentence, section=section, opening=INLINE)
 
 
 def said_in_general(text: str, line: int, section: str) -> Iterator[Display]:
@@ -65,12 +78,17 @@ def said_below(text: str, line: int, section: str) -> Iterator[Display]:
     """Yield what the last sentence of a text, formulas and all, says of the display that follows."""
     sentence = last_sentence(" ".join(text.split()))[-MOST_CHARACTERS:]
     words = words_of(sentence)
+    heard = []
     if denies_below(text):
-        yield Display(line, DENIED, section=section, opening=INLINE)
+        heard.append(DENIED)
     if _supposes(words, _IS_OVER.search(sentence) is not None):
-        yield Display(line, SUPPOSED, section=section, opening=INLINE)
+        heard.append(SUPPOSED)
     if is_of_other_place(words):
-        yield Display(line, OTHER_POINT, section=section, opening=INLINE)
+        heard.append(OTHER_POINT)
+    if not heard and is_strange_before(_plain(sentence)):
+        heard.append(STRANGE + sentence)
+    for each in heard:
+        yield Display(line, each, section=section, opening=INLINE)
     found = _ALTERNATIVES.search(sentence)
     if found is not None and is_of_singularities(sentence[: found.start()].rstrip()):
         yield Display(line, SINGULAR, section=section, opening=INLINE)
@@ -78,7 +96,7 @@ def said_below(text: str, line: int, section: str) -> Iterator[Display]:
 
 def denies_above(text: str) -> bool:
     """Whether a text begins with a denial of what stands above it: "This is wrong."."""
-    words = words_of(_STOP.split(" ".join(text.split()), maxsplit=1)[0][:MOST_CHARACTERS])
+    words = words_of(_first_sentence(text))
     return hears("DENIED_BEHIND", words) is not None or _is_error(words) or _denies(words, is_behind=True)
 
 
@@ -108,7 +126,12 @@ def denies_within(text: str) -> bool:
 
 def without_harmless(text: str) -> str:
     """Return the words of a text without its denials that deny nothing: "not trivial", "no approximation"."""
-    return _phrases("HARMLESS").sub("", words_of(text).lower())
+    return re.sub(_phrases("HARMLESS").pattern, "", words_of(text), flags=re.IGNORECASE)
+
+
+def _plain(sentence: str) -> str:
+    """Return the words of a sentence without what denies nothing, headings, and the arguments of environments and commands."""
+    return without_harmless(_ARGUMENTS.sub(" ", sentence))
 
 
 def _is_error(words: str) -> bool:
@@ -132,6 +155,13 @@ def is_of_other_place(words: str) -> bool:
         hears(place, words) and not hears_denied(place, words)
         for place in ("OTHER_POINT", "OTHER_FRAME", "OTHER_ORIGIN")
     )
+
+
+def _first_sentence(text: str) -> str:
+    """Return the first sentence of a text on one line, its stop with it, or part of one before a semicolon."""
+    line = " ".join(text.split())
+    stop = _STOP.search(line)
+    return (line if stop is None else line[: stop.end()])[:MOST_CHARACTERS]
 
 
 def last_sentence(text: str) -> str:
@@ -179,16 +209,16 @@ def _supposes(words: str, is_over: bool) -> bool:
     """Whether the sentence before a display supposes it, asks for it, or says that it is of a case or nearly so."""
     if words.endswith("? ") or hears("SUPPOSED", words) or (hears("ON_CONDITION", words) and not hears("WE_DO", words)):
         return True
-    if hears("NEARLY", words) and not hears_denied("NEARLY", words):
+    if (hears("NEARLY", words) and not hears_denied("NEARLY", words)) or hears("SPECIAL", words):
         return True
     return not is_over and any(hears(each, words) for each in ("OF_A_PART", "OF_NO_CLAIM"))
 
 
 def _limits_above(text: str) -> bool:
     """Whether a text that goes on from the display above it says when, or how nearly, that holds; or asks whether."""
-    sentence = _STOP.split(" ".join(text.split()), maxsplit=1)[0][:MOST_CHARACTERS]
-    words = words_of(sentence)
-    if hears("ASKED_BEHIND", words):
+    words = words_of(_first_sentence(text))
+    is_question = words.endswith("? ") and not hears("OPEN_QUESTION", words)
+    if is_question or any(hears(each, words) for each in ("ASKED_BEHIND", "SPECIAL", "SAYS_LIMITS")):
         return True
     is_short, goes_on = words.count(" ") <= 6, words[:1].islower()
     if goes_on and hears("LIMITED_BEHIND", words):

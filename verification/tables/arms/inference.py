@@ -9,7 +9,7 @@ from typing import Any
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.document import Display, Document, Table
-from armproof.verification.errors import EvaluationError, ReadError
+from armproof.verification.errors import EvaluationError, ReadError, TooComplex
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.naming.names import Names
@@ -43,6 +43,13 @@ def infer_arm(document: Document) -> Inference:
     """
     if "arm" in document.front:
         return Inference(document)
+    try:
+        return _inferred(document)
+    except TooComplex as error:
+        return Inference(document, None, finding_of(error))
+
+
+def _inferred(document: Document) -> Inference:
     of_table = _of_tables(document)
     if of_table.arm is not None:
         return of_table

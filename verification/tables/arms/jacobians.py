@@ -47,7 +47,9 @@ def _points_with_a_slip(jacobian: Matrix) -> list[tuple[Scalar, Scalar]]:
     """Return x and y of which all entries of a matrix but one are the derivatives, in each way in which they may be."""
     if jacobian.shape[0] not in (2, 3, 6):
         return []
-    coordinates = jacobian.rows[1][0].normal(), (-jacobian.rows[0][0]).normal()
+    coordinates = _coordinates(jacobian)
+    if any(not each.denominator.is_one() for each in coordinates):
+        return []  # of an inverse with a slip, and of no arm
     found: list[tuple[Scalar, Scalar]] = []
     for row, column in jacobian.places:
         for letter in sorted(symbols_in(coordinates)) if row < len(coordinates) else ():
@@ -93,7 +95,7 @@ def _point(jacobian: Matrix) -> tuple[Scalar, Scalar] | None:
     """Return x and y of which the first two rows are the derivatives by one letter a column, in the order of their numbers."""
     if jacobian.shape[0] not in (2, 3, 6) or jacobian.shape[1] < 2:
         return None
-    x, y = jacobian.rows[1][0].normal(), (-jacobian.rows[0][0]).normal()
+    x, y = _coordinates(jacobian)
     angles = sorted(angles_in(x) | angles_in(y), key=_number)
     slides = sorted(symbols_in([x, y]) - set(angles), key=_number)
     columns = [*zip(*jacobian.rows, strict=True)]
@@ -101,6 +103,11 @@ def _point(jacobian: Matrix) -> tuple[Scalar, Scalar] | None:
     is_whole = moving[0] in angles and all(moving) and set(angles) <= set(moving) and len({*moving}) == len(moving)
     in_order = [_number(each) for each in moving] == sorted(map(_number, moving))
     return (x, y) if is_whole and in_order and all(map(_is_level, columns, [v in angles for v in moving])) else None
+
+
+def _coordinates(jacobian: Matrix) -> tuple[Scalar, Scalar]:
+    """Return x and y of a tool that the first joint turns about the origin, by its first column."""
+    return jacobian.rows[1][0].normal(), (-jacobian.rows[0][0]).normal()
 
 
 def _number(letter: str) -> int:

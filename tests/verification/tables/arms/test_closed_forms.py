@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 
 from armproof import verify_text
+from armproof.verification.errors import TooComplex
+from armproof.verification.findings import Kind, say
 
 PLANAR = "$$ x = l_1 c_1 + l_2 c_{12} $$\n\n$$ y = l_1 s_1 + l_2 s_{12} $$\n\n"
 TURNED = "$$ x = c_1 (l_2 c_2 + l_3 c_{23}) $$\n\n$$ y = s_1 (l_2 c_2 + l_3 c_{23}) $$\n\n$$ z = l_1 + l_2 s_2 + l_3 s_{23} $$\n\n"
@@ -297,3 +299,15 @@ $$ \dot y = (l_2 c_2 + l_3 c_{23}) \dot\theta_2 + l_3 c_{23} \dot\theta_3 $$
     for slip in ("2 l_3 c_{23}", "l_3 c_2", "l_3 s_{23}"):
         first, *others = verdicts(x.replace("l_3 c_{23}", slip) + "\n" + rest)
         assert first in ("refuted", "unchecked") and "refuted" not in others
+
+
+def test_an_arm_that_takes_too_long_to_find_costs_no_crash(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where a slow machine spent the time of the search, nothing of the document was verified."""
+
+    def spent(*_: object) -> None:
+        raise TooComplex(say(Kind.OUT_OF_TIME))
+
+    monkeypatch.setattr("armproof.verification.tables.arms.inference.candidates_of_closed_form", spent)
+    result = verify_text(PLANAR)
+    assert not result.arms
+    assert [record.verdict.value for record in result.equations] == ["unchecked", "unchecked"]

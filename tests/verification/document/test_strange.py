@@ -1,0 +1,101 @@
+"""Sentences whose words no course has beside a display leave it open; those of courses do not."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from armproof.verification.check import check_document
+from armproof.verification.document.formats import parse_document
+from armproof.verification.findings import Kind
+from armproof.verification.verdict import Verdict
+
+RIGHT, WRONG = "x = l_1 c_1 + l_2 c_{12}", "x = l_1 c_1 + l_2 c_2"
+STRANGE_ABOVE = (
+    "This was my cousin's idea of a joke.",
+    "It begs belief.",
+    "The formula limps.",
+    "Somebody ought to have drawn a picture first, and the referee ought to have noticed.",
+    "One subscript got lost at the printer's.",
+    "which has cost me a whole afternoon.",
+    "Cela sent le roussi.",
+    "La formule boite, et le correcteur n'y a vu que du feu.",
+    "Das ist reine Dichtung.",
+    "Esto huele a chamusquina.",
+)
+STRANGE_BELOW = (
+    "In a dark corner of the archive I unearthed the following gem:",
+    "The grapevine has it that",
+    "Un confrère facétieux a griffonné sous la figure",
+    "Mein Nachbar schwört Stein und Bein, dass",
+)
+PLAIN_ABOVE = (
+    "This is the position of the gripper in the base frame.",
+    "It follows that the arm reaches every point of the workspace.",
+    "The second term is the contribution of the forearm.",
+    "The gripper then stands in front of the base.",
+    "where $l_1$ and $l_2$ are the lengths of the links.",
+    "The velocities are found by differentiating with respect to time.",
+    "Cette relation donne la position de l'outil dans le repère de base.",
+    "La seconde coordonnée s'obtient de la même façon.",
+    "Das ist die Position des Greifers im Basiskoordinatensystem.",
+    "Esta es la posición de la pinza respecto a la base.",
+)
+PLAIN_BELOW = (
+    "Multiplying the link matrices and reading the last column, we get",
+    "The forward kinematics of the planar arm is therefore given by the equation",
+    "En multipliant les matrices de passage, on obtient la position de l'outil :",
+    "Durch Multiplikation der Matrizen ergibt sich",
+    "Multiplicando las matrices de transformación se obtiene",
+    "Moltiplicando le matrici si ottiene la posizione del polso:",
+    "Multiplicando as matrizes obtemos a posição da garra:",
+)
+
+
+@pytest.mark.parametrize("sentence", STRANGE_ABOVE)
+def test_a_strange_sentence_leaves_the_display_above_it_open(sentence: str) -> None:
+    for latex in (RIGHT, WRONG):
+        assert _told(f"$$ {latex} $$\n\n{sentence}\n") == (Verdict.UNCHECKED, [Kind.STRANGE_WORDS])
+
+
+@pytest.mark.parametrize("sentence", STRANGE_BELOW)
+def test_a_strange_sentence_leaves_the_display_below_it_open(sentence: str) -> None:
+    for latex in (RIGHT, WRONG):
+        assert _told(f"{sentence}\n\n$$ {latex} $$\n") == (Verdict.UNCHECKED, [Kind.STRANGE_WORDS])
+
+
+@pytest.mark.parametrize("sentence", PLAIN_ABOVE)
+def test_a_plain_sentence_leaves_the_verdict_above_it_as_it_is(sentence: str) -> None:
+    assert _told(f"$$ {RIGHT} $$\n\n{sentence}\n") == (Verdict.PROVED, [])
+    assert _told(f"$$ {WRONG} $$\n\n{sentence}\n")[0] is Verdict.REFUTED
+
+
+@pytest.mark.parametrize("sentence", PLAIN_BELOW)
+def test_a_plain_sentence_leaves_the_verdict_below_it_as_it_is(sentence: str) -> None:
+    assert _told(f"{sentence}\n\n$$ {RIGHT} $$\n") == (Verdict.PROVED, [])
+    assert _told(f"{sentence}\n\n$$ {WRONG} $$\n")[0] is Verdict.REFUTED
+
+
+def test_a_strange_sentence_is_of_the_display_beside_it_alone() -> None:
+    found = _check(f"$$ {RIGHT} $$\n\nIt limps.\n\n## Again\n\n$$ y = l_1 s_1 + l_2 s_{{12}} $$\n")
+    assert [each.verdict for each in found] == [Verdict.UNCHECKED, Verdict.PROVED]
+
+
+def test_a_language_whose_words_are_not_known_is_not_strange() -> None:
+    polish = (
+        "Ramię płaskie składa się z dwóch członów połączonych przegubami obrotowymi, a oba kąty mierzymy przeciwnie do ruchu "
+        "wskazówek zegara. Drugi kąt mierzymy względem pierwszego członu. Macierze przejścia otrzymujemy z tabeli parametrów, "
+        "mnożąc cztery przekształcenia elementarne. Położenie chwytaka w układzie podstawy wynika z iloczynu obu macierzy, "
+        "którego ostatnia kolumna zawiera szukane współrzędne:"
+    )
+    assert _told(f"{polish}\n\n$$ {RIGHT} $$\n\nDruga współrzędna wynika stąd tak samo.\n")[0] is Verdict.PROVED
+
+
+def _check(body: str) -> list:
+    return check_document(parse_document(Path("page.md"), f"---\narm: planar_2r\n---\n\n{body}")).equations
+
+
+def _told(body: str) -> tuple[Verdict, list[Kind]]:
+    (found,) = _check(body)
+    return found.verdict, [each.kind for each in found.outcomes[0].findings]

@@ -1,0 +1,120 @@
+"""Sentences beside a display that are not understood: their words are not those in which a course leads to an equation, or speaks of one.
+
+What denies or limits a display in words of `phrases.py` is heard. Vocabulary does not end, "Half the class lost two marks by
+ending up with", so what such a sentence says of the display is not known, and the display is left open.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from functools import cache
+
+import armproof.verification.document.vocabulary as vocabulary
+
+_WORD = re.compile(r"[^\W\d_][\w'-]*")
+_PREFIXES = {
+    "ENGLISH": 7,
+    "FRENCH": 6,
+    "GERMAN": 6,
+    "SPANISH": 6,
+    "ITALIAN": 6,
+    "PORTUGUESE": 6,
+}  # letters that words of one family have in common
+_SHORT = 8  # words of a sentence that says little else than what becomes of the display
+_HEAD = 20  # and of a sentence of the display that are looked at
+_FEW = 5  # and of one that leads to the display
+_RATIO = 9  # of how many words of a longer sentence one is not known where it is not understood
+_SUBJECT = 5  # words of a sentence of the arm within which a word for a part of it stands
+_RATIO_OF_ARM = 5
+_MANY = 50  # words of a text that tell its language
+_NO_WORDS = re.compile(r"https?:\S*|\S+\.(?:png|jpe?g|svg|eps|pdf|gif|md|py|m)\b|\S*[/_=]\S*|`[^`]*`|\b[lcr]{2,}\b")
+_OF_DISPLAY = re.compile(  # a sentence whose subject is the display, or a part of it
+    r"(?:[^\w\s]+ )*(?:(?:and|but|so|yet|however|thus|hence|et|mais|or|donc|aber|und|doch|pero|y|ma|mas|e) (?:, )?)?"
+    r"(?:this|that|it|which|such|these|the (?:\S+ )?(?:formula|equation|expression|relation|result|identity|statement|claim|above|line|latter)"
+    r"|(?:the|a|an|one) (?:\S+ )?(?:signs?|terms?|factors?|ind(?:ex|ices)|subscripts?|exponents?|sines?|cosines?)|(?:le|un|l'|un des) (?:signe|terme|facteur|indice|exposant|sinus|cosinus)|(?:das|ein) vorzeichen"
+    r"|equation|formula|eq|c'(?! est-à-dire)|ce|cela|ceci|ça|il(?! n' y | y )|elle|qui|que|la (?:formule|relation)|l' (?:équation|expression|égalité)|cette|le résultat"
+    r"|das|dies|diese|es|was|die (?:formel|gleichung|beziehung)|esto|eso|esta|este|lo|la (?:fórmula|ecuación|relación)|questo|questa|ciò|la (?:formula|relazione)"
+    r"|isto|isso|essa|a (?:fórmula|equação|relação)) ",
+    re.IGNORECASE,
+)
+
+
+def is_strange_behind(words: str) -> bool:
+    """Whether a sentence behind a display, as `sentences.words_of` returns it, has words that no course has there.
+
+    One of the display may have none of them, nor "not" or "only"; a short one none, others one in nine, and one of the arm more.
+    """
+    found = _words(words)
+    if not found or found[0] == "Erratum":
+        return False  # of the next
+    subject = _subject(words)
+    if subject or (words[:1].islower() and found[0] not in _table("GOES_ON")):
+        return bool(_strange(_words(words.removeprefix(subject))[:_HEAD]))
+    return _is_mostly_strange(found, _SHORT if words[:1].isupper() and _is_over(words) else 0)
+
+
+def is_strange_before(words: str) -> bool:
+    """Whether a sentence that leads to a display has words that no course has there: one in a few, or two in more."""
+    return _is_mostly_strange(_words(words), 0 if _is_over(words) else _FEW)
+
+
+def is_in_known_language(text: str) -> bool:
+    """Whether most words of a text are of a language whose words are known here; of a few words that cannot be told."""
+    found = _WORD.findall(text)
+    return len(found) < _MANY or 2 * len(_strange(found)) < len(found)
+
+
+def _subject(words: str) -> str:
+    """Return the subject of a sentence that is of the display: "this" and "it", but not "this motion"; "" of another."""
+    found = _OF_DISPLAY.match(words)
+    is_of_arm = found is not None and words[found.end() :].partition(" ")[0].lower() in _table("OF_ARM")
+    return "" if found is None or is_of_arm else found.group()
+
+
+def _is_mostly_strange(found: Sequence[str], short: int) -> bool:
+    """Whether a sentence that is not of the display has too many strange words; one of at most `short` words may have none."""
+    strange = sum(word.lower() not in _table("LOADED") for word in _strange(found))
+    if any(word.lower().rstrip("'") in _table("OF_ARM") for word in found[:_SUBJECT]):
+        return strange > 2 and strange * _RATIO_OF_ARM >= len(found)
+    most = 0 if len(found) <= short else 1
+    return strange > most and strange * _RATIO >= len(found)
+
+
+def _words(words: str) -> list[str]:
+    return _WORD.findall(_NO_WORDS.sub(" ", words))
+
+
+def _is_over(words: str) -> bool:
+    return words.rstrip().endswith((".", "!"))
+
+
+def _strange(found: Sequence[str]) -> list[str]:
+    """Return those of the words of a sentence that no course has; within it, one that begins with a capital is a name, but in German."""
+    names = set() if _table("OF_GERMAN").intersection(found) else {word for word in found[1:] if word[0].isupper()}
+    return [
+        word
+        for word in found
+        if word not in names and len(word.rstrip("'")) > 1 and not re.search(r"[\d_]", word) and not _is_known(word)
+    ]
+
+
+def _is_known(word: str) -> bool:
+    exact, begins = _known()
+    return all(
+        part in exact or any(part[:length] in begins for length in set(_PREFIXES.values()))
+        for part in word.lower().rstrip("'").split("-")
+    )
+
+
+@cache
+def _known() -> tuple[frozenset[str], frozenset[str]]:
+    """Return the words that are known, and how the longer ones begin."""
+    words = frozenset(word for name in _PREFIXES for word in _table(name))
+    begins = {word[:length] for name, length in _PREFIXES.items() for word in _table(name) if len(word) >= length}
+    return words, frozenset(begins)
+
+
+@cache
+def _table(name: str) -> frozenset[str]:
+    return frozenset(getattr(vocabulary, name).split())
