@@ -10,7 +10,7 @@ import numpy as np
 
 from armproof.models.arm import Joint
 from armproof.models.errors import Fault, ModelError
-from armproof.models.exact.polynomial import Entry, Generator, Monomial, Rows, normal_form
+from armproof.models.exact.polynomial import Entry, Generator, Monomial, Rows, normal_form, number
 
 
 class Expressions:
@@ -37,12 +37,16 @@ class Expressions:
 
     def entries(self, expressions: np.ndarray) -> Rows:
         """Return a matrix of expressions as exact entries in normal form."""
-        from pydrake.symbolic import Polynomial, Substitute
+        from pydrake.symbolic import ExpressionKind, Polynomial, Substitute
 
         flat: Any = np.asarray(expressions).reshape(-1, 1)
         if self._cosines_and_sines:
             flat = Substitute(flat, self._cosines_and_sines)
-        entries = [self._entry(Polynomial(expression)) for expression in np.asarray(flat).ravel()]
+        constant = ExpressionKind.Constant
+        entries = [
+            number(self._whole(each)) if each.get_kind() == constant else self._entry(Polynomial(each))
+            for each in np.asarray(flat).ravel()
+        ]
         width = expressions.shape[1]
         return tuple(tuple(entries[i : i + width]) for i in range(0, len(entries), width))
 
@@ -73,11 +77,8 @@ class Expressions:
 
     def _entry(self, polynomial: Any) -> Entry:
         entry: dict[Monomial, Fraction] = {}
-        for drake_monomial, expression in polynomial.monomial_to_coefficient_map().items():
-            value = expression.Evaluate()
-            if value != round(value):
-                raise ModelError(Fault.TRACE_NOT_EXACT, arm=self._name, value=value)
-            above, below = round(value), 1
+        for drake_monomial, factor in polynomial.monomial_to_coefficient_map().items():
+            above, below = self._whole(factor), 1
             powers: dict[Generator, int] = {}
             for variable, power in drake_monomial.get_powers().items():
                 meaning = self._meanings[variable.get_id()]
@@ -85,6 +86,14 @@ class Expressions:
                     powers[meaning] = power
                 else:
                     above, below = above * meaning.numerator**power, below * meaning.denominator**power
-            monomial, coefficient = tuple(sorted(powers.items())), Fraction(above, below)
+            monomial = tuple(sorted(powers.items()))
+            coefficient = Fraction(above) if below == 1 else Fraction(above, below)
             entry[monomial] = entry[monomial] + coefficient if monomial in entry else coefficient
         return normal_form(entry)
+
+    def _whole(self, expression: Any) -> int:
+        """Return the whole number that an expression without variables is."""
+        value = expression.Evaluate()
+        if value != round(value):
+            raise ModelError(Fault.TRACE_NOT_EXACT, arm=self._name, value=value)
+        return round(value)

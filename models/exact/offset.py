@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from math import pi
 from typing import Any
@@ -30,15 +31,15 @@ def exact_offset(X_PF: Any) -> Offset:
     return Offset(exact_rotation(X_PF.rotation().matrix()), translation)
 
 
-def exact_offsets(plant: Any) -> dict[int, Offset]:
-    """Return the exact pose of every FixedOffsetFrame of a finalized plant in its parent, by the index of the frame."""
+def exact_offsets(plant: Any, but: Collection[int] = ()) -> dict[int, Offset]:
+    """Return the exact pose of every FixedOffsetFrame of a finalized plant in its parent, by the index of the frame; of all `but` these."""
     from pydrake.multibody.tree import FixedOffsetFrame
 
     context = plant.CreateDefaultContext()
     return {
         int(frame.index()): exact_offset(frame.GetPoseInParentFrame(context))
         for frame in frames_of(plant)
-        if isinstance(frame, FixedOffsetFrame)
+        if isinstance(frame, FixedOffsetFrame) and int(frame.index()) not in but
     }
 
 

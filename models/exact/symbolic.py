@@ -50,7 +50,7 @@ class SymbolicPlant:
     @cached_property
     def offsets(self) -> Mapping[int, Offset]:
         """The exact pose of each fixed frame in its parent, by the frame's index in the plant."""
-        return {**exact_offsets(self._drake.plant), **self._given}
+        return {**exact_offsets(self._drake.plant, but=self._given.keys()), **self._given}
 
     @cached_property
     def _expressions(self) -> Expressions:

@@ -7,10 +7,11 @@ what stands before (displays, or lines of Markdown that begin with #), and the d
 from __future__ import annotations
 
 import hashlib
+import json
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -101,9 +102,15 @@ def read_cases(file: str) -> Iterator[Case]:
             yield from _of_entry(file, group, entry, let)
 
 
+@cache
+def _matter(front: str) -> str:
+    """Return a front matter, given as JSON, in YAML; many cases have the same."""
+    return yaml.safe_dump(json.loads(front), allow_unicode=True, sort_keys=False)  # type: ignore[no-any-return]
+
+
 def _of_entry(file: str, group: Mapping[str, Any], entry: Mapping[str, Any], let: Mapping[str, str]) -> Iterator[Case]:
     front = {**(group.get("front") or {}), **(entry.get("front") or {})}
-    matter = yaml.safe_dump(front, allow_unicode=True, sort_keys=False) if front else "title: A page\n"
+    matter = _matter(json.dumps(front)) if front else "title: A page\n"
     before = [*group.get("before", []), *entry.get("before", [])]
     said = [expand(part, let) for part in before]
     for label in ALLOWED:

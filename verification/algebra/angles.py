@@ -83,7 +83,7 @@ def finest(ring: Ring, name: str) -> str:
 
 def has_arcs(value: Scalar) -> bool:
     """Whether the value holds an arc function, so that it is an angle known up to whole turns."""
-    return any(kind == "arc" for _, (kind, _) in value.ring.generators_of(value.numerator))
+    return bool(value.ring.arcs) and any(kind == "arc" for _, (kind, _) in value.ring.generators_of(value.numerator))
 
 
 def _pair(ring: Ring, angle: str) -> Pair:

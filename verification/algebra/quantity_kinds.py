@@ -351,9 +351,13 @@ def as_line(name: str, quantity: Quantity) -> str:
 @once_per_arm
 def is_planar(arm: Arm) -> bool:
     """Whether every revolute axis is parallel to z_0: then the tool's orientation is a sum of the joints' angles."""
-    rows = trace_of(arm).jacobian(arm.frames[-1], arm.frames[0], arm.frames[0])
+    base, trace = arm.frames[0], trace_of(arm)
     turning = [index for index, joint in enumerate(arm.joints) if joint.kind == "revolute"]
-    return bool(turning) and not any(rows[row][index] for row in (3, 4) for index in turning)
+    for frame in arm.frames[1:]:  # the nearest axis that is not parallel tells, and its trace is the shortest
+        rows = trace.jacobian(frame, base, base)
+        if any(rows[row][index] for row in (3, 4) for index in turning):
+            return False
+    return bool(turning)
 
 
 def _chosen(places: Sequence[int], numbers: tuple[int, ...] | None) -> list[int]:

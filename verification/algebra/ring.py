@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from math import prod
 
 from flint import fmpq, fmpq_mpoly
 
@@ -218,15 +217,18 @@ class Ring:
 
     def from_entry(self, entry: Entry) -> Scalar:
         """Return a traced entry (armproof.models.exact.trace) as a scalar of this ring."""
-        for generator in dict.fromkeys(each for monomial in entry for each, _ in monomial):
-            self.generator(generator)  # all before the first is used: a new one may need a new context
         polynomials = self.polynomials
-        terms = (
-            prod((polynomials.variable(each) ** power for each, power in monomial), start=polynomials.constant(number))
-            for monomial, number in entry.items()
-        )
+        for generator in dict.fromkeys(each for monomial in entry for each, _ in monomial):
+            if generator not in polynomials:  # all before the first is used: a new one may need a new context
+                self._adjoin(generator)
+        total = polynomials.constant(0)
+        for monomial, number in entry.items():
+            term = polynomials.constant(number)
+            for generator, power in monomial:
+                term *= polynomials.variable(generator) ** power if power > 1 else polynomials.variable(generator)
+            total += term
         self.budget.check()
-        return self.scalar(self.reduce(sum(terms, polynomials.constant(0))))
+        return self.scalar(self.reduce(total))
 
     def lift(self, value: Scalar) -> Scalar:
         """Bring the scalar, in place, into the ring as it is today (it may have grown since the scalar was made)."""

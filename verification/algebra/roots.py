@@ -18,6 +18,7 @@ from armproof.verification.errors import EvaluationError, NoValue, TooComplex
 from armproof.verification.findings import Kind, say
 
 POINTS = 24
+_TWELFTHS = tuple(Fraction(twelfths, 12) for twelfths in range(-11, 13))
 
 
 def is_negative(ring: Ring, polynomial: fmpq_mpoly) -> bool:
@@ -107,16 +108,21 @@ def _is_symbol(ring: Ring, factor: fmpq_mpoly) -> bool:
 def arc(cosine: Scalar, sine: Scalar) -> Scalar:
     """Return the angle with this cosine and sine, a generator that cos_sin turns back into them."""
     ring = cosine.ring
-    for twelfths in range(-11, 13):  # arccos 1 is 0, atan2(1, 0) is π/2
-        known_cosine, known_sine = constant_angle(ring, Fraction(twelfths, 12))
+    known = [(turns, *constant_angle(ring, turns)) for turns in _TWELFTHS]  # arccos 1 is 0, atan2(1, 0) is π/2
+    for turns, known_cosine, known_sine in known if _may_be_constant(cosine) and _may_be_constant(sine) else ():
         if (cosine - known_cosine).is_zero() and (sine - known_sine).is_zero():
-            return ring.generator(("pi", "")) * ring.rational(Fraction(twelfths, 12))
+            return ring.generator(("pi", "")) * ring.rational(turns)
     for name, (known_cosine, known_sine) in ring.arcs.items():
         if (known_cosine - cosine).is_zero() and (known_sine - sine).is_zero():
             return ring.generator(("arc", name))
     name = str(len(ring.arcs))
     ring.arcs[name] = (cosine, sine)
     return ring.generator(("arc", name))
+
+
+def _may_be_constant(value: Scalar) -> bool:
+    """Whether a value may be a number: a polynomial in normal form that holds a letter or an angle is none."""
+    return not value.denominator.is_one() or all(kind == "sqrt" for kind, _ in value.generators)
 
 
 def atan2(y: Scalar, x: Scalar) -> Scalar:

@@ -9,10 +9,12 @@ from itertools import chain, islice, permutations
 
 from armproof.verification.algebra.matrix import Matrix, as_matrix
 from armproof.verification.algebra.ring import Scalar
+from armproof.verification.diagnosis.apart import Apart
 from armproof.verification.diagnosis.mend import LearntNotation
 from armproof.verification.diagnosis.slips import Edit, Letters, is_trigonometric, single_edits
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.sides import Member
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.blocks import cells_of
 from armproof.verification.findings import Finding, Kind, say
@@ -40,7 +42,7 @@ def slip_before(
         definition, (finding, mended) = made.get(key), met[key, line]
         if definition is None or definition.line != line or definition.formula is None:
             continue
-        if _holds_with(checker, key, definition, mended, outcome, again):
+        if _holds_with(checker, key, definition, mended, outcome, again, Apart(checker, key)):
             return _slip(key, definition, finding, mended)
     return next(_mending(checker, learnt, outcome, again, outcome.uses - met.keys()), None)
 
@@ -63,9 +65,14 @@ def nothing_else_mends(
     ]
     is_exact = outcome.pair is not None and not any(map(_has_branches, outcome.nodes))
     for one, other in permutations(outcome.nodes):
+        as_it_is = checker.member(other) if is_exact else None
         for edit in islice(_edits(one, around, learnt.letters(one)), MOST_EDITS if is_exact else MOST_SAMPLED_EDITS):
             checker.exact.budget.check()
-            if _holds_so(checker, edit.node, other) if is_exact else _is_confirmed(checker, edit.node, other):
+            if (
+                _is_confirmed(checker, edit.node, other)
+                if as_it_is is None
+                else _is_equal(checker.member(edit.node), as_it_is)
+            ):
                 return False
     return True
 
@@ -83,11 +90,10 @@ def _is_confirmed(checker: ChainChecker, one: n.Node, other: n.Node) -> bool:
     return bool(tried) and all(each.verdict in HOLDS for each in tried)
 
 
-def _holds_so(checker: ChainChecker, one: n.Node, other: n.Node) -> bool:
-    """Whether two formulas are equal as the definitions are."""
+def _is_equal(one: Member, other: Member) -> bool:
+    """Whether two sides are exactly equal."""
     try:
-        sides = [checker.member(node) for node in (one, other)]
-        return all(side.known for side in sides) and _equal(*(as_matrix(side.value) for side in sides))
+        return one.known and other.known and _equal(as_matrix(one.value), as_matrix(other.value))
     except EvaluationError:
         return False
 
@@ -102,13 +108,14 @@ def _mending(
         formula = definition.formula if definition is not None else None
         if definition is None or formula is None or names_alone(formula) or definition.line != line or line == 0:
             continue
+        apart = Apart(checker, key)
         for edit in islice(_edits(formula, outcome.nodes, learnt.letters(formula)), MOST_EDITS):
             checker.exact.budget.check()
             if not made.keys().isdisjoint(
                 _keys(edit.node, checker.names) - _keys(formula)
             ):  # it rests on itself, or on another one
                 continue
-            if _holds_with(checker, key, definition, edit.node, outcome, again):
+            if _holds_with(checker, key, definition, edit.node, outcome, again, apart):
                 checker.names.state.slips[key, line] = edit.finding, edit.node
                 yield _slip(key, definition, edit.finding, edit.node)
 
@@ -255,7 +262,7 @@ def _stands_alone(node: n.Node) -> bool:
 
 def _holds_with(
     checker: ChainChecker, key: str, definition: Definition, formula: n.Node, outcome: Outcome,
-    again: Callable[[], bool],
+    again: Callable[[], bool], apart: Apart,
 ) -> bool:  # fmt: skip
     """Whether an equation holds where a name has another formula."""
     state = checker.names.state
@@ -265,7 +272,7 @@ def _holds_with(
         nodes = (*outcome.nodes, formula, *filter(None, others))
         if outcome.pair is None or outcome.there or any(map(_has_branches, nodes)):
             return again()
-        return _holds_so(checker, *outcome.nodes)
+        return _is_equal(*apart.sides(*outcome.nodes))
     finally:
         state.definitions[key] = definition  # the dictionary may be another one: what is tried puts a whole state back
 

@@ -208,7 +208,7 @@ class Conventions:
             f.arguments[0] if isinstance(f, n.Call) and f.function == "name" else f for f in map(bare, product.factors)
         ]
         names = [factor for factor in factors if isinstance(factor, n.Name)]
-        rates = {self.names.known_symbol(replace(each, dots=0).key) for each in names if each.dots == 1}
+        rates = {self.names.known_symbol(each.undotted.key) for each in names if each.dots == 1}
         for name in (each for each in names if each.base == "J" and self.names.is_open(each)):
             found = column_of_jacobian(name, self.names)
             if found is not None and rates == {self._joint_of(found)}:
@@ -505,7 +505,7 @@ def _plain(node: n.Node) -> n.Name | None:
     node = bare(node)
     if isinstance(node, n.Call) and node.function == "name" and isinstance(node.arguments[0], n.Name):
         node = node.arguments[0]
-    return replace(node, dots=0) if isinstance(node, n.Name) and node.base not in ("words", "=") else None
+    return node.undotted if isinstance(node, n.Name) and node.base not in ("words", "=") else None
 
 
 def _is_rate(node: n.Node) -> bool:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.latex import nodes as n
@@ -22,7 +21,7 @@ def coordinates_among(names: Names, nodes: Iterable[n.Node], *, beside: bool) ->
         plain.key: plain
         for node in nodes
         for below in n.walk(node)
-        if isinstance(below, n.Name) and below.base in AXES and (plain := replace(below, dots=0)).key
+        if isinstance(below, n.Name) and below.base in AXES and (plain := below.undotted).key
     }
     if beside and len({name.base for name in found.values()}) < 2:
         return {}

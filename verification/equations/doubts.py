@@ -57,8 +57,7 @@ def is_of_arm(outcome: Outcome, names: Names) -> bool:
     """Whether one side of an equation is a joint or a quantity of the arm, alone."""
     alone = [each for node in outcome.nodes if isinstance(each := bare(node), n.Name)]
     return any(
-        names.known_symbol(name.key) in names.joints or names.quantity(replace(name, dots=0)) is not None
-        for name in alone
+        names.known_symbol(name.key) in names.joints or names.quantity(name.undotted) is not None for name in alone
     )
 
 

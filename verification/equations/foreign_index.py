@@ -58,7 +58,7 @@ def _foreign(chain: n.Chain, names: Names) -> n.Name | None:
     """Return the one name with a digit that nothing binds inside the formulas of a chain, where the arm has its letter."""
     alone = {each.key for each in map(bare, chain.members) if isinstance(each, n.Name)}
     inside = [below for member in chain.members for below in n.walk(member) if isinstance(below, n.Name)]
-    plain = {each.key: each for name in inside if (each := replace(name, dots=0)).key not in alone}
+    plain = {each.key: each for name in inside if (each := name.undotted).key not in alone}
     unbound = [name for name in plain.values() if names.is_open(name) and not is_usual(name)]
     if len(unbound) != 1:
         return None
@@ -86,7 +86,7 @@ def _with(chain: n.Chain, name: n.Name, own: str) -> n.Chain:
 
 def _is(node: n.Node, name: n.Name) -> TypeGuard[n.Name]:
     """Whether a node is a name, or its rate."""
-    return isinstance(node, n.Name) and replace(node, dots=0).key == name.key
+    return isinstance(node, n.Name) and node.undotted.key == name.key
 
 
 def _hold(outcomes: Sequence[Outcome]) -> bool:

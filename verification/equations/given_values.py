@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 from itertools import chain as chain_cells
 from itertools import pairwise
 from typing import TypeGuard
@@ -95,7 +94,7 @@ class GivenValues:
         definition = self.names.state.definitions.get(name.key)
         if definition is not None and isinstance(definition.node, n.Name) and definition.node.base == name.base:
             name = definition.node
-        return self.names.known_symbol(replace(name, dots=0).key)
+        return self.names.known_symbol(name.undotted.key)
 
     @staticmethod
     def _is_linear(node: n.Node) -> bool:
@@ -185,12 +184,12 @@ class GivenValues:
             return None if at_values or self._vanishes(left) else {}
         if self.names.arm is None or not isinstance(left, n.Name):
             return None
-        symbol = self.names.known_symbol(replace(left, dots=0).key)
+        symbol = self.names.known_symbol(left.undotted.key)
         if left.dots:
             rate = "dot" * left.dots + f" {symbol}"
             if symbol is None or not is_number(right):
                 return None
-            is_turned = self.names.turn_of(symbol, replace(left, dots=0).key) == -1
+            is_turned = self.names.turn_of(symbol, left.undotted.key) == -1
             return {rate: n.Sum((("-", right),), span=right.span) if is_turned else right}
         if symbol is None:
             return {} if self._is_given_coordinate(left, right) else None
@@ -219,7 +218,7 @@ class GivenValues:
 
     def _joints_of(self, name: n.Name) -> list[n.Name]:
         """Return the names of the joints where q or θ is all of them, with its dots; none of another name."""
-        key = replace(name, dots=0).key
+        key = name.undotted.key
         if key not in ("q", "theta") or self.names.known_symbol(key) or key in self.names.state.definitions:
             return []
         return [n.Name(*symbol.partition("_")[::2], dots=name.dots) for symbol in self.joints]

@@ -133,12 +133,12 @@ def with_lengths(sampled: SampledAlgebra, stated: Mapping[str, float], unit: flo
     if not lengths:
         return
     assert sampled.arm is not None
-    fixed = {name: np.full(sampled.samples, value) for name, value in stated.items() if name in sampled.arm.lengths}
+    fixed = {name: value for name, value in stated.items() if name in sampled.arm.lengths}
     generator = np.random.default_rng(len(lengths))
     for _ in range(SETS_OF_LENGTHS):
-        drawn = {name: np.full(sampled.samples, unit * generator.uniform(0.2, 1.2)) for name in lengths}
-        yield sampled.at({**drawn, **fixed})
-    yield sampled.at({**dict.fromkeys(lengths, np.full(sampled.samples, 0.5 * unit)), **fixed})
+        drawn = {name: unit * generator.uniform(0.2, 1.2) for name in lengths}
+        yield sampled.with_lengths({**drawn, **fixed})
+    yield sampled.with_lengths({**dict.fromkeys(lengths, 0.5 * unit), **fixed})
 
 
 def vanishes_for_lengths(

@@ -89,7 +89,7 @@ class Members:
             return 4
         quantity = self.quantity_of(node)
         if quantity is not None or (
-            isinstance(node, n.Name) and node.dots and self.names.quantity(replace(node, dots=0)) is not None
+            isinstance(node, n.Name) and node.dots and self.names.quantity(node.undotted) is not None
         ):
             return 4
         if (
@@ -125,7 +125,7 @@ class Members:
         """Return in words what a side is taken for: its quantity, or those of the names in it; empty for a plain formula."""
         found: dict[str, str] = {}
         for below in n.walk(node):
-            if isinstance(below, n.Name) and (quantity := self.quantity_of(replace(below, dots=0))) is not None:
+            if isinstance(below, n.Name) and (quantity := self.quantity_of(below.undotted)) is not None:
                 words = kind_of(quantity).tell(quantity)
                 if below.dots == 1:
                     words = Sentence("rate of change of the {what}", what=words)
@@ -144,7 +144,7 @@ class Members:
         node = self._without_variables(n.ungrouped(node))
         if not isinstance(node, n.Name) or node.base != "J" or node.key in self.names.quantities:
             return None
-        quantity = self.names.quantity(replace(node, dots=0))
+        quantity = self.names.quantity(node.undotted)
         return (
             node if quantity is not None and quantity.kind == "jacobian" and (parts or quantity.rows is None) else None
         )

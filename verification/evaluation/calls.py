@@ -104,11 +104,12 @@ def _of_screws(evaluator: Evaluating, node: n.Name) -> Matrix | None:
 
 def _square_of_defined(evaluator: Evaluating, node: n.Name) -> Any:
     r"""Return the square that x_1^2 or \dot x_1^2 is where the document says of a number x_1 what it is; None of another name."""
-    names, plain = evaluator.names, replace(node, sup="", dots=0)
-    told = plain.key in names.state.definitions or plain.key in names.quantities
-    if node.sup != "2" or node.pre_sup or node.pre_sub or not told:
+    if node.sup != "2" or node.pre_sup or node.pre_sub:
         return None
-    if replace(node, dots=0).key in names.state.definitions or not _is_scalar(evaluator.evaluate(plain)):
+    names, plain = evaluator.names, replace(node, sup="", dots=0)
+    if plain.key not in names.state.definitions and plain.key not in names.quantities:
+        return None
+    if node.undotted.key in names.state.definitions or not _is_scalar(evaluator.evaluate(plain)):
         return None
     return evaluator.evaluate(n.Power(replace(node, sup=""), n.Number(Fraction(2), "2"), span=node.span))
 
@@ -294,7 +295,7 @@ def _of_own_arguments(value: Value, name: n.Name, given: Mapping[str | None, str
 
 def is_variable(node: n.Node, names: Names) -> bool:
     r"""Whether an argument is one of joints and of lengths, or all joints, or their rates: the q and \dot q of \dot J(q, \dot q)."""
-    plain = replace(node, dots=0) if isinstance(node, n.Name) else None
+    plain = node.undotted if isinstance(node, n.Name) else None
     return plain is not None and (plain.key in WHOLE_VECTORS or names.known_symbol(plain.key) is not None)
 
 

@@ -106,7 +106,7 @@ class Evaluator:
 
     def _symbol(self, name: n.Name) -> str | None:
         """Return the model's symbol for a name or a rate."""
-        symbol = self.names.known_symbol(replace(name, dots=0).key)
+        symbol = self.names.known_symbol(name.undotted.key)
         return symbol if symbol is None or not name.dots else "dot" * name.dots + f" {symbol}"
 
     def _of_joints(self, left: n.Node, right: n.Node) -> Iterable[tuple[n.Node, n.Node]]:

@@ -12,6 +12,7 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.exact.numbers import angle_value
+from armproof.models.exact.polynomial import Generator
 from armproof.models.numeric.configurations import FAMILIES, sample
 from armproof.models.numeric.plant import NumericKinematics
 from armproof.verification.algebra.budget import Budget
@@ -60,6 +61,8 @@ class SampledAlgebra(ArmAlgebra):
         self.seed = seed
         self.overrides = dict(overrides or {})
         self.free: dict[str, np.ndarray] = {}
+        self._generators: dict[tuple[Ring, Generator], np.ndarray] = {}
+        self._with_lengths: dict[tuple[tuple[str, float], ...], SampledAlgebra] = {}
         self.regular = np.ones(len(q), dtype=bool)
         self.random = np.ones(len(q), dtype=bool) if random is None else random
         self.kinematics = _kinematics(self.arm, len(q), q.tobytes()) if self.arm is not None else None
@@ -142,8 +145,8 @@ class SampledAlgebra(ArmAlgebra):
         """Return an exact value at the samples."""
         if isinstance(value, Matrix):
             return value.map(self.from_exact)
-        ring = value.ring
-        return self._sample(ring, value.numerator) / self._sample(ring, value.denominator)
+        ring, numerator = value.ring, self._sample(value.ring, value.numerator)
+        return numerator if value.denominator.is_one() else numerator / self._sample(ring, value.denominator)
 
     def stacked(self, value: Value) -> np.ndarray:
         """Return a sampled matrix or scalar as an array, (N, rows, columns)."""
@@ -152,18 +155,21 @@ class SampledAlgebra(ArmAlgebra):
 
     def _sample(self, ring: Ring, polynomial: Any) -> np.ndarray:
         total = np.zeros(self.samples)
-        known: dict[tuple[tuple[str, str], int], np.ndarray] = {}
         for powers, coefficient in ring.terms(polynomial):
-            term = np.full(self.samples, float(coefficient))
-            for item in powers.items():
-                if item not in known:
-                    known[item] = self._generator(ring, item[0]) ** item[1]
-                term = term * known[item]
-            total = total + term
+            term: Any = float(coefficient)
+            for generator, power in powers.items():
+                values = self._generator(ring, generator)
+                term = term * (values if power == 1 else values**power)
+            total += term
         return total
 
-    def _generator(self, ring: Ring, generator: tuple[str, str]) -> np.ndarray:
-        kind, name = generator
+    def _generator(self, ring: Ring, generator: Generator) -> np.ndarray:
+        """Return a generator at the samples, each computed once."""
+        if (ring, generator) not in self._generators:
+            self._generators[ring, generator] = self._new_generator(ring, *generator)
+        return self._generators[ring, generator]
+
+    def _new_generator(self, ring: Ring, kind: str, name: str) -> np.ndarray:
         if kind == "symbol":
             return self.symbol(name)
         if kind in ("cos", "sin"):
@@ -203,6 +209,13 @@ class SampledAlgebra(ArmAlgebra):
         """Return the algebra at configurations in which each of these letters is negative at half of the samples, at random."""
         signs = np.random.default_rng(self.seed).choice((-1.0, 1.0), size=(len(names), self.samples))
         return self.at({name: sign * self.symbol(name) for name, sign in zip(names, signs, strict=True)})
+
+    def with_lengths(self, lengths: Mapping[str, float]) -> SampledAlgebra:
+        """Return the algebra of the arm with other lengths, one for all equations that are held against them."""
+        key = tuple(sorted(lengths.items()))
+        if key not in self._with_lengths:
+            self._with_lengths[key] = self.at({name: np.full(self.samples, value) for name, value in key})
+        return self._with_lengths[key]
 
     def at(self, values: Mapping[str, np.ndarray]) -> SampledAlgebra:
         """Return the algebra at configurations in which some joint variables or lengths have other values."""

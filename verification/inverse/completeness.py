@@ -43,17 +43,21 @@ class ConfigurationRoots(SubstitutionRoots):
     def __init__(self, ring: Ring, positive: Iterable[str]) -> None:
         super().__init__(ring, positive)
         self.signs: Mapping[str, int] = {}
+        self._squares: dict[str, tuple[Scalar, tuple[str, ...]] | None] = {}  # each is met on every branch
 
     def sqrt(self, value: Scalar) -> Scalar:
         """Return the square root that is not negative; raises OpenSign where a sign decides it."""
         value = value.normal()
         if value.is_zero() or not value.denominator.is_one():
             return super().sqrt(value)
-        root = self._root(value)
-        return super().sqrt(value) if root is None else root
+        written = str(value.numerator)
+        if written not in self._squares:
+            self._squares[written] = self._root(value)
+        found = self._squares[written]
+        return super().sqrt(value) if found is None else found[0] * prod(map(self._sign, found[1]))
 
-    def _root(self, value: Scalar) -> Scalar | None:
-        """Return the root of a perfect square in the field of half-angle tangents, or None where it is none."""
+    def _root(self, value: Scalar) -> tuple[Scalar, tuple[str, ...]] | None:
+        """Return the root of a perfect square in the field of half-angle tangents but for the signs of factors, and these; None of no square."""
         half = HalfAngles(self.ring, [value])
         content, factors = half.polynomial(value).factor()
         if int(content.p) < 0 or any(power % 2 for _, power in factors):
@@ -66,12 +70,11 @@ class ConfigurationRoots(SubstitutionRoots):
         found = half.scalar(root)
         if found is None:
             return None
-        sign = prod(self._sign(half, group) for group in _grouped(half, open_factors))
-        return found * sqrt_of_rational(self.ring, Fraction(int(content.p), int(content.q))) * sign
-
-    def _sign(self, half: HalfAngles, factor: Any) -> int:
         names = [f"{letter}({angle})" for angle in half.angles for letter in "tu"] + [g[1] for g in half.others]
-        key = f"{factor} of {', '.join(names)}"
+        signs = tuple(f"{factor} of {', '.join(names)}" for factor in _grouped(half, open_factors))
+        return found * sqrt_of_rational(self.ring, Fraction(int(content.p), int(content.q))), signs
+
+    def _sign(self, key: str) -> int:
         if key not in self.signs:
             raise OpenSign(key)
         return self.signs[key]

@@ -34,7 +34,7 @@ class TreeBuilder(Transformer):
     def __init__(
         self, text: str, is_bound: Callable[[str], bool], parse: Callable[[str, int], n.Node], spelling: Spelling
     ) -> None:
-        super().__init__()
+        super().__init__(visit_tokens=False)
         self.text = text
         self.runs = RunReader(text, is_bound, parse, spelling)
 

@@ -15,9 +15,10 @@ from typing import Any, TypeGuard
 
 
 class _Walked:
-    """Keeps the nodes below one that was walked, the letters in them, and which stands above which: a tree never changes."""
+    """Keeps the nodes below one that was walked, the letters in them, which stands above which, and a name's key: a tree never changes."""
 
-    __slots__ = ("_letters", "_parents", "_walked")
+    __slots__ = ("_key", "_letters", "_parents", "_walked")
+    _key: str
     _letters: frozenset[str]
     _parents: dict[int, Node | None]
     _walked: tuple[Node, ...]
@@ -59,6 +60,18 @@ class Name(Node):
     @property
     def key(self) -> str:
         """The name as front matter spells it: `J'_P`, `theta_1`, `{}^0T_1`, `T^0_1`."""
+        try:
+            return self._key
+        except AttributeError:
+            object.__setattr__(self, "_key", self._spelt())
+            return self._key
+
+    @property
+    def undotted(self) -> Name:
+        """The name whose rate it may be: x of x-dot."""
+        return replace(self, dots=0) if self.dots else self
+
+    def _spelt(self) -> str:
         front = ""
         if self.pre_sup or self.pre_sub:
             front = "{}" + (f"^{self.pre_sup}" if self.pre_sup else "") + (f"_{self.pre_sub}" if self.pre_sub else "")

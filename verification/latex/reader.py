@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from fractions import Fraction
 from functools import lru_cache
 from importlib import resources
 
@@ -21,6 +22,7 @@ from armproof.verification.latex.tokens import LatexLexer, Spelling
 from armproof.verification.latex.unicode import normalise_unicode
 
 MAX_LENGTH = 100_000
+_WHOLE = re.compile("[0-9]{1,9}")
 _READABLE = {
     "$END": Sentence("the end"), "REL": Sentence("a relation such as ="), "RPAR": "')'", "RBRACE": "'}'", "LPAR": "'('", "LBRACE": "'{'", "PLUS": "'+'",
     "MINUS": "'-'", "AMP": "'&'", "NEWLINE": r"'\\'", "LETTER": Sentence("a name"), "NUMBER": Sentence("a number"), "END": r"'\end{…}'", "FUNC": Sentence("a function"),
@@ -49,7 +51,10 @@ class Reader:
 
         `offset` is the piece's place in its display; leading blanks put the spans of the nodes there.
         """
-        statements = self._parse(" " * max(offset, 0) + latex)
+        offset = max(offset, 0)
+        if _WHOLE.fullmatch(latex):  # as most exponents are
+            return n.Number(Fraction(latex), latex, span=(offset, offset + len(latex)))
+        statements = self._parse(" " * offset + latex)
         if len(statements) != 1 or not isinstance(statements[0], n.Chain) or len(statements[0].members) != 1:
             raise ReadError(say(Kind.NOT_ONE_EXPRESSION, text=latex.strip()), offset)
         return statements[0].members[0]

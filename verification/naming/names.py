@@ -295,7 +295,7 @@ class Names:
 
         The rate of what is defined is no new name.
         """
-        taken = {name.key, replace(name, dots=0).key}
+        taken = {name.key, name.undotted.key}
         return self.is_free(name) and name.key not in self.used and taken.isdisjoint(self.state.definitions)
 
     def defined_value(self, key: str, algebra: Algebra) -> Value:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import cache, partial
 from operator import methodcaller
 from types import MappingProxyType
 from typing import Any
@@ -21,10 +22,12 @@ from armproof.verification.equations.at_listed_values import holds_at_listed_val
 from armproof.verification.equations.chain import ChainChecker, no_samples
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.readings import side_by_side
+from armproof.verification.errors import ReadError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Kind
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key
+from armproof.verification.latex.tokens import Spelling
 from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.tables.arms.support import links_of
 from armproof.verification.verdict import Verdict
@@ -32,6 +35,8 @@ from armproof.verification.verdict import Verdict
 WORK = 3_000  # for one display under one reading: counted, so that no machine's load chooses an arm
 WORK_IN_ALL = 50_000
 SECONDS = 2.0  # what no count bounds
+_NEVER_PLACED = frozenset("theta q a l L c s C S m".split())  # letters of which θ_1^2 is a square
+SpellingOf = Callable[[frozenset[str]], Spelling]
 LEAD = 4  # so many more hold under one reading than under all others: the rest need not be tried
 
 
@@ -76,10 +81,12 @@ class Reading:
 class _Trial:
     """A document read in one way, its displays taken one by one."""
 
-    def __init__(self, document: Document, front: Mapping[str, Any], arm: Arm, numbers: Mapping[str, Fraction]) -> None:
-        self.front, self.name = front, arm.name
+    def __init__(
+        self, spelling: SpellingOf, front: Mapping[str, Any], arm: Arm, numbers: Mapping[str, Fraction]
+    ) -> None:
+        self.name = arm.name
         names = read_names(arm, front)
-        names.reader.spelling = spelling_of(document, names.reader.words)
+        names.reader.spelling = spelling(names.reader.words)
         self.checker = ChainChecker(names, ExactAlgebra(Ring(), arm), no_samples)
         self.checker.confirm, self.checker.route.weighs = False, True
         for key, number in numbers.items():
@@ -119,9 +126,8 @@ class _Trial:
             if tells and outcome.verdict is Verdict.PROVED and outcome.pair is not None:
                 self.entries += sum(not is_constant(as_matrix(cell)) for cell in outcome.pair.true.cells)
 
-    @property
-    def reading(self) -> Reading:
-        return Reading(self.front, self.name, self.held, self.failed, self.entries, frozenset(self.joints), self.near)
+    def reading(self, front: Mapping[str, Any]) -> Reading:
+        return Reading(front, self.name, self.held, self.failed, self.entries, frozenset(self.joints), self.near)
 
 
 def weigh(
@@ -137,32 +143,61 @@ def weigh(
     """
     trials = list(_trials(document, fronts, numbers))
     for display in (each for each in document.displays if not only or each.place in only):
-        if sum(trial.checker.exact.budget.asked for trial in trials) > WORK_IN_ALL:
+        if sum(trial.checker.exact.budget.asked for _, trial in trials) > WORK_IN_ALL:
             break
         if display.closed and not (display.erratum or display.denied) and "=" in display.latex:
-            for trial in trials:
+            for trial in dict.fromkeys(trial for _, trial in trials):
                 trial.take(display, (display.cell, display.line) not in apart)
-            best, *others = sorted((trial.held for trial in trials), reverse=True)
+            best, *others = sorted((trial.held for _, trial in trials), reverse=True)
             if best - max(others, default=0) >= LEAD:
                 break
-    return sorted((trial.reading for trial in trials), key=lambda one: one.counts)
+    return sorted((trial.reading(front) for front, trial in trials), key=lambda one: one.counts)
 
 
 def _trials(
     document: Document, fronts: Sequence[Mapping[str, Any]], numbers: Mapping[str, Fraction]
-) -> Iterator[_Trial]:
+) -> Iterator[tuple[Mapping[str, Any], _Trial]]:
+    """Yield the trial of each front matter; of two that differ in what nobody asks it is one."""
+    begun: dict[str, _Trial] = {}
+    tells = _has_two_scripts(document)
+    spelling = cache(partial(spelling_of, document))  # one for all readings: it does not rest on the arm
     problem: ArmproofError | None = None
     found = False
     for front in fronts:
+        told = repr(front if tells else {**front, "transforms": ""})
+        if told in begun:
+            yield front, begun[told]
+            continue
         try:
-            trial = _Trial(document, front, load_arm(front["arm"], document.path.parent), numbers)
+            trial = _Trial(spelling, front, load_arm(front["arm"], document.path.parent), numbers)
         except ArmproofError as error:
             problem = problem or error
             continue
         found = True
-        yield trial
+        begun[told] = trial
+        yield front, trial
     if not found and problem is not None:
         raise problem
+
+
+def _has_two_scripts(document: Document) -> bool:
+    """Whether a name of a document has an index above and one below: of others nobody asks which of them is the reference."""
+    reader = read_names(None, {}).reader
+    reader.spelling = spelling_of(document, reader.words)
+    for display in document.displays:
+        with suppress(ReadError, RecursionError):
+            nodes = (node for statement in reader.read(display.latex) for node in n.walk(statement))
+            if any(map(_is_between, nodes)):
+                return True
+    return False
+
+
+def _is_between(node: n.Node) -> bool:
+    """Whether a node may be a name with an index above and one below, T_1^0; p_1^0 is read as a power first."""
+    name = n.bare(node.base) if isinstance(node, n.Power) else node
+    if not isinstance(name, n.Name) or not name.sub:
+        return False
+    return bool(name.sup) if name is node else name.base not in _NEVER_PLACED
 
 
 def _has_one_slip(outcome: Outcome) -> bool:
