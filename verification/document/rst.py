@@ -33,9 +33,10 @@ _ROLE_OR_SIGN = re.compile(r":math:`([^`]+)`|(=)")
 _ALONE = re.compile(
     r"(?:\|\s+|\s{4,}|)(?:\\\s+)?:math:`[^`]+`(?:(?:\\\s)?\s*=\s*(?:\\\s)?:math:`[^`]+`)*(?:\\\s)?\s*[.,;]?\s*"
 )
-# a comment, code, and what stands behind a paragraph that ends with ::; `.. note::` ends so, too, and hides nothing
+_COMMENT = re.compile(r"\s*\.\.(?:\s+(?!\S+::)|\s*$)")
+# code, and what stands behind a paragraph that ends with ::; `.. note::` ends so, too, and hides nothing
 _HIDES = re.compile(
-    r"\s*\.\.(?:\s+(?!\S+::)|\s*$)|\s*\.\. (?:code|code-block|sourcecode|parsed-literal|raw|testcode|doctest)::"
+    r"\s*\.\. (?:code|code-block|sourcecode|parsed-literal|raw|testcode|doctest)::"
     r"|(?!\s*\.\. ).*(?<!:)::\s*$"
 )
 _RULE = re.compile(r"([=\-`:'\"~^_*+#<>.])\1{2,}\s*$")
@@ -113,6 +114,9 @@ def _displays(lines: list[str]) -> Iterator[Display]:
         hidden = None
         if erratum is not None and (indent < erratum or (indent == erratum and not line.startswith(" "))):
             erratum = None
+        if _COMMENT.match(line) and not _ERRATUM.match(line):
+            hidden = indent
+            continue
         yield from postures(line, row + 1, section)
         if is_behind:
             yield from said_above(line, row + 1, section)

@@ -99,3 +99,13 @@ def _check(body: str) -> list:
 def _told(body: str) -> tuple[Verdict, list[Kind]]:
     (found,) = _check(body)
     return found.verdict, [each.kind for each in found.outcomes[0].findings]
+
+
+def test_a_comment_is_no_sentence() -> None:
+    for path, text in (
+        ("page.rst", f".. arm: planar_2r\n\n.. My cousin swears by this joke.\n\n.. math:: {RIGHT}\n"),
+        ("page.tex", f"% arm: planar_2r\n\n% My cousin swears by this joke.\n\\[ {RIGHT} \\]\n"),
+        ("page.md", f"---\narm: planar_2r\n---\n\n<!-- My cousin swears by this joke. -->\n\n$$ {RIGHT} $$\n"),
+    ):
+        (found,) = check_document(parse_document(Path(path), text)).equations
+        assert found.verdict is Verdict.PROVED, path
