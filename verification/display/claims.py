@@ -403,7 +403,8 @@ class Claims:
         return [check_relation(self.checker, part, equation)]
 
     def _claimed(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
-        is_general = any(is_inverse_link(m, self.names.transforms) is not None for m in of_link_i(chain).members)
+        of_any = of_link_i(chain) if _has_letter_index(chain) else chain
+        is_general = any(is_inverse_link(member, self.names.transforms) is not None for member in of_any.members)
         found = self.general.check(chain, equation, line, define) if is_general else None
         for outcome in found or ():
             outcome.role = Role.LAW
@@ -417,7 +418,7 @@ class Claims:
         outcomes = [self._understood(o, chain, define) if o.verdict is Verdict.REFUTED else o for o in outcomes]
         if self.names.state.told.bounds:
             outcomes = [self.circumstances.within_bounds(outcome) for outcome in outcomes]
-        if any(outcome.verdict is Verdict.PROVED for outcome in outcomes):
+        if any(outcome.verdict is Verdict.PROVED for outcome in outcomes) and _multiplies_a_matrix(chain):
             outcomes = self._with_factors(chain, outcomes, equation)
         if any(outcome.tells(Kind.NOT_AS_USUAL_BOUND) for outcome in outcomes):
             outcomes = self._with_sign_of_vectors(chain, outcomes, line)
@@ -561,3 +562,15 @@ def _is_label(chain: n.Chain) -> bool:
     """Whether a number in brackets stands alone, as equations are numbered: (3)."""
     (member,) = chain.members
     return isinstance(member, n.Group) and isinstance(member.inner, n.Number)
+
+
+def _has_letter_index(chain: n.Chain) -> bool:
+    """Whether a name in a chain has a letter for its index, as what is said of any link does: A_n, {}^jT_{j+1}."""
+    names = (below for member in chain.members for below in n.walk(member) if isinstance(below, n.Name))
+    return any(script[:1] in tuple("ijkn") for name in names for script in (name.sub, name.pre_sub))
+
+
+def _multiplies_a_matrix(chain: n.Chain) -> bool:
+    """Whether a matrix that is printed is a factor in a chain."""
+    products = (below for member in chain.members for below in n.walk(member) if isinstance(below, n.Product))
+    return any(isinstance(n.bare(factor), n.Matrix) for product in products for factor in product.factors)

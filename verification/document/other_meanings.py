@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from armproof.verification.document.model import Display, Document
 from armproof.verification.document.sentences import MOST_CHARACTERS, hears, hears_denied, with_axes, words_of
 
-_MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
+MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
     r"horizontal|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
     r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|numbered|gripper|tool|boden|suelo|inclination|direction of"
 )
@@ -63,11 +63,6 @@ def with_other_meanings(document: Document, text: str) -> Document:
     return replace(document, displays=tuple(_with(display, said) for display in document.displays))
 
 
-def may_mean(text: str) -> bool:
-    """Whether a text has any of the words without which no sentence gives another meaning."""
-    return _MAY_MEAN.search(text.lower()) is not None
-
-
 def _with(display: Display, said: Iterable[tuple[Meaning, int]]) -> Display:
     """Return a display with what holds of it: of a letter from the heading above on, of a place beside it alone."""
     if display.erratum:
@@ -90,7 +85,7 @@ def _meanings(text: str) -> Iterator[Meaning]:
     shown = _SHOWN.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
     for found in _SENTENCE.finditer(shown):
         sentence = found.group()
-        if len(sentence) > MOST_CHARACTERS or not may_mean(sentence):
+        if len(sentence) > MOST_CHARACTERS or MAY_MEAN.search(sentence.lower()) is None:
             continue
         line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
         plain = with_axes(" ".join(sentence.split()))
