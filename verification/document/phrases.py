@@ -104,6 +104,9 @@ ELSEWHERE = """
 if/when/whenever/where/for/at/unless/that/to/si/quand/pour/que/lorsque/lorsqu'/de/où/wenn/falls/für/dass/para/cuando
 """
 DENIED_BEHIND = """
+^ * ne/n' vaut/vaudra/tient (pas/rien/plus)
+^ * ne/n' est (pas/plus) (valable/vraie/vrai/exacte/exact/correcte) (que)
+^ * wrong/false/incorrect/faux/fausse/falsch/falso/falsa/incorrecto/incorrecta/sbagliato/sbagliata/errato/errata/errado/errada (here/ici/hier/aquí/qui/aqui) . $
 ^ * formula/equation/relation/result/expression/it/this (does/do/is) not/n'/never/longer (longer) (t) hold/apply/valid/usable/true
 ^ * gleichung/formel/beziehung (ist/gilt) … nicht/nur
 ^ * drawing board
@@ -268,6 +271,10 @@ within (one/a/two/#) percent
 ≪
 """
 OF_NO_CLAIM = """
+demande/demander/demandons si
+wonder/wonders/ask/asks/check/test/verify/decide/see if
+preguntamos/pregunta/verificar/comprobar/chiede/chiediamo/verificare/perguntamos/verificar si/se
+fragt/fragen/prüfen/prüft … ob
 would/might/could/were/expected/serait/aurait/pourrait/wäre/würde/sería
 never/jamais
 don' t
@@ -348,6 +355,7 @@ WE_DO = """
 ^ & if/when/whenever/si/quand/lorsque/lorsqu' we/one/you/i/on/nous/l'
 """
 ASKED_BEHIND = """
+^ * a/an/une/una/un/eine/uma/um (simple/mere/working) hypothesis/hypothèse/hipótesis/ipotesi/hipótese/conjecture/conjetura/congettura/conjetura/vermutung/annahme/guess
 prove/show/verify/montrer/démontrer/montrez/démontrez/beweisen/demuestre/dimostrare/demonstrar or/ou/oder/o/u disprove/refute/infirmer/infirmez/réfuter/réfutez/widerlegen/refute/confutare/refutar
 ^ (&) (or) does/do/did/is/are/can/could/will/would/should this/it/that/these/the * ? $
 true/false/right/wrong/correct/so/agree/think/it/case/vrai/faux/exact/juste/accord/richtig/falsch/das/cierto/verdadero/falso/correcto/why ? $
@@ -359,6 +367,7 @@ OPEN_QUESTION = """
 ^ (and/but/so/et/mais/und/aber/y/e) what/how/where/when/who/whose/which/comment/que/qu'/quel/quelle/quels/quelles/où/quand/qui/wie/was/wo/wer/welche/welcher/welches/cómo/qué/dónde/cuál/cuáles/quién/come/che/cosa/dove/quale/quali/chi/como/onde/qual/quais/quem
 """
 SAYS_LIMITS = """
+^ outside/beyond (of) this/that/the
 ^ * terms * dropped/neglected/omitted/discarded/ignored
 ^ * applies/holds/valid/true (only) (to/for/in/at/within/on) (this/that/these) (one/single) configuration/case/posture/range/branch
 ^ * another/other/different expression/formula/equation/relation (has/must/is/should/applies/holds)

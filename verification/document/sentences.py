@@ -64,7 +64,7 @@ def said_above(text: str, line: int, section: str) -> Iterator[Display]:
         yield Display(line, DENIED_ABOVE, section=section, opening=INLINE)
     if is_limited:
         yield Display(line, LIMITED_ABOVE, section=section, opening=INLINE)
-    if not (is_denied or is_limited) and is_strange_behind(_plain(sentence)):
+    if not is_denied and is_strange_behind(_plain(sentence)):
         yield Display(line, STRANGE_ABOVE + sentence, section=section, opening=INLINE)
 
 
@@ -85,7 +85,7 @@ def said_below(text: str, line: int, section: str) -> Iterator[Display]:
         heard.append(SUPPOSED)
     if is_of_other_place(words):
         heard.append(OTHER_POINT)
-    if not heard and is_strange_before(_plain(sentence)):
+    if DENIED not in heard and is_strange_before(_plain(sentence)):
         heard.append(STRANGE + sentence)
     for each in heard:
         yield Display(line, each, section=section, opening=INLINE)
