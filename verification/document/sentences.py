@@ -19,10 +19,8 @@ DENIED = r"\text{denies below}"  # and of the one that it leads to
 GENERAL = r"\text{in general}"  # what ends a configuration
 SUPPOSED = r"\text{under a hypothesis}"  # what is supposed, sought, quoted, of another case, or an approximation
 OTHER_POINT = r"\text{of another point}"  # what is no coordinate of the tool in the base
-STRANGE_ABOVE, STRANGE = (
-    r"\text{strange above}",
-    r"\text{strange}",
-)  # what is not understood of the one above it, or below; the sentence follows
+# what is not understood of the display above it, or of the one below; the sentence follows
+STRANGE_ABOVE, STRANGE = r"\text{strange above}", r"\text{strange}"
 OF_NEXT = (DENIED, SUPPOSED, OTHER_POINT, STRANGE)  # what is said of one display, and of no configuration
 
 _GENERAL = re.compile(

@@ -13,20 +13,14 @@ from functools import cache
 import armproof.verification.document.vocabulary as vocabulary
 
 _WORD = re.compile(r"[^\W\d_][\w'-]*")
-_PREFIXES = {
-    "ENGLISH": 7,
-    "FRENCH": 6,
-    "GERMAN": 6,
-    "SPANISH": 6,
-    "ITALIAN": 6,
-    "PORTUGUESE": 6,
-}  # letters that words of one family have in common
+# letters that words of one family have in common
+_PREFIXES = {"ENGLISH": 7, "FRENCH": 6, "GERMAN": 6, "SPANISH": 6, "ITALIAN": 6, "PORTUGUESE": 6}
 _SHORT = 8  # words of a sentence that says little else than what becomes of the display
 _HEAD = 20  # and of a sentence of the display that are looked at
 _FEW = 5  # and of one that leads to the display
 _RATIO = 9  # of how many words of a longer sentence one is not known where it is not understood
 _SUBJECT = 5  # words of a sentence of the arm within which a word for a part of it stands
-_RATIO_OF_ARM = 5
+_RATIO_OF_ARM = 5  # of how many words of such a one
 _MANY = 50  # words of a text that tell its language
 _NO_WORDS = re.compile(
     r"\b\d\w*|https?:\S*|\S+\.(?:png|jpe?g|svg|eps|pdf|gif|md|py|m)\b|\S*[/_=]\S*|`[^`]*`|\b[lcr]{2,}\b"
