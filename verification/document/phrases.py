@@ -297,12 +297,9 @@ claims/claimed/prétend/asserts/behauptet/afirma/answers/répond
 according to
 leaflet/rumour/web
 someone/student/pupil/élève/étudiant/alumno
-prove/show/verify or disprove/refute
-montrer ou réfuter
 true/vrai/richtig/verdadero or/ou/oder/o false/faux/falsch/falso
 which/lequel/laquelle (one) (of) (these) is/est right/correct/true
 whether
-prouvez/démontrez/montrez ou infirmez/réfutez
 counterexample/counter-example/contre-exemple
 (discuss/comment) (on) the claim/statement $
 are you sure
@@ -317,7 +314,7 @@ comme dans le cas
 """
 SUPPOSED = """
 suppose/assume/imagine/pretend/supposons/admettons/imaginons/angenommen/supongamos/supponiamo/suponhamos * that/que/dass/che $
-prove/show/verify/montrer/démontrer/montrez/démontrez/beweisen/demuestre/dimostrare/demonstrar or/ou/oder/o/u disprove/refute/infirmer/infirmez/réfuter/réfutez/widerlegen/refute/confutare/refutar
+prove/show/verify/montrer/démontrer/montrez/démontrez/prouvez/beweisen/demuestre/dimostrare/demonstrar or/ou/oder/o/u disprove/refute/infirmer/infirmez/réfuter/réfutez/widerlegen/refute/confutare/refutar
 ^ & (or/ou/oder/o) (also/aussi/auch/también) when/whenever/if/for/at/lorsque/lorsqu'/quand/si/pour/wenn/falls/für/cuando/para $
 suppose/supposing/assume/assuming/imagine/pretend/believe/supposons/supposant/admettons/admettant/angenommen/supongamos (,) (by) (contradiction) (for) (a) (the) (sake) (of) (argument) (moment) (now) (that) (que) (par) (l') (absurde) $
 on suppose (que) $
@@ -356,7 +353,7 @@ WE_DO = """
 """
 ASKED_BEHIND = """
 ^ * a/an/une/una/un/eine/uma/um (simple/mere/working) hypothesis/hypothèse/hipótesis/ipotesi/hipótese/conjecture/conjetura/congettura/conjetura/vermutung/annahme/guess
-prove/show/verify/montrer/démontrer/montrez/démontrez/beweisen/demuestre/dimostrare/demonstrar or/ou/oder/o/u disprove/refute/infirmer/infirmez/réfuter/réfutez/widerlegen/refute/confutare/refutar
+prove/show/verify/montrer/démontrer/montrez/démontrez/prouvez/beweisen/demuestre/dimostrare/demonstrar or/ou/oder/o/u disprove/refute/infirmer/infirmez/réfuter/réfutez/widerlegen/refute/confutare/refutar
 ^ (&) (or) does/do/did/is/are/can/could/will/would/should this/it/that/these/the * ? $
 true/false/right/wrong/correct/so/agree/think/it/case/vrai/faux/exact/juste/accord/richtig/falsch/das/cierto/verdadero/falso/correcto/why ? $
 true/false/right/wrong/correct/vrai/faux/exact/juste/richtig/falsch/verdadero/falso * ? $
