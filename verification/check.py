@@ -489,10 +489,10 @@ class DocumentChecker:
             outcome = self._unless_of_the_tool(outcome)
         if display.meant and not display.erratum and outcome.verdict in DECIDED:
             outcome = self.statements.claims.circumstances.unless_meant_otherwise(outcome, display.meant)
-        if display.strange and outcome.verdict is not Verdict.UNCHECKED:
-            outcome = outcome.left_open(say(Kind.STRANGE_WORDS, text=display.strange))
         if display.denied and outcome.verdict is not Verdict.UNCHECKED:
             outcome = replace(outcome.left_open(say(Kind.DENIED)), defines=())
+        if display.strange and outcome.verdict is not Verdict.UNCHECKED:
+            outcome = outcome.left_open(say(Kind.STRANGE_WORDS, text=display.strange))
         return outcome
 
     def _is_of_other_frame(self, display: Display) -> bool:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from armproof.models.catalogue import arm_names
 from armproof.verification.document.accepts import MARK, with_accepts
@@ -130,13 +131,8 @@ def _with_what_is_said(document: Document) -> Document:
         if display.opening != INLINE:
             displays.append(_with_what_is_before(display, between[-1], display.section in marked))
             between.append([])
-        elif display.latex == DENIED_ABOVE:
-            displays[-1:] = [replace(each, denied=not each.erratum) for each in displays[-1:]]
-        elif display.latex == LIMITED_ABOVE:
-            displays[-1:] = [replace(each, supposed=not each.erratum) for each in displays[-1:]]
-        elif display.latex.startswith(STRANGE_ABOVE):
-            sentence = display.latex.removeprefix(STRANGE_ABOVE)
-            displays[-1:] = [replace(each, strange="" if each.erratum else sentence) for each in displays[-1:]]
+        elif said := _said_of_above(display.latex):
+            displays[-1:] = [each if each.erratum else replace(each, **said) for each in displays[-1:]]
         elif _SAYS.search(display.latex):
             between[-1].append(display)
     told = tuple(_with_what_is_behind(displays, between[1:]))
@@ -145,6 +141,13 @@ def _with_what_is_said(document: Document) -> Document:
     told = tuple(with_listings(told, listings)) if listings or works_out else told
     code = [each for each in document.displays if each.opening == CODE]
     return replace(document, displays=told, in_code=tuple(code_tables(code)) if code else ())
+
+
+def _said_of_above(latex: str) -> dict[str, Any]:
+    """Return what is known of the display above, by what its text is heard to say of it; nothing of any other text."""
+    if latex.startswith(STRANGE_ABOVE):
+        return {"strange": latex.removeprefix(STRANGE_ABOVE)}
+    return {DENIED_ABOVE: {"denied": True}, LIMITED_ABOVE: {"supposed": True}}.get(latex, {})
 
 
 def _listings(document: Document) -> Iterator[Listing]:

@@ -57,13 +57,13 @@ _FARTHEST = 10  # and behind one of what stands below
 def said_above(text: str, line: int, section: str) -> Iterator[Display]:
     """Yield what a text says of the display that it stands right behind."""
     sentence = _first_sentence(text)
-    is_denied, is_limited = denies_above(text), _limits_above(text)
-    if is_denied:
-        yield Display(line, DENIED_ABOVE, section=section, opening=INLINE)
-    if is_limited:
-        yield Display(line, LIMITED_ABOVE, section=section, opening=INLINE)
-    if not is_denied and is_strange_behind(_plain(sentence)):
-        yield Display(line, STRANGE_ABOVE + sentence, section=section, opening=INLINE)
+    words = words_of(sentence)
+    heard = [DENIED_ABOVE] if _denies_behind(words) else []
+    if _limits(words):
+        heard.append(LIMITED_ABOVE)
+    if DENIED_ABOVE not in heard and is_strange_behind(_plain(sentence)):
+        heard.append(STRANGE_ABOVE + sentence)
+    yield from (Display(line, each, section=section, opening=INLINE) for each in heard)
 
 
 def said_in_general(text: str, line: int, section: str) -> Iterator[Display]:
@@ -74,19 +74,16 @@ def said_in_general(text: str, line: int, section: str) -> Iterator[Display]:
 
 def said_below(text: str, line: int, section: str) -> Iterator[Display]:
     """Yield what the last sentence of a text, formulas and all, says of the display that follows."""
-    sentence = last_sentence(" ".join(text.split()))[-MOST_CHARACTERS:]
+    sentence = _leading(text)
     words = words_of(sentence)
-    heard = []
-    if denies_below(text):
-        heard.append(DENIED)
+    heard = [DENIED] if _denies_before(sentence, words) else []
     if _supposes(words, _IS_OVER.search(sentence) is not None):
         heard.append(SUPPOSED)
     if is_of_other_place(words):
         heard.append(OTHER_POINT)
     if DENIED not in heard and is_strange_before(_plain(sentence)):
         heard.append(STRANGE + sentence)
-    for each in heard:
-        yield Display(line, each, section=section, opening=INLINE)
+    yield from (Display(line, each, section=section, opening=INLINE) for each in heard)
     found = _ALTERNATIVES.search(sentence)
     if found is not None and is_of_singularities(sentence[: found.start()].rstrip()):
         yield Display(line, SINGULAR, section=section, opening=INLINE)
@@ -94,14 +91,20 @@ def said_below(text: str, line: int, section: str) -> Iterator[Display]:
 
 def denies_above(text: str) -> bool:
     """Whether a text begins with a denial of what stands above it: "This is wrong."."""
-    words = words_of(_first_sentence(text))
-    return hears("DENIED_BEHIND", words) is not None or _is_error(words) or _denies(words, is_behind=True)
+    return _denies_behind(words_of(_first_sentence(text)))
 
 
 def denies_below(text: str) -> bool:
     """Whether a text leads to what it denies: "It is not true that"."""
-    sentence = last_sentence(" ".join(text.split()))[-MOST_CHARACTERS:]
-    words = words_of(sentence)
+    sentence = _leading(text)
+    return _denies_before(sentence, words_of(sentence))
+
+
+def _denies_behind(words: str) -> bool:
+    return hears("DENIED_BEHIND", words) is not None or _is_error(words) or _denies(words, is_behind=True)
+
+
+def _denies_before(sentence: str, words: str) -> bool:
     if _IS_OVER.search(sentence) and words.count(" ") > 3:
         return False
     return hears("DENIED_BEFORE", words) is not None or _denies(words)
@@ -124,7 +127,7 @@ def denies_within(text: str) -> bool:
 
 def without_harmless(text: str) -> str:
     """Return the words of a text without its denials that deny nothing: "not trivial", "no approximation"."""
-    return re.sub(_phrases("HARMLESS").pattern, "", words_of(text), flags=re.IGNORECASE)
+    return _harmless().sub("", words_of(text))
 
 
 def _plain(sentence: str) -> str:
@@ -160,6 +163,11 @@ def _first_sentence(text: str) -> str:
     line = " ".join(text.split())
     stop = _STOP.search(line)
     return (line if stop is None else line[: stop.end()])[:MOST_CHARACTERS]
+
+
+def _leading(text: str) -> str:
+    """Return the last sentence of a text on one line, which leads to what comes next."""
+    return last_sentence(" ".join(text.split()))[-MOST_CHARACTERS:]
 
 
 def last_sentence(text: str) -> str:
@@ -212,9 +220,8 @@ def _supposes(words: str, is_over: bool) -> bool:
     return not is_over and any(hears(each, words) for each in ("OF_A_PART", "OF_NO_CLAIM"))
 
 
-def _limits_above(text: str) -> bool:
-    """Whether a text that goes on from the display above it says when, or how nearly, that holds; or asks whether."""
-    words = words_of(_first_sentence(text))
+def _limits(words: str) -> bool:
+    """Whether a sentence that goes on from the display above it says when, or how nearly, that holds; or asks whether."""
     is_question = words.endswith("? ") and not hears("OPEN_QUESTION", words)
     if is_question or any(hears(each, words) for each in ("ASKED_BEHIND", "SPECIAL", "SAYS_LIMITS")):
         return True
@@ -236,6 +243,11 @@ def hears_denied(name: str, words: str) -> bool:
         return False
     before = words[: found.start()].split()[-4:]
     return hears("NOT", f"{' '.join([*before, found.group()])} ") is not None
+
+
+@cache
+def _harmless() -> re.Pattern[str]:
+    return re.compile(_pattern(phrases.HARMLESS), re.IGNORECASE)
 
 
 @cache
