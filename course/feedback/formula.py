@@ -265,7 +265,8 @@ class Formula:
             words = slips_by_value(self.claim, self._written(answer), random_values(self.arguments), edits=roots_astray)
         except ArmproofError:
             return ""
-        return words or ((related := self._relation(answer)) == look_up(NUMBER_UPSIDE_DOWN) and related) or ""
+        related = words or self._relation(answer)
+        return related if words or related == look_up(NUMBER_UPSIDE_DOWN) else ""
 
     def _relation(self, answer: Any, only: np.ndarray | None = None) -> str:
         """Return how an answer with no known slip relates to what is asked, in values and in its letters; of some entries alone."""

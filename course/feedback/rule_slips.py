@@ -18,15 +18,6 @@ _ARCS = ("asin", "acos", "atan")
 _TWO = n.Number(Fraction(2), "2")
 
 
-def _groups_squared(cell: n.Node) -> Iterator[Edit]:
-    """Yield the tree with all sums in brackets squared that are terms of a sum, where they are several."""
-    terms = [term for node in n.walk(cell) if isinstance(node, n.Sum) for _, term in node.terms]
-    groups = [term for term in terms if isinstance(term, n.Group) and isinstance(bare(term), n.Sum)]
-    if len(groups) > 1:
-        squares: dict[int, n.Node] = {id(group): n.Power(group, _TWO) for group in groups}
-        yield Edit(n.substitute_each(cell, squares), "number", say(Kind.MISSING_SQUARES))
-
-
 def rule_slips(cell: n.Node) -> Iterator[Edit]:
     """Yield the trees that become of an entry if one of these rules is kept."""
     return chain(
@@ -67,7 +58,7 @@ def _short_arguments(node: n.Node) -> Iterator[Change]:
 
 def _is_of_one_argument(node: n.Node) -> TypeGuard[n.Call]:
     """Whether a node is a function of an angle, or the angle of one."""
-    is_of_angle = is_trigonometric(node) or (isinstance(node, n.Call) and node.function in _ARCS)
+    is_of_angle = is_trigonometric(node) or n.is_call(node, *_ARCS)
     return isinstance(node, n.Call) and is_of_angle and _has_letters(node)
 
 
@@ -93,8 +84,9 @@ def _roots_on_other_side(node: n.Node) -> Iterator[Change]:
                 yield replace(node, numerator=above, denominator=_product(with_items(factors, k))), "number", finding
 
 
-def _is_root(node: n.Node) -> bool:
-    return isinstance(node, n.Call) and node.function == "sqrt" and isinstance(bare(node.arguments[0]), n.Number)
+def _is_root(node: n.Node) -> TypeGuard[n.Call]:
+    """Whether a node is the root of a number."""
+    return n.is_call(node, "sqrt") and isinstance(bare(node.arguments[0]), n.Number)
 
 
 def _product(factors: tuple[n.Node, ...]) -> n.Node:
@@ -105,11 +97,9 @@ def _product(factors: tuple[n.Node, ...]) -> n.Node:
 
 def _roots(node: n.Node) -> Iterator[Change]:
     """A number as its root, and a root as the number."""
-    if _is_root(node) and isinstance(node, n.Call):
+    if _is_root(node):
         yield node.arguments[0], "number", say(Kind.EXTRA_ROOT)
-    elif (
-        isinstance(node, n.Number) and math.isqrt(int(node.value)) ** 2 != node.value > 0
-    ):  # √4 would be another number
+    elif isinstance(node, n.Number) and math.isqrt(int(node.value)) ** 2 != node.value > 0:  # √4 is another number
         yield n.Call("sqrt", (node,), "\\sqrt", "braces"), "number", say(Kind.MISSING_ROOT)
 
 
@@ -127,7 +117,7 @@ def _roots_lost(node: n.Node) -> Iterator[Change]:
 
 def _extra_roots(node: n.Node) -> Iterator[Change]:
     """√(x² + y²) as x² + y²."""
-    if isinstance(node, n.Call) and node.function == "sqrt":
+    if n.is_call(node, "sqrt"):
         yield n.Group(node.arguments[0]), "function", say(Kind.EXTRA_ROOT)
 
 
@@ -146,3 +136,12 @@ def _squares_lost(node: n.Node) -> Iterator[Change]:
         if isinstance(term, n.Group) and isinstance(bare(term), n.Sum):
             terms = with_items(node.terms, k, (sign, n.Power(term, _TWO)))
             yield replace(node, terms=terms), "number", say(Kind.MISSING_SQUARE)
+
+
+def _groups_squared(cell: n.Node) -> Iterator[Edit]:
+    """Yield the tree with all sums in brackets squared that are terms of a sum, where they are several."""
+    terms = [term for node in n.walk(cell) if isinstance(node, n.Sum) for _, term in node.terms]
+    groups = [term for term in terms if isinstance(term, n.Group) and isinstance(bare(term), n.Sum)]
+    if len(groups) > 1:
+        squares: dict[int, n.Node] = {id(group): n.Power(group, _TWO) for group in groups}
+        yield Edit(n.substitute_each(cell, squares), "number", say(Kind.MISSING_SQUARES))

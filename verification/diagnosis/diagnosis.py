@@ -29,7 +29,6 @@ from armproof.verification.latex.writer import Notation
 from armproof.verification.naming.state import PrintedError
 from armproof.verification.verdict import Record, SlipBefore, Verdict, WrongEntry
 
-_ARCS = ("acos", "asin", "atan", "atan2")
 _PLAIN = frozenset(("sign", "function", "index", "length"))  # changes by which nothing is dropped or added
 
 if TYPE_CHECKING:
@@ -114,7 +113,7 @@ class Diagnostician:
             if usual.outcome.there:
                 return list(self._slips_there(latex, usual.outcome, holds))
             entries = [each for each in self._on_either_side(latex, usual.outcome)[2] if each.finding is not None]
-            if not entries and any(map(_has_arcs, usual.outcome.nodes)):
+            if not entries and any(map(n.has_arcs, usual.outcome.nodes)):
                 entries = self._slip_on_a_branch(latex, usual.outcome, holds)
         finally:
             state.forget_usual(usual.meanings)
@@ -258,10 +257,6 @@ class Diagnostician:
             return ""
         mark = next((mark for mark in ("{,}", ",") if mark in printed), ".")
         return f"{self.checker.members.number(true):.{decimals}f}".replace(".", mark)
-
-
-def _has_arcs(node: n.Node) -> bool:
-    return any(isinstance(below, n.Call) and below.function in _ARCS for below in n.walk(node))
 
 
 def _turned(outcome: Outcome) -> Outcome | None:

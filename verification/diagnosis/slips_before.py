@@ -279,8 +279,7 @@ def _holds_with(
 
 def _has_branches(node: n.Node) -> bool:
     """Whether an equation holds on one branch of what stands in it: ±, or an angle by its sine or cosine."""
-    arcs = (b for b in n.walk(node) if isinstance(b, n.Call) and b.function in ("acos", "asin", "atan", "atan2"))
-    return n.has_branches(node) or any(arcs)
+    return n.has_branches(node) or n.has_arcs(node)
 
 
 def _equal(one: Matrix, other: Matrix) -> bool:

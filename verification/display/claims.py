@@ -566,11 +566,11 @@ def _is_label(chain: n.Chain) -> bool:
 
 def _has_letter_index(chain: n.Chain) -> bool:
     """Whether a name in a chain has a letter for its index, as what is said of any link does: A_n, {}^jT_{j+1}."""
-    names = (below for member in chain.members for below in n.walk(member) if isinstance(below, n.Name))
-    return any(script[:1] in tuple("ijkn") for name in names for script in (name.sub, name.pre_sub))
+    names = (below for below in n.walk(chain) if isinstance(below, n.Name))
+    return any(script[:1] in {*"ijkn"} for name in names for script in (name.sub, name.pre_sub))
 
 
 def _multiplies_a_matrix(chain: n.Chain) -> bool:
     """Whether a matrix that is printed is a factor in a chain."""
-    products = (below for member in chain.members for below in n.walk(member) if isinstance(below, n.Product))
+    products = (below for below in n.walk(chain) if isinstance(below, n.Product))
     return any(isinstance(n.bare(factor), n.Matrix) for product in products for factor in product.factors)

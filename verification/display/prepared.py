@@ -13,7 +13,6 @@ from armproof.verification.naming.names import Names
 
 WHOLE = ("Z", "N")  # the sets of k in θ = kπ
 DEGREES = frozenset(range(30, 361, 15))  # without a mark
-ARCS = ("acos", "asin", "atan", "atan2")
 TURNS = ("cos", "sin", "tan")
 FOR_ALL = ("forall", "for all", "for every", "for any", "pour tout", "pour tous")
 
@@ -57,7 +56,7 @@ def _marked_in(argument: n.Node) -> n.Node:
 
 
 def _marked_beside_arcs(node: n.Node) -> n.Node:
-    if not isinstance(node, n.Sum) or not any(isinstance(t, n.Call) and t.function in ARCS for _, t in node.terms):
+    if not isinstance(node, n.Sum) or not any(n.is_call(term, *n.ARCS) for _, term in node.terms):
         return node
     return replace(node, terms=tuple((sign, _marked(term)) for sign, term in node.terms))
 

@@ -312,8 +312,7 @@ class Definitions:
 def _with_slip(outcome: Outcome) -> Outcome:
     """Refute what is to be a rotation or a pose, and would be one with another entry in one place."""
     value = outcome.true.value if outcome.true is not None else None
-    slip = with_entry_mended(value) if isinstance(value, Matrix) else None
-    if slip is None or not isinstance(value, Matrix):
+    if not isinstance(value, Matrix) or (slip := with_entry_mended(value)) is None:
         return outcome
     mended, place = slip
     return outcome.as_wrong_claim(Pair(mended, value), [place])

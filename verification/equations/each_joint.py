@@ -43,13 +43,13 @@ def _ahead(chain: n.Chain, letter: str) -> int:
     r"""Return how far the joint of a chain is ahead of its index: 1 for \dot\theta_{i+1} or v_{i+1}, which is said of link i + 1."""
     joints = (name.sub for name in _names(chain) if name.base in ("theta", "q", "d") and name.dots)
     told = {each[2] for sub in joints for each in _INDEX.finditer(sub) if each[1] == letter}
-    spoken = {each[2] for name in _names(chain) for script in _scripts(name) for each in _INDEX.finditer(script)}
+    spoken = {each[2] for name in _names(chain) for script in name.scripts for each in _INDEX.finditer(script)}
     return int(told == {"+"} or (not told and "+" in spoken and "-" not in spoken))
 
 
 def _is_idle(checker: ChainChecker, name: n.Name, letter: str, numbers: list[int]) -> bool:
     """Whether what a name with the index stands for is zero for all joints: an arm whose origins are one tells no sign of p_{i-1}."""
-    if not any(each[1] == letter for script in _scripts(name) for each in _INDEX.finditer(script)):
+    if not any(each[1] == letter for script in name.scripts for each in _INDEX.finditer(script)):
         return False
     values = [checker.member(_at(name, letter, number)).value for number in numbers]
     return all(isinstance(value, Matrix) and all(map(is_zero, value.cells)) for value in values)
@@ -57,16 +57,12 @@ def _is_idle(checker: ChainChecker, name: n.Name, letter: str, numbers: list[int
 
 def index_of(chain: n.Chain) -> str:
     """Return the one letter i, j or k that is an index of names in a chain, "" where there is none or several."""
-    found = {each[1] for name in _names(chain) for script in _scripts(name) for each in _INDEX.finditer(script)}
+    found = {each[1] for name in _names(chain) for script in name.scripts for each in _INDEX.finditer(script)}
     return found.pop() if len(found) == 1 else ""
 
 
 def _names(chain: n.Chain) -> Iterator[n.Name]:
-    yield from (below for member in chain.members for below in n.walk(member) if isinstance(below, n.Name))
-
-
-def _scripts(name: n.Name) -> tuple[str, str, str, str]:
-    return name.sub, name.sup, name.pre_sub, name.pre_sup
+    yield from (below for below in n.walk(chain) if isinstance(below, n.Name))
 
 
 def _instance(chain: n.Chain, letter: str, number: int) -> n.Chain:
@@ -86,7 +82,7 @@ def _at(name: n.Name, letter: str, number: int) -> n.Name:
             script,
         )
 
-    sub, sup, pre_sub, pre_sup = map(at, _scripts(name))
+    sub, sup, pre_sub, pre_sup = map(at, name.scripts)
     return replace(name, sub=sub, sup=sup, pre_sub=pre_sub, pre_sup=pre_sup)
 
 

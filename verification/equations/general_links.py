@@ -244,8 +244,8 @@ def _of_another_link(member: n.Node) -> bool:
 
 def of_link_i(chain: n.Chain) -> n.Chain:
     """Return a chain about link n with the index i: T_n^{n-1} = Rot(z, θ_n) …, A_n = […] or {}^jT_{j+1} = […] of θ_j or θ_{j+1}."""
-    names = [below for member in chain.members for below in n.walk(member) if isinstance(below, n.Name)]
-    scripts = {script for name in names for script in _scripts(name)}
+    names = [below for below in n.walk(chain) if isinstance(below, n.Name)]
+    scripts = {script for name in names for script in name.scripts}
     own = {name.sub for name in names if name.base in ("theta", "alpha", "a", "d")}
     next_one = next((letter for letter in "ijkn" if {letter, f"{letter}+1"} <= scripts), "")
     letter = next((letter for letter in "jkn" if {letter, f"{letter}-1"} <= scripts or own == {letter}), "")
@@ -258,14 +258,10 @@ def of_link_i(chain: n.Chain) -> n.Chain:
         return chain
     for name in names:
         meant = spelt if name.base in "TAHRM" else inner
-        sub, sup, below, above = (meant.get(each, each) for each in _scripts(name))
+        sub, sup, below, above = (meant.get(each, each) for each in name.scripts)
         changed = replace(name, sub=sub, sup=sup, pre_sub=below, pre_sup=above)
         chain = n.substitute(chain, name, changed) if changed != name else chain  # type: ignore[assignment]
     return chain
-
-
-def _scripts(name: n.Name) -> tuple[str, str, str, str]:
-    return name.sub, name.sup, name.pre_sub, name.pre_sup
 
 
 def is_sum_of_indices(chain: n.Chain) -> bool:

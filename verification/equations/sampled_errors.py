@@ -166,5 +166,5 @@ def entry_errors(pair: Pair, angles: Callable[[int, int], bool] = lambda _r, _c:
 def _is_arc(node: n.Node) -> bool:
     """Whether an arc function stands in a tree outside of cosines and other functions."""
     if isinstance(node, n.Call):
-        return node.function in ("acos", "asin", "atan", "atan2")
+        return node.function in n.ARCS
     return any(_is_arc(below) for below in n.children(node))

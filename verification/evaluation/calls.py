@@ -242,7 +242,7 @@ def _scalar_function(evaluator: Evaluating, function: str, arguments: list[Any])
         return evaluator.algebra.sqrt(arguments[0])
     if function == "abs":
         return evaluator.algebra.absolute(arguments[0])
-    if function in ("acos", "asin", "atan", "atan2"):
+    if function in n.ARCS:
         return evaluator.algebra.arc(function, arguments)
     raise OutsideAlgebra(say(Kind.THE_FUNCTION, function=function))
 

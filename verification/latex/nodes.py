@@ -71,6 +71,11 @@ class Name(Node):
         """The name whose rate it may be: x of x-dot."""
         return replace(self, dots=0) if self.dots else self
 
+    @property
+    def scripts(self) -> tuple[str, str, str, str]:
+        """Its indices: below, above, and those before it, below and above."""
+        return self.sub, self.sup, self.pre_sub, self.pre_sup
+
     def _spelt(self) -> str:
         front = ""
         if self.pre_sup or self.pre_sub:
@@ -357,9 +362,22 @@ def call_key(node: Call) -> str:
     return f"{head}({'0' if is_nought(arguments) else ','.join(a.key for a in arguments if isinstance(a, Name))})"
 
 
+ARCS = ("acos", "asin", "atan", "atan2")
+
+
+def is_call(node: Node, *functions: str) -> TypeGuard[Call]:
+    """Whether a node is a call of one of these functions."""
+    return isinstance(node, Call) and node.function in functions
+
+
 def is_rank(node: Node) -> TypeGuard[Call]:
     """Whether a node is the rank of something."""
-    return isinstance(node, Call) and node.function == "rank"
+    return is_call(node, "rank")
+
+
+def has_arcs(node: Node) -> bool:
+    """Whether an arc function stands in a tree."""
+    return any(is_call(below, *ARCS) for below in walk(node))
 
 
 def has_branches(node: Node) -> bool:
