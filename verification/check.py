@@ -22,6 +22,7 @@ from armproof.verification.display.statements import Statements
 from armproof.verification.display.taken_arm import OfTakenArm, names_in
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
 from armproof.verification.document.other_meanings import FRAME
+from armproof.verification.document.sentences import not_known_in, quoted
 from armproof.verification.equations.chain import ChainChecker, no_samples
 from armproof.verification.equations.foreign_index import unless_written_elsewhere
 from armproof.verification.equations.index_direction import TWO_SCRIPTS, shown_direction
@@ -492,7 +493,8 @@ class DocumentChecker:
         if display.denied and outcome.verdict is not Verdict.UNCHECKED:
             outcome = replace(outcome.left_open(say(Kind.DENIED)), defines=())
         if display.strange and outcome.verdict is not Verdict.UNCHECKED:
-            outcome = outcome.left_open(say(Kind.STRANGE_WORDS, text=display.strange))
+            words = ", ".join(not_known_in(display.strange))
+            outcome = outcome.left_open(say(Kind.STRANGE_WORDS, text=quoted(display.strange), words=words))
         return outcome
 
     def _is_of_other_frame(self, display: Display) -> bool:

@@ -12,7 +12,7 @@ from functools import cache
 import armproof.verification.document.phrases as phrases
 from armproof.verification.document.model import INLINE, Display
 from armproof.verification.document.postures import SINGULAR, is_of_singularities
-from armproof.verification.document.strange import is_strange_before, is_strange_behind
+from armproof.verification.document.strange import is_strange_before, is_strange_behind, strange_words
 
 DENIED_ABOVE, LIMITED_ABOVE = r"\text{denies above}", r"\text{limits above}"  # what a text says of the display above it
 DENIED = r"\text{denies below}"  # and of the one that it leads to
@@ -50,6 +50,7 @@ _STOP = re.compile(r"(?<!\\)[.;!?](?=\s+\S)")
 _IS_OVER = re.compile(r"[.!]\W*\Z")
 _LIGHT = frozenset(re.split(r"[/\s]+", phrases.LIGHT.strip()))
 MOST_CHARACTERS = 500  # of a sentence that is read
+_LONGEST_QUOTED = 40  # characters of a formula in one that is quoted
 _MOST = 14  # words before a denial of what stands above it
 _FARTHEST = 10  # and behind one of what stands below
 
@@ -64,6 +65,16 @@ def said_above(text: str, line: int, section: str) -> Iterator[Display]:
     if DENIED_ABOVE not in heard and is_strange_behind(_plain(sentence)):
         heard.append(STRANGE_ABOVE + sentence)
     yield from (Display(line, each, section=section, opening=INLINE) for each in heard)
+
+
+def not_known_in(sentence: str) -> list[str]:
+    """Return the words for which a sentence is strange."""
+    return strange_words(_plain(sentence))
+
+
+def quoted(sentence: str) -> str:
+    """Return a sentence as findings quote it, its long formulas as "…"."""
+    return _FORMULA.sub(lambda found: found.group() if len(found.group()) <= _LONGEST_QUOTED else "…", sentence)
 
 
 def said_in_general(text: str, line: int, section: str) -> Iterator[Display]:

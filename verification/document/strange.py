@@ -57,6 +57,11 @@ def is_strange_before(words: str) -> bool:
     return _is_mostly_strange(_words(words), 0 if _is_over(words) else _FEW)
 
 
+def strange_words(words: str) -> list[str]:
+    """Return the words of a sentence that no course has, each once: what else it is written in would be understood."""
+    return [*dict.fromkeys(word.rstrip("'") for word in _strange(_words(words)))]
+
+
 def is_in_known_language(text: str) -> bool:
     """Whether most words of a text are of a language whose words are known here; of a few words that cannot be told."""
     found = _WORD.findall(text)

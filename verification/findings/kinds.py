@@ -120,7 +120,7 @@ class Kind(MessageKind):
     IS_SUPPOSED = "is_supposed", "the words before it suppose something, or ask for it: what holds then is not decided"
     MAY_BE_TRANSPOSED = "may_be_transposed", "the columns of `{name}` are the derivatives of coordinates, and its rows are of none: it may be transposed"
     DENIED = "denied", "the text says that it is wrong, or not so: what is denied is not decided"
-    STRANGE_WORDS = "strange_words", "beside it stands '{text}', in words that are not known here: whether it takes the equation back is not decided; say it in plainer ones"
+    STRANGE_WORDS = "strange_words", "beside it stands '{text}', in words that are not known here ({words}): whether it takes the equation back is not decided; say it in plainer ones"
     SIGNS_CLASH = "signs_clash", "each holds on one choice of ±, and both on the same one only where ∓ stands for ± in one of them"
     ONE_OF_TWO = "one_of_two", "an equation beside 'or': which of them holds, and when, is not said; write each on its own, or a ±"
     ENTRY_BY_INDEX = "entry_by_index", "it does not hold with `{name}` for the number in its row of the table: say what it is, `{name} = …`"

@@ -77,6 +77,19 @@ def test_a_plain_sentence_leaves_the_verdict_below_it_as_it_is(sentence: str) ->
     assert _told(f"{sentence}\n\n$$ {WRONG} $$\n")[0] is Verdict.REFUTED
 
 
+def test_the_words_that_are_not_known_are_told() -> None:
+    (found,) = _check(f"$$ {RIGHT} $$\n\nThe grapevine has it that the arm limps.\n")
+    (finding,) = found.outcomes[0].findings
+    assert finding.terms["words"] == "grapevine, limps"
+
+
+def test_a_long_formula_in_a_strange_sentence_is_not_quoted() -> None:
+    long = "$" + " + ".join(f"l_{each} c_{each}" for each in range(1, 9)) + "$"
+    (found,) = _check(f"$$ {RIGHT} $$\n\nThe grapevine has it that {long} limps and $c_1$ not.\n")
+    (finding,) = found.outcomes[0].findings
+    assert finding.terms["text"] == "The grapevine has it that … limps and $c_1$ not."
+
+
 def test_a_strange_sentence_is_of_the_display_beside_it_alone() -> None:
     found = _check(f"$$ {RIGHT} $$\n\nIt limps.\n\n## Again\n\n$$ y = l_1 s_1 + l_2 s_{{12}} $$\n")
     assert [each.verdict for each in found] == [Verdict.UNCHECKED, Verdict.PROVED]
