@@ -488,6 +488,8 @@ class DocumentChecker:
             outcome = outcome.unless_refuted(say(Kind.IS_SUPPOSED))
         if display.of_other_point or (display.meant and self._is_of_other_frame(display)):
             outcome = self._unless_of_the_tool(outcome)
+        if display.in_other_frame and outcome.verdict in DECIDED and any(map(self._is_in_base, names_in(outcome))):
+            outcome = outcome.left_open(say(Kind.OF_OTHER_POINT))
         if display.meant and not display.erratum and outcome.verdict in DECIDED:
             outcome = self.statements.claims.circumstances.unless_meant_otherwise(outcome, display.meant)
         if display.denied and outcome.verdict is not Verdict.UNCHECKED:
@@ -501,6 +503,14 @@ class DocumentChecker:
         """Whether the sentence beside a display is of the origin of another frame than the last."""
         frames = {each.partition(" ")[2] for each in display.meant if each.startswith(FRAME)}
         return self.arm is not None and bool(frames - {self.arm.frames[-1]})
+
+    def _is_in_base(self, name: n.Name) -> bool:
+        """Whether a name is taken as of the base, and no index and no front matter says so."""
+        return (
+            name.key not in self.names.quantities
+            and self.names.quantity(name) is not None
+            and not re.search(r"\^|_[bs]\b", name.key)
+        )
 
     def _unless_of_the_tool(self, outcome: Outcome) -> Outcome:
         """Leave open what is decided by a name that convention alone binds to the tool, where the text speaks of another point."""

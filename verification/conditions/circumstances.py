@@ -9,13 +9,14 @@ from functools import partial
 from itertools import combinations, pairwise
 
 from armproof.verification.algebra.calculus import symbols_in
-from armproof.verification.algebra.matrix import Matrix, as_scalar
+from armproof.verification.algebra.matrix import Matrix, as_matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.document.heading import sections_around
+from armproof.verification.document.joint_values import in_letters, is_joint_value
 from armproof.verification.document.other_meanings import ALL, BEHIND, JACOBIAN
 from armproof.verification.document.postures import SINGULAR, kind_of_joints
-from armproof.verification.document.sentences import GENERAL
+from armproof.verification.document.sentences import GENERAL, THERE
 from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
@@ -29,10 +30,12 @@ from armproof.verification.evaluation.blocks import cells_of, rows_of_letters
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.latex.reader import key_as_latex
 from armproof.verification.naming.conventions import is_usual
 from armproof.verification.naming.state import Stated, Told
 from armproof.verification.verdict import HOLDS, Verdict
 
+POSTURE = r"\text{posture}"  # one that the text names, and nobody can tell
 ON_A_BRANCH = (Kind.ON_A_BRANCH, Kind.TO_DECIMALS_ON_A_BRANCH)
 OF_A_SIGN = frozenset("sqrt abs atan2 atan acos asin".split())  # a root or an angle that has another sign elsewhere
 
@@ -52,6 +55,7 @@ class Circumstances:
         it stands `outside`, in a section that is not around that of the display.
         """
         state = self.names.state
+        state.told = replace(state.told, is_direct=False)
         for is_outside, texts in ((True, said[:outside]), (False, said[outside:above])):
             if texts:
                 before, around = state.told, sections_around(state.section)
@@ -71,8 +75,8 @@ class Circumstances:
         of_arm = self.names.arm is not None
         said = tuple(said)
         is_last = said[-1:] == (SINGULAR,)
-        for latex in said:
-            if latex == SINGULAR:
+        for latex in self._in_letters(said):
+            if latex in (SINGULAR, THERE):
                 continue
             if latex == GENERAL:
                 self._end_configuration(line)
@@ -114,11 +118,18 @@ class Circumstances:
             velocities=tuple(velocities) or before.velocities,
             bounds=tuple(bounds) or before.bounds,
             kind=kind or before.kind,
+            is_direct=bool(conditions) and not in_words and THERE in said,
             line=line if velocities or is_last else before.line,
         )
         told = self._values(conditions)
         self.names.state.given_last |= told
         self.names.state.told_lengths |= {name: told[name] for name in told if name in self.given.lengths}
+
+    def _in_letters(self, said: Iterable[str]) -> Iterator[str]:
+        """Yield what a text says, the values of joints in words in the arm's letters; those of an arm that is not known as a posture."""
+        joints = [] if self.names.arm is None else [key_as_latex(each.symbol) for each in self.names.arm.joints]
+        for latex in said:
+            yield from (in_letters(latex, joints) or [POSTURE]) if is_joint_value(latex) else [latex]
 
     def told_values(self) -> dict[str, Stated]:
         """Return the values that the text gives: of lengths, wherever above, and of joints, for the display at hand."""
@@ -206,7 +217,7 @@ class Circumstances:
         if outcome.verdict is not Verdict.REFUTED or outcome.true is None or outcome.printed is None:
             return outcome
         conditions: list[n.Chain] = []
-        for latex in said:
+        for latex in self._in_letters(each for each in said if each != THERE):
             with suppress(ReadError, RecursionError):
                 found = [each for each in self.names.reader.read(latex) if isinstance(each, n.Chain)]
                 conditions += [condition for chain in found for condition in self._conditions(chain)]
@@ -304,7 +315,7 @@ class Circumstances:
         if outcome.true is None or outcome.printed is None or outcome.states_values:
             return outcome
         if any(self._follows(each, outcome) for each in self._told(told)):
-            return outcome.left_open(say(Kind.HOLDS_AS_TOLD))
+            return self._proved_there(outcome) or outcome.left_open(say(Kind.HOLDS_AS_TOLD))
         if self.names.arm is None and told.conditions and any(map(bare_key, outcome.nodes)):
             return outcome.left_open(say(Kind.OTHER_AS_TOLD))  # what a name is, or is there: either may hold the slip
         if told.in_words and self._stands_still(outcome):
@@ -312,6 +323,23 @@ class Circumstances:
         if told.bounds and any(map(_has_a_sign, (outcome.true.node, outcome.printed.node))):
             return self._within(told.bounds, outcome)
         return outcome
+
+    def _proved_there(self, outcome: Outcome) -> Outcome | None:
+        """Return what is proved at the values that lead to an equation, in which the joints that have them are no longer."""
+        assert outcome.true is not None and outcome.printed is not None
+        told = self.names.state.told
+        values = [self.given.values_of(each) for each in told.conditions] if told.is_direct else []
+        joints = {name for each in values for name in each or {}}.intersection(self.given.joints)
+        if not joints or not all(values) or not outcome.printed.known:
+            return None
+        cells = [cell for cell in as_matrix(outcome.printed.value).cells if isinstance(cell, Scalar)]
+        if not joints.isdisjoint(symbols_in(cells)):
+            return None
+        claim = n.Chain((outcome.true.node, outcome.printed.node), ("=",))
+        found = self._together(told.conditions, Implication("⇒", [[]], [[claim]]), outcome)
+        if found is None or found.verdict is not Verdict.PROVED:
+            return None
+        return replace(found, findings=(say(Kind.HOLDS_THERE), *found.findings), read_as=outcome.read_as)
 
     def within_bounds(self, outcome: Outcome) -> Outcome:
         """Leave open what holds on a branch alone, unless that is where the text before it says: θ_2 ∈ (0, π)."""

@@ -26,6 +26,7 @@ from armproof.verification.document.sentences import (
     DENIED_ABOVE,
     LIMITED_ABOVE,
     OF_NEXT,
+    OTHER_FRAME,
     OTHER_POINT,
     STRANGE,
     STRANGE_ABOVE,
@@ -174,6 +175,7 @@ def _with_what_is_before(display: Display, all_said: Sequence[Display], is_marke
         and (SUPPOSED in of_it or (bool(display.section) and is_of_a_case(display.section))),
         strange="" if display.erratum else " ".join(strange),
         of_other_point=not display.erratum and OTHER_POINT in of_it,
+        in_other_frame=not display.erratum and OTHER_FRAME in of_it,
     )
 
 

@@ -63,6 +63,7 @@ not/never/nobody/nothing/neither/no/cannot/~n'/rien/pas/jamais/aucun/aucune/nich
 """
 HARMLESS = """
 pas sorcier
+étonn~/surprendra/doutera pas (de)
 without/sans/sin/senza/sem/ohne (any/a/further/aucune) (the) loss/perte/pérdida/perdita/perda/doubt/duda/doute/dubbio/dúvida/ado/zweifel
 unless/sauf otherwise/mention/indication (stated/noted/specified/mentioned) (contraire)
 does/do/did/is not/n' depend/matter/involve/change/affect/enter/appear/contain
@@ -105,18 +106,48 @@ if/when/whenever/where/for/at/unless/that/to/si/quand/pour/que/lorsque/lorsqu'/d
 """
 DENIED_BEHIND = """
 ^ * ne/n' vaut/vaudra/tient (pas/rien/plus)
-^ * ne/n' est (pas/plus) (valable/vraie/vrai/exacte/exact/correcte) (que)
+^ * ne/n' est pas/plus (…) valable/vraie/vrai/exacte/exact/correcte/juste/bonne/bon
+^ * ne/n' est (…) (valable/vraie/vrai/exacte/exact/correcte) que
 ^ * wrong/false/incorrect/faux/fausse/falsch/falso/falsa/incorrecto/incorrecta/sbagliato/sbagliata/errato/errata/errado/errada (here/ici/hier/aquí/qui/aqui) . $
-^ * formula/equation/relation/result/expression/it/this (does/do/is) not/n'/never/longer (longer) (t) hold/apply/valid/usable/true
+^ * formula/equation/relation/result/expression/claim/statement/line/identity/value/it/this/that (…) (does/do/is/can) not/n'/never/longer/cannot (longer) (t) (be) hold/apply/valid/usable/true/agree/match/fit/correspond/work/follow/stand/suffice/used/kept/trusted/right/correct/give/yield/describe/represent/express/reproduce/equal
+^ * il/résultat/formule/relation/équation/expression/valeur/cela/ceci/ça ne/n' … correspond/convient/marche/suffit/concorde/donne/décrit/représente/exprime/fournit pas/plus
+^ * ergebnis/formel/gleichung/beziehung/ausdruck/das/dies … stimmt/passt/gilt … nicht
+^ * resultado/fórmula/ecuación/relación/expresión/esto/eso no (…) corresponde/coincide/concuerda/vale/sirve/cumple
+we/i/author/authors no longer claim/claims/support/supports/maintain/maintains/defend/defends
+we/i/author/authors/nous withdraw/withdraws/retract/retracts/reject/rejects/retirons/abandonnons/rejetons
+refuted/disproved/disproven/démenti~/réfuté~/contredit~/infirmé~/widerlegt/desmentid~/refutad~ by/par/durch/por
+there is/are/was/must (be) a/an/some/two/another (…) mistake~/error~/slip~ (in/here)
+il y a/avait (…) (une/deux/des) (…) erreur~/faute~
+es gibt/da ist (…) (ein/einen) (…) fehler
+hay (…) un/unos/algún (…) error/errores
+^ * faut/fallait/faudrait lire
+^ * read/lire/lisez/lies/lesen/léase/leer … instead/au/statt/anstatt/en of/lieu/lugar
+^ * erreur/error/mistake/fehler/faute * ? $
 ^ * gleichung/formel/beziehung (ist/gilt) … nicht/nur
 ^ * drawing board
 ^ * (once/one) too often/many/much
+^ * with/has/have/had/avec/a/ont/mit/con (the/a/an/le/un/dem/einem/el) wrong/false/incorrect/opposite/mauvais/faux/falschem/falschen/equivocado
+^ * sign/signe/term/terme/factor/facteur/index/indice/exponent/exposant/vorzeichen/signo/término (…) must/should/ought/doit/devrait/muss/müsste/sollte/debe/debería (to) (be/have/être/avoir/sein/ser) (…) preceded/minus/plus/opposite/other/another/negative/reversed/précédé/moins/opposé/autre/négatif/minus/umgekehrt/opuesto/menos
+^ (…) statt/anstatt/anstelle/instead/lieu/lugar * must/should/doit/devrait/muss/müsste/sollte/gehört/debe
 ^ * counted/added/taken/entered twice
 ^ * went/gone/goes missing
 ^ * must/should/ought/needs/need/has/have (to) (still) (be) (have) (been) exchanged/changed/replaced/swapped/interchanged/switched/reversed/negated/removed/deleted/corrected/subtracted/flipped
 ^ * should/ought (to) (still) (be) (have) (been) multiplied/divided/added/squared/inverted/transposed/omitted/dropped/moved
 ^ * (was/were) (has/have) (been) swapped/interchanged/exchanged/forgotten/overlooked/omitted/mistyped/miscopied
-^ (please) (now) change/correct/reverse/swap/exchange/interchange/flip * . $
+^ (please) (now) change/correct/reverse/swap/exchange/interchange/flip/replace/drop/delete/remove/negate/remplacez/remplacer/changez/inversez/corrigez/supprimez/ersetze/ersetzen/streiche/streichen/sustituya/sustituir/cambie/corrija * . $
+^ check/verify/recheck/re-check this/it again
+to-do/todo/fixme/xxx
+^ * is/are/needs/need/has/have/remains/remain (still) (to) (be) (yet) checked/verified/confirmed/proved/proven/rechecked/double-checked (again) . $
+^ * reste/est/sont (encore) à vérifier/prouver/confirmer/contrôler/démontrer . $
+^ * (noch) zu prüfen/überprüfen/kontrollieren/beweisen . $
+^ * queda/está/falta por/sin verificar/comprobar/demostrar/confirmar . $
+not/n't/pas/nicht/no (…) sure/certain/convinced/sûr/sûre/sûrs/certains/convaincu/sicher/überzeugt/seguro/seguros/convencido
+i/we/nobody (do) (does) not/n't/knows (know) (t) whether/if
+unsure/uncertain/doubtful/douteux/douteuse/fraglich/zweifelhaft/dudoso/dudosa
+^ * (have/has) (been/was/were) left out/off/aside
+^ * not/n't/cannot/never/pas/nicht/no (…) reach/do/obey/satisfy/use/reproduce/explain/confirm/follow/allow/support/supports/believe this/it/that/cela/ça/das/esto/eso . $
+^ this/it/that cannot be ,/right/true/correct/so/the/valid/used
+^ cela/ceci/ce/das/esto ne/n'/no (…) peut/kann/puede (pas/nicht) (être) ,/vrai/exact/juste/correct/richtig/stimmen/cierto
 ^ (please) replace the/a sine/cosine/sign/index/term/factor/exponent
 ^ * doit/doivent/devrait/devraient être remplacé~/changé~/corrigé~/inversé~/interverti~/permuté~/supprimé~/retiré~/soustrait~/échangé~
 ^ * est/sont à (nouveau) (être) corriger/remplacer/changer/inverser/revoir/reprendre/intervertir/supprimer
@@ -163,6 +194,42 @@ DENIED_BEHIND = """
 ^ which/this/that/ce (qui) requires/assumes/presupposes/suppose/erfordert ¤
 """
 DENIED_BEFORE = """
+^ (a/an/the/one/another) (very) common/frequent/classic/usual/typical/widespread misconception~/mistake~/error~/belief * $
+* if/when/where * (is/are/was/were) (simply) forgotten/confused/overlooked/mixed/mistaken/miscounted/neglected/ignored (up/for) (:) $
+* must/should/ought/needs/need/has/have (to) (still) be deleted/removed/struck/corrected/withdrawn/replaced/discarded/ignored (:) $
+* doit/doivent/faut (être) supprimé~/corrigé~/retiré~/remplacé~/ignoré~/supprimer/corriger/retirer (:) $
+* il (ne) faut (surtout/donc) pas/jamais écrire/utiliser/prendre/appliquer/employer/retenir/poser (la/cette/le) (relation/formule/expression) (:) $
+no/zero/without/sans/aucun/keine/sin (obtenir/any) (de/receiving/getting) marks/points/credit/points/punkte/puntos
+students/student/pupils/pupil/groups/group/candidates/étudiants/étudiant/élèves/élève/groupe/candidats/schüler/studenten/studierende/alumnos/estudiantes * wrote/answered/handed/claimed/submitted/concluded/répondu/écrit/conclu/rendu/schrieben/antworteten/abgegeben/escribieron/respondieron
+* si/quand/lorsque * (est/sont) oublié~/confondu~/omis/omise/négligé~ $
+* wenn * vergessen/verwechselt/vertauscht/übersehen (wird/werden/wurde/hat) $
+* si/cuando * (se) olvida/olvidan/confunde/confunden * $
+^ * old/older/previous/earlier/former/first/original/printed/preceding/last/outdated … version/edition/draft/printing/copy/attempt/guess/try/printout/handout * had/has/was/gave/gives/computed/used/read/reads/wrote/contained/contains/showed/states/stated (:) $
+^ * ancienne/première/précédente … version/édition/ébauche/tentative/copie * avait/portait/donnait/donne/contenait/était/indiquait (:) $
+^ * alte/alten/frühere/früheren/erste/ersten … fassung/ausgabe/version/auflage * stand/hatte/enthielt/lautete (:) $
+^ * common/frequent/usual/typical/tempting/naive/hasty/careless/intuitive (but) (…) answer/answers/guess/attempt/try/shortcut/temptation/response
+^ * réponse fréquente/courante/classique/habituelle/tentante/naïve
+^ * häufige/typische/naheliegende antwort
+^ * respuesta frecuente/común/habitual/típica
+^ (…) (exercise/task/problem/exercice/aufgabe/ejercicio) (:) correct/mend/fix/repair/improve/corrigez/corriger/rectifiez/korrigiere/korrigieren/berichtigen/corrija/corregir/corrige (sie) the/this/la/l'/le/die/el (…) equation/formula/expression/line/matrix/relation/result/équation/formule/expression/ligne/relation/gleichung/formel/ecuación/fórmula
+what/where/quelle/où/was/wo/cuál/dónde (…) (is/est/ist/es) (…) the/l'/la/der/el error/mistake/slip/fault/erreur/faute/fehler
+^ * must/should/ought/needs/need/has/have (to) (still) be exchanged/changed/replaced/swapped/interchanged/reversed/negated/removed/deleted/corrected/flipped in (the/following/below/:) (following) (line/equation/formula/expression) (:) $
+^ * doit/doivent/faut (être) (…) remplacé~/changé~/corrigé~/inversé~/interverti~/permuté~/changer/corriger/inverser/remplacer dans (la/l'/cette) (formule/équation/expression/relation/ligne) (suivante) (:) $
+^ * following/next (line/equation/formula/expression/relation/result) (does/do/is/can) not/n't/cannot/never
+^ * ligne/formule/équation/relation suivante/ci-dessous ne/n' … pas/plus
+^ * folgende/siguiente ligne/gleichung/formel/fórmula/ecuación … nicht/no
+contain/contains/enthält/enthalten/contient/contiennent/contiene/contienen (a/an/one/two/some/einen/ein/une/un/deux/des/algún) (…) error/errors/mistake/mistakes/slip/slips/fehler/erreur/erreurs/faute/errores
+^ (…) find/spot/locate/trouver/trouvez/cherchez/finde/finden/suchen/encuentre/busque (sie) the/l'/la/den/der/el/den error/mistake/slip/erreur/faute/fehler
+por/durch/par error/descuido/irrtum/versehen/erreur/mégarde/inadvertance
+démenti~/démentent/refuted/disproved/widerlegt/desmentid~
+^ cross/strike out/through
+^ barrez/rayez/biffez
+nothing/rien/nichts/nada … allows/permet/justifies/justifie/erlaubt/rechtfertigt/permite/justifica * $
+^ (…) nor/ni/noch/neither (…) is/are/does/do/est/ist/es
+(this/that/it) (…) is not (…) the case
+instead/au/anstelle/statt/en of/lieu/des/der/lugar (de/du/del) (the/l'/la/le) correct/right/true/correcte/exacte/bonne/correcta/richtigen
+^ * not/n't/cannot/never/pas/nicht/no (…) obey/satisfy/agree/match/fit/follow/yield/give/respect/fulfil/fulfill/comply/have/reproduce/equal (with) (the/this) (law/relation/formula/equation/rule) (:) $
+^ * ne/n' obéit/vérifie/satisfait/respecte/suit/donne pas (à/la) (loi/relation/formule) (:) $
 * if/when/who/by (you/one/we/they) forget/forgets/forgetting/confuse/confuses/confusing/mix/mixes/mixing * $
 * en oubliant/confondant * $
 * si/quand/lorsqu' on/l' (on) oublie/confond * $
@@ -173,6 +240,18 @@ DENIED_BEFORE = """
 ^ (c') (est) seulement/uniquement/nur/solo/sólo pour/si/quand/für/bei/para/en
 ^ except/excepté/sauf/außer/excepto for/at/if/when/pour/si/bei/für/para
 one/we/you may/need not write
+"""
+NOT_AT_ITS_END = """
+not/never/cannot/~n't/pas/jamais/nicht/kein/keine/nunca (…) $
+no ¤ $
+"""
+POINTS_BELOW = """
+following/below/underneath/suivante/suivant/ci-dessous/ci-après/folgende/folgenden/nachstehende/nachstehenden/siguiente
+"""
+THEN = """
+^ then/alors/dann/entonces/allora/então/so/thus/hence/therefore/donc/also/ainsi/daher/así/luego/dunque/portanto (,) … (:) $
+^ (in) (dans) (en) this/that/such/ce/in/im/ese/tal (a) (diesem) case/cas/fall/caso (,) … (:) $
+^ this/it/cela/das/esto (then) gives/yields/leads/donne/ergibt/liefert/da/resulta … (:) $
 """
 DENYING_HEADING = """
 common/frequent/typical/classic/usual/popular mistake~/error~/slip~/misconception~
@@ -246,6 +325,97 @@ extendido/extendida/estirado/estirada/plegado/plegada
 disteso/distesa/esteso/estesa/ripiegato/ripiegata
 esticado/esticada/estendido/estendida/dobrado/dobrada
 """
+MAY_LIMIT = """
+angle/angles/winkel/ángulo/ángulos/angolo/angoli/ângulo/ângulos/motor/motors/moteur/moteurs/motoren * (is/are/est/sont/ist/sind/es/son) absolute/absolu~/absolut~/assolut~
+measured/counted/taken/reckoned/referred/given/mesuré~/compté~/pris/prise/repéré~/gemessen/gezählt/medido~/medida~/contado~/tomado~/misurat~/contat~/contada~ (with) (respect) from/to/against/with/depuis/à/par/desde/respecto/rapport/gegen/gegenüber/von/zur/zum/dall' (…) horizontal~/vertical~/orizzontal~/vertikal~/ground/floor/sol/suelo/boden/lotrecht~/waagrecht~/waagerecht~/senkrecht~
+horizontal/vertical/ground/floor (line/axis) as/for (the) (a) reference/zero/origin
+prenant/prend/tomando (l'/la/como) horizontal~/vertical~ (comme/como) (référence/origine/referencia)
+zero/home/rest/initial/reference/starting/calibration/parking/transport posture/position/configuration/pose
+position/configuration/posture/pose zéro/nulle/initiale
+position/configuration/posture/pose de repos/référence/départ/transport/calibration
+nullstellung/nulllage/grundstellung/ruhelage/ausgangsstellung/referenzstellung/strecklage
+posición/configuración/postura inicial/cero
+posición/configuración/postura de reposo/referencia/casa
+stretched~/outstretched/extended/straight/folded/retracted (out) position/configuration/posture/pose/elbow
+links/elbow/forearm (…) straight/stretched/outstretched/extended/folded/aligned/collinear/upright
+bras/segments/coude (…) (fully) tendu~/replié~/déplié~/aligné~/droit
+brazo/eslabones/codo (…) extendid~/estirad~/plegad~/alinead~
+at/in/near a/the singular position/configuration/posture/pose
+in/to/into/from/of/dans/vers/du/im/in/en/desde/al the/le/l'/la/el/zum/dem/den/der (¤) second/third/moving/moved/rotating/tool/body/hand/gripper/wrist/elbow/forearm/local/new/own/last/other/deuxième/second/mobile/local/nouveau/outil/zweiten/mitbewegten/bewegten/móvil/segundo/herramienta frame/axes/coordinates/system/koordinatensystem/system/repère/sistema
+repère/sistema/referencial/referencia (qui) mobile/lié/attaché/móvil/ligado/del (segundo/última)
+frame/coordinates/system of/attached (to) (the) first/second/third/last/moving/tool/hand/gripper/elbow/forearm/wrist/end-effector (link)
+frame/axes/coordinates/system that/which turns/turn/moves/move/rotates/rotate (with)
+seen/looked/viewed/observed/vu/vue/vista/visto/gesehen (at) from/by/depuis/desde/par/von
+(first/second/third/other/last/¤) joint~/link/motor/axis/shoulder/elbow/forearm/¤ (¤) (#) (is/are/was/being/be/held/kept/remains/stays/stay/stands) (kept/held) fixed/locked/blocked/clamped/frozen/still/constant/immobile/welded/brake~/switched
+(first/second/third/other/last/¤) joint~/link/motor/axis/shoulder/elbow/forearm/¤ (does/do) not (move/turn/rotate)
+locked/blocked/clamped/frozen/welded/fixed/stationary joint/link/axis/motor/shoulder/elbow/forearm/at
+première/première/deuxième/seconde/dernière/premier/second articulation/liaison/axe/segment/moteur (est/étant/reste) bloqué~/fixe~/fixé~/immobile/figé~/verrouillé~/arrêté~
+articulation/liaison/axe/coude/épaule/segment/moteur (#) (est/étant/reste) bloqué~/fixe/fixé~/immobile/figé~/verrouillé~/arrêté~
+gelenk/achse/glied/motor/ellbogen/schulter (#) … festgehalten/blockiert/fest/gesperrt/verriegelt/stillsteht/arretiert
+festgehaltenem/festem/blockiertem/gesperrtem/arretiertem/stillstehendem gelenk/glied/achse
+articulación/eslabón/eje/codo/hombro (…) bloquead~/fij~/inmóvil/quiet~
+parallelogram~/belt/belts/pulley/pulleys/pantograph/parallélogramme/courroie~/riemen/parallelogramm~/paralelogramo/correa~
+chain drive
+held/kept/set/frozen/put/maintenu~/gehalten/mantenid~ (…) at/to/à/auf/bei/en zero/¤/zéro/null/cero
+link/forearm/segment/glied/eslabón (…) lying/lies/pointing/parallel/perpendicular/lie/along/aligné/aligned
+no longer
+ne/n' * plus la/le/l'/les/de/d'
+acceptable/good/rough/crude/bonne approximation
+close/near/proche/voisin~ to/de zero/zéro/¤
+hypothèse/hypothesis de/working/of (travail) $
+angle/angles/winkel/ángulo/ángulos * to/with/from/against/and/avec/à/par/et/gegen/zur/zum/und/con/desde/de/y (rapport) (the/à/l'/la/le/au/al) ground/horizontal~/vertical~/x-axis/y-axis/sol/boden/suelo
+absoluten/absoluter/absolute/absolus/absolu/absoluto/absolutos/assoluti winkel/angle/angles/ángulo/ángulos/orientation
+angle/angles/winkel/ángulo/ángulos absolu~/absolut~
+von/ab/gegen/zu der/dem/einer horizontal~/vertikal~/waag~/senk~/lot~
+se/wird/werden (…) mide/miden/misst/mesure/mesurent (…) desde/von/ab/depuis
+mesuré~ dans le repère/référentiel fixe/absolu/global
+not/n'/nicht/no (t) (…) denote/mean/stand/represent/désigne/représente/bezeichnet/bedeutet/designa/representa
+symbol/letter/abbreviation/notation/shorthand/symbole/lettre/abréviation/zeichen/abkürzung/símbolo/letra ¤ (here/ici/hier/aquí) (is/means/denotes/stands/désigne/signifie/bezeichnet/steht/designa)
+¤ is/stands (here) short for
+inclination/inclinaison/neigung/inclinación
+(in/to) world/global/room/earth-fixed coordinates/frame/axes
+coordinate system/systems (…) fixed/attached/tied/of (rigidly) (to) (the) link/first/second/body/forearm
+koordinatensystem/bezugssystem/system des/der ersten/zweiten/dritten/gliedes/arms
+auxiliary/auxiliaire/intermediate/intermédiaire/internal/temporary/hilfs~/auxiliar/intermedia quantity/variable/grandeur/value/größe/magnitud
+absolute/absolus/absoluten/absolutos (link/joint) angles/angle/winkel
+encoder~/resolver~/codeur~ (…) deliver/deliver~/give/gives/measure/measures/mesure/mesurent
+base line
+effect/influence/rotation/motion/mass/contribution * (is/are/has/have/was/were) (been) neglected/ignored/disregarded/négligé~
+approché~/approchée~/angenähert~/aproximad~
+à l' arrêt
+formula/equation/relation/formule/équation/elle/cela/this/it suppose/supposes/presupposes/assumes/suppose que/that/¤
+(¤) (which/ici/here) denote/denotes/désigne/désignent/bezeichnet/denota (…) (the/le/la/l'/den/el) cosine/sine/sum/inclination/cosinus/sinus/somme/angle absolu~/kosinus/coseno/seno
+point/place (here/considered/in) (question) (considered) is (not) (the)
+rather/plutôt than/que the/la/le gripper/pince/tool/outil
+conventions/convention … those/that/celles/celle of/de/d' (the) (another/second/other/un/une)
+has no geometric/physical meaning
+for what/which postures/configurations/angles/values
+another/other/different/autre/anderen/anderer/otro/otra/altro/outro point/quantity/body/frame/joint/link/punkt/punktes/grandeur/größe/punto/magnitud
+^ * is/are/est/ist/es (…) valid/exact/true/correct/satisfied/verified/valable/exacte/vraie/vérifiée/gültig/richtig/exakt/válida/exacta/cierta (only/seulement) for/if/when/in/at/where/as/pour/si/quand/lorsque/dans/für/wenn/falls/bei/para/cuando/en
+^ * holds/gilt/vale (only/seulement/nur/solo) for/if/when/in/at/where/as/pour/si/quand/lorsque/dans/für/wenn/falls/bei/para/cuando/en
+^ (…) find/determine/give/compute/state/trouver/trouvez/déterminer/déterminez/donner/donnez/bestimmen/finde/bestimme/hallar/determinar/encontrar … for/pour/für/para which/lesquelles/lesquels/laquelle/lequel/quelles/welche/los/las/qué
+drive/drives/driven/motors/motor/actuators/moteurs/motores (…) (are/is/both) (mounted/placed/sits/sit/stands/stand/fixed) on/in/at/sur/en the/le/la/el base/frame/column/ground/pedestal/socle/bâti
+orientation of (the) second/last/third/forearm/tool/hand/gripper (link) * constant/fixed/kept/same
+keeps/keep/kept (…) (its/the) orientation/direction/horizontal/vertical/level
+after/après/nach/tras/después (a/the/une/un/la/einer/der/una) (first/…) turn/rotation/quarter/shift/translation/displacement/move/drehung/verschiebung/giro/rotación
+base/frame/origin/axes (…) (has/have/is/are/was/were) (been) turned/rotated/shifted/displaced/moved/tilted/inclined/mirrored/flipped by/through/to/about
+(in) (for) the/this (special/…) case (where/in/when/that/of/with) $
+case where/when/that/in (which) % , $
+au cas où
+dans le cas où/d'/de/des/du
+für den/im fall
+en el/caso caso de/que/en
+is/was (only) the case (of/for/where/when/in) (a/the)
+it/here/this is/was/has (been) (here/now/tacitly/implicitly) assumed/supposed/presumed
+other/another/different/second (kind/type/version) (of) arm/robot/manipulator/crane/machine/mechanism/model/design
+autre bras/robot/manipulateur/modèle/mécanisme
+anderen/anderer/andere/zweiten roboter/arm/modell
+otro brazo/robot/modelo
+when/as/if/while/lorsque/quand/si/wenn/während/cuando/mientras only/seule/seul/nur/sólo/solo
+neither/both/all/two joints/links/angles/motors … together/equal/equally/same/simultaneously
+equal/same/identical/opposite angles/speeds/rates
+neglecting/ignoring/disregarding/omitting/leaving/négligeant/ignorant/vernachlässig~/despreciando/ignorando/trascurando/without (out) (of) (the/a/any) (account) first/second/third/last/rotation/motion/movement/offset/angle/turn/contribution/contributions
+"""
 NEARLY = """
 terms … (have) (has) (been/were/are) dropped/omitted/discarded/ignored
 first/second/leading/third/premier/deuxième/erster/zweiter order/ordre/ordnung
@@ -316,6 +486,7 @@ SUPPOSED = """
 suppose/assume/imagine/pretend/supposons/admettons/imaginons/angenommen/supongamos/supponiamo/suponhamos * that/que/dass/che $
 prove/show/verify/montrer/démontrer/montrez/démontrez/prouvez/beweisen/demuestre/dimostrare/demonstrar or/ou/oder/o/u disprove/refute/infirmer/infirmez/réfuter/réfutez/widerlegen/refute/confutare/refutar
 ^ & (or/ou/oder/o) (also/aussi/auch/también) when/whenever/if/for/at/lorsque/lorsqu'/quand/si/pour/wenn/falls/für/cuando/para $
+suppose/assume/supposons/admettons/imaginons (…) that/que/qu' * $
 suppose/supposing/assume/assuming/imagine/pretend/believe/supposons/supposant/admettons/admettant/angenommen/supongamos (,) (by) (contradiction) (for) (a) (the) (sake) (of) (argument) (moment) (now) (that) (que) (par) (l') (absurde) $
 on suppose (que) $
 contradiction , (let) $
@@ -387,6 +558,12 @@ LIMITED_BEHIND = """
 ^ this holds/is for the/a
 """
 
+AT_WORDS = """
+^ & with/for/at/when/if/where/setting/putting/taking/pour/avec/si/quand/lorsque
+"""
+AT_VALUES = """
+^ & with/for/at/when/if/where/setting/substituting/putting/taking/pour/avec/en/si/quand/lorsque/à/für/mit/bei/wenn/para/con/cuando/per/quando (the/both/all/la/le/les/l'/deux/das/dem/el) ¤ * $
+"""
 # -- another point, frame, origin or axis than the tool's in the base
 
 OTHER_POINT = """

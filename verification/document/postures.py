@@ -5,10 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from armproof.verification.document.joint_values import joint_values
 from armproof.verification.document.model import INLINE, Display
 
 _PLACE = r"(?:configuration|position|posture|pose)"
-_ARM = r"(?:arm|links?|segments?|bras|manipulator|robot)"
+_ARM = r"(?:arm|links?|segments?|bras|manipulator|robot|(?:first|second|third|last) joint|elbow|forearm)"
 _LIES = r"(?:straight|vertical(?:e|es)?|verticaux|horizontal(?:e|es)?|horizontaux|aligned|collinear|upright|alignés?|colinéaires)"
 _POSTURE = re.compile(
     rf"\b(?:(?:out)?stretched|(?:fully|completely|entirely) (?:extended|folded|retracted)|full extension|folded|"
@@ -71,6 +72,8 @@ def postures(text: str, line: int, section: str) -> Iterator[Display]:
     plain = " ".join(text.split())
     for found in (*_POSTURE.finditer(plain), *_OF_A_KIND.finditer(plain)):
         yield Display(line, rf"\text{{{found.group()}}}", section=section, opening=INLINE)
+    for latex in joint_values(plain):
+        yield Display(line, latex, section=section, opening=INLINE)
     for found in _RATES.finditer(plain):
         rates = ", ".join(re.findall(_NUMBER, found[1]))
         yield Display(line, rf"\dot q = [{rates}]^T", section=section, opening=INLINE)

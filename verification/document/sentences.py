@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from functools import cache
 
 import armproof.verification.document.phrases as phrases
+from armproof.verification.document.joint_values import joint_values
 from armproof.verification.document.model import INLINE, Display
 from armproof.verification.document.postures import SINGULAR, is_of_singularities
 from armproof.verification.document.strange import is_strange_before, is_strange_behind, strange_words
@@ -17,11 +18,13 @@ from armproof.verification.document.strange import is_strange_before, is_strange
 DENIED_ABOVE, LIMITED_ABOVE = r"\text{denies above}", r"\text{limits above}"  # what a text says of the display above it
 DENIED = r"\text{denies below}"  # and of the one that it leads to
 GENERAL = r"\text{in general}"  # what ends a configuration
+THERE = r"\text{there}"  # what leads to what holds at the values that it gives: "For ¤ and ¤ we get"
 SUPPOSED = r"\text{under a hypothesis}"  # what is supposed, sought, quoted, of another case, or an approximation
 OTHER_POINT = r"\text{of another point}"  # what is no coordinate of the tool in the base
+OTHER_FRAME = r"\text{in another frame}"  # what is none of anything in the base
 # what is not understood of the display above it, or of the one below; the sentence follows
 STRANGE_ABOVE, STRANGE = r"\text{strange above}", r"\text{strange}"
-OF_NEXT = (DENIED, SUPPOSED, OTHER_POINT, STRANGE)  # what is said of one display, and of no configuration
+OF_NEXT = (DENIED, SUPPOSED, OTHER_POINT, OTHER_FRAME, STRANGE)  # what is said of one display, and of no configuration
 
 _GENERAL = re.compile(
     r"\b(?:in general|generally|(?:for|in|at|holds for|true for) (?:all|any|every|each|arbitrary) (?:possible )?(?:joint )?"
@@ -50,6 +53,7 @@ _STOP = re.compile(r"(?<!\\)[.;!?](?=\s+\S)")
 _IS_OVER = re.compile(r"[.!]\W*\Z")
 _LIGHT = frozenset(re.split(r"[/\s]+", phrases.LIGHT.strip()))
 MOST_CHARACTERS = 500  # of a sentence that is read
+_SHORT = 6  # words of one that is heard with the one before it
 _LONGEST_QUOTED = 40  # characters of a formula in one that is quoted
 _MOST = 14  # words before a denial of what stands above it
 _FARTHEST = 10  # and behind one of what stands below
@@ -86,15 +90,21 @@ def said_in_general(text: str, line: int, section: str) -> Iterator[Display]:
 def said_below(text: str, line: int, section: str) -> Iterator[Display]:
     """Yield what the last sentence of a text, formulas and all, says of the display that follows."""
     sentence = _leading(text)
-    words = words_of(sentence)
-    heard = [DENIED] if _denies_before(sentence, words) else []
-    if _supposes(words, _IS_OVER.search(sentence) is not None):
+    words, words_before = words_of(sentence), words_of(_before_leading(text))
+    points_below = hears("POINTS_BELOW", words_before) is not None
+    is_denied = _denies_before(sentence, words) or (points_below and hears("DENIED_BEFORE", f"{words_before}{words}"))
+    heard = [DENIED] if is_denied else []
+    if _supposes(words, _IS_OVER.search(sentence) is not None) or hears("MAY_LIMIT", words_before):
         heard.append(SUPPOSED)
     if is_of_other_place(words):
         heard.append(OTHER_POINT)
+    if hears("OTHER_FRAME", words) and not hears_denied("OTHER_FRAME", words):
+        heard.append(OTHER_FRAME)
     if DENIED not in heard and is_strange_before(_plain(sentence)):
         heard.append(STRANGE + sentence)
     yield from (Display(line, each, section=section, opening=INLINE) for each in heard)
+    if hears("AT_VALUES", words) or (hears("AT_WORDS", words) and any(joint_values(sentence))):
+        yield Display(line, THERE, section=section, opening=INLINE)
     found = _ALTERNATIVES.search(sentence)
     if found is not None and is_of_singularities(sentence[: found.start()].rstrip()):
         yield Display(line, SINGULAR, section=section, opening=INLINE)
@@ -112,13 +122,19 @@ def denies_below(text: str) -> bool:
 
 
 def _denies_behind(words: str) -> bool:
-    return hears("DENIED_BEHIND", words) is not None or _is_error(words) or _denies(words, is_behind=True)
+    return (
+        hears("DENIED_BEHIND", without_harmless(words)) is not None
+        or _is_error(words)
+        or _denies(words, is_behind=True)
+    )
 
 
 def _denies_before(sentence: str, words: str) -> bool:
-    if _IS_OVER.search(sentence) and words.count(" ") > 3:
+    if _IS_OVER.search(sentence) and words.count(" ") > 3 and not hears("POINTS_BELOW", words):
         return False
-    return hears("DENIED_BEFORE", words) is not None or _denies(words)
+    if hears("DENIED_BEFORE", words) or _denies(words):
+        return True
+    return not words.rstrip().endswith((":", ".")) and hears("NOT_AT_ITS_END", without_harmless(words)) is not None
 
 
 def denied_in(latex: str) -> bool:
@@ -178,12 +194,14 @@ def _first_sentence(text: str) -> str:
 
 def _leading(text: str) -> str:
     """Return the last sentence of a text on one line, which leads to what comes next."""
-    return last_sentence(" ".join(text.split()))[-MOST_CHARACTERS:]
+    return _STOP.split(" ".join(text.split()))[-1][-MOST_CHARACTERS:]
 
 
-def last_sentence(text: str) -> str:
-    """Return the last sentence of a text on one line, or part of one behind a semicolon."""
-    return _STOP.split(text)[-1]
+def _before_leading(text: str) -> str:
+    """Return the sentence that a short last one goes on from: "Then we get" says little alone."""
+    *before, last = _STOP.split(" ".join(text.split()))
+    is_short = words_of(last).count(" ") <= _SHORT or hears("THEN", words_of(last))
+    return before[-1][-MOST_CHARACTERS:] if before and is_short else ""
 
 
 def words_of(text: str) -> str:
@@ -228,6 +246,8 @@ def _supposes(words: str, is_over: bool) -> bool:
         return True
     if (hears("NEARLY", words) and not hears_denied("NEARLY", words)) or hears("SPECIAL", words):
         return True
+    if hears("MAY_LIMIT", words):
+        return True
     return not is_over and any(hears(each, words) for each in ("OF_A_PART", "OF_NO_CLAIM"))
 
 
@@ -235,6 +255,8 @@ def _limits(words: str) -> bool:
     """Whether a sentence that goes on from the display above it says when, or how nearly, that holds; or asks whether."""
     is_question = words.endswith("? ") and not hears("OPEN_QUESTION", words)
     if is_question or any(hears(each, words) for each in ("ASKED_BEHIND", "SPECIAL", "SAYS_LIMITS")):
+        return True
+    if hears("MAY_LIMIT", words):
         return True
     is_short, goes_on = words.count(" ") <= 6, words[:1].islower()
     if goes_on and hears("LIMITED_BEHIND", words):

@@ -397,7 +397,8 @@ class Redefinitions:
         name = chain.members[0]
         key = str(bare_key(name))
         about = [outcome for outcome in outcomes if name in outcome.nodes]
-        if about and all(_is_another_meaning(outcome) for outcome in about):
+        is_as_usual = any(outcome.tells(Kind.SECOND_MEANING) for outcome in about)  # and no longer as it was defined
+        if about and (is_as_usual or all(_is_another_meaning(outcome) for outcome in about)):
             return self._with_another_meaning(chain, key, definition, outcomes[0], check)
         for outcome in about:
             sides = [*map(bare, outcome.nodes)]

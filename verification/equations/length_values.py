@@ -39,17 +39,23 @@ def _is_hidden(difference: Scalar, lengths: set[str]) -> bool:
 
 
 def _coefficients(difference: Scalar, lengths: set[str]) -> list[Scalar]:
-    """The coefficients, polynomials in lengths, π and roots of numbers, of the products of all other generators."""
+    """The coefficients, polynomials in lengths, π, roots of numbers and sines of fixed angles, of the products of all other generators."""
     ring = difference.ring
     found: dict[tuple[tuple[Generator, int], ...], Scalar] = {}
     for powers, number in ring.terms(difference.numerator):
-        fixed = {generator for generator in powers if generator[0] in ("sqrt", "pi") or generator[1] in lengths}
+        fixed = {generator for generator in powers if _is_fixed(generator) or generator[1] in lengths}
         rest = tuple(sorted(item for item in powers.items() if item[0] not in fixed))
         term = ring.rational(number)
         for generator in fixed:
             term = term * ring.generator(generator) ** powers[generator]
         found[rest] = found.get(rest, ring.zero) + term
     return [each for each in found.values() if not each.is_zero()]
+
+
+def _is_fixed(generator: Generator) -> bool:
+    """Whether a generator is a number: √2, π, or the sine of a fixed angle, "5*pi/36"."""
+    kind, name = generator
+    return kind in ("sqrt", "pi") or (kind in ("cos", "sin") and (name[0].isdigit() or name.partition("/")[0] == "pi"))
 
 
 def _solved(equation: Scalar, lengths: Mapping[str, float]) -> tuple[str, Fraction] | None:
@@ -66,5 +72,7 @@ def _solved(equation: Scalar, lengths: Mapping[str, float]) -> tuple[str, Fracti
 def _holds_never(equation: Scalar, lengths: Mapping[str, float]) -> bool:
     """Whether no lengths make an equation hold: a number that is not zero, as 1 − √2 is none, or terms of one sign."""
     terms = list(equation.ring.terms(equation.numerator))
+    has_sines = any(kind in ("cos", "sin") for powers, _ in terms for kind, _ in powers)  # which may be negative
     one_sign = len({number > 0 for _, number in terms}) == 1 and all(value >= 0 for value in lengths.values())
+    one_sign = one_sign and not has_sines
     return one_sign or not any(name in lengths for powers, _ in terms for _, name in powers)

@@ -40,7 +40,7 @@ def without_misreading(outcome: Outcome, chain: n.Chain, names: Names, erratum: 
     """
     reason = _rotation_for_pose(outcome, names) or _own_name(chain, names) or _determinant(outcome, names)
     reason = reason or _numbered_twice(chain) or _turned_tool(outcome, names) or _on_both_sides(outcome, names)
-    reason = reason or _function_or_factor(chain) or _of_other_size(chain, names)
+    reason = reason or _function_or_factor(chain) or _power_of_angle(chain) or _of_other_size(chain, names)
     if names.arm is None and not is_closed:
         reason = reason or holds_for_unit_vector(outcome)
         is_open = reason is None and bool(names.reader.spelling.screws)
@@ -157,6 +157,12 @@ def _function_or_factor(chain: n.Chain) -> Finding | None:
     factors = (bare_key(first) for first, behind in pairs if isinstance(behind, n.Group))
     found = next((key for key in factors if key is not None and key in applied), None)
     return say(Kind.FUNCTION_OR_FACTOR, name=found) if found is not None else None
+
+
+def _power_of_angle(chain: n.Chain) -> Finding | None:
+    r"""\sin\theta_2^2: the power behind an angle may be that of its sine."""
+    calls = (each for member in chain.members for each in n.walk(member) if n.is_call(each, "sin", "cos", "tan"))
+    return say(Kind.POWER_OF_ANGLE) if any(isinstance(each.arguments[0], n.Power) for each in calls) else None
 
 
 def _of_degrees(node: n.Node) -> n.Node:

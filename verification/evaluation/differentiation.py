@@ -65,7 +65,7 @@ _JOINT_OR_LENGTH = re.compile(rf"(?:dot )*(?:{_JOINT.pattern}|[lLamgI](?:_\w+)?)
 
 
 def time_derivative(evaluator: Evaluating, node: n.Name) -> Value:
-    """x-dot: a joint rate where x is a joint variable, else the derivative of what x stands for."""
+    """x-dot: a joint rate where x is a joint variable, else the derivative of what x stands for; a length has none."""
     plain = replace(node, dots=0)
     symbol = evaluator.names.known_symbol(plain.key)
     if symbol is not None and _is_variable(evaluator, symbol):
@@ -74,6 +74,8 @@ def time_derivative(evaluator: Evaluating, node: n.Name) -> Value:
             evaluator.names.turn_of(symbol, plain.key),
         )
         return rate * evaluator.algebra.rational(Fraction(sign))
+    if symbol is not None and evaluator.names.arm is not None and symbol in evaluator.names.arm.lengths:
+        raise EvaluationError(say(Kind.RATE_OF_LENGTH, name=plain.key))  # it moves: the arm was not understood
     if evaluator.names.is_free(plain) and plain.key not in evaluator.names.state.definitions:
         evaluator.names.used.add(node.key)
         return evaluator.algebra.symbol(rate_symbol(plain.key, node.dots))

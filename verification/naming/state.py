@@ -103,6 +103,7 @@ class Told:
         bounds: where it says that something is positive, or larger than something else, or in an interval.
         kind: of which joints it speaks alone, "revolute" or "prismatic".
         line: of the display behind it.
+        is_direct: whether the display follows from them in the sentence that leads to it: "For ¤ and ¤ we get".
         is_over: whether the conditions are those of a configuration that the text ends: "In general,".
         section, holds_below: under which heading it says so, and whether it holds under those below it: of lengths alone.
     """
@@ -118,6 +119,7 @@ class Told:
     line: int = 0
     section: str = ""
     holds_below: bool = False
+    is_direct: bool = False
     is_over: bool = False
 
     @property

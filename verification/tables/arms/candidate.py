@@ -92,6 +92,12 @@ class Candidate:
         return max((k for k in used if k > self.last or (fixed and k > 0 and k not in self.indices)), default=0)
 
     @property
+    def lengths(self) -> set[str]:
+        """The letters of its lengths, none of which moves."""
+        entries = (row[column] for row in self.rows for column in ("a", "d"))
+        return {letter for entry in entries for letter in _SYMBOL.findall(entry)} - {*self.joints}
+
+    @property
     def is_numeric(self) -> bool:
         """Whether its lengths are numbers."""
         entries = [row[column] for row in self.rows for column in ("a", "d")]

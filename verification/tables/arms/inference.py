@@ -33,6 +33,7 @@ from armproof.verification.verdict import TakenArm
 
 _NUMBER = re.compile(r"(?<![\d._{])[1-9]\d*(?:\.\d+)?(?![\d.])")
 _AT_REST = re.compile(r"\\dot\s*\{?\s*\\?(?:theta|q)\s*_\s*\{?\d+[\s}]*=\s*0(?![\d.])")  # of what does not move
+_RATE = re.compile(r"\\d{1,2}ot\s*\{?\s*([A-Za-z])\s*\}?\s*_\s*\{?\s*(\w+)")
 _INDEXED = re.compile(r"(?:theta|(?<![A-Za-z])[qcsCS])\s*_\s*\{?\s*(\d+)(?!\d|\s*\\times)")
 
 
@@ -142,6 +143,11 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     told = told_variables(document, plain_names(document))
     found = [in_variables(candidate, told) for candidate in found] if told else found
     line = found[0].line
+    moving = rates_in(document.displays)
+    if moved := next((letter for each in found for letter in sorted(each.lengths & moving)), None):
+        found = [each for each in found if each.lengths.isdisjoint(moving)]
+        if not found:
+            return Inference(document, None, say(Kind.LENGTH_MOVES, name=moved), line)
     more, count = found[0].lacks(joints_used(document.displays)), sum(map(bool, found[0].joints))
     missing = say(Kind.JOINTS_MISSING, count=count, index=more)
     is_told = bool(found[0].told_by)
@@ -205,6 +211,12 @@ def joints_used(displays: Iterable[Display]) -> set[int]:
     """Return the indices of joint variables in displays, as in θ_3 or c_{23}; a rate that is zero is that of none."""
     texts = (_AT_REST.sub("", normalise_unicode(d.latex)) for d in displays if not (d.erratum or d.denied))
     return {int(digit) for text in texts for part in _INDEXED.findall(text) for digit in part}
+
+
+def rates_in(displays: Iterable[Display]) -> set[str]:
+    r"""Return the letters whose rates stand in displays: d_2 of \dot{d}_2."""
+    texts = (normalise_unicode(d.latex) for d in displays if not (d.erratum or d.denied))
+    return {f"{base}_{index}" for text in texts for base, index in _RATE.findall(text)}
 
 
 def _stated(document: Document) -> tuple[str, ...]:
