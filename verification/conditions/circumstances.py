@@ -12,6 +12,7 @@ from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.implication import Implication
+from armproof.verification.conditions.postures import vanish_at_quarter_turns
 from armproof.verification.document.heading import sections_around
 from armproof.verification.document.other_meanings import ALL, BEHIND, JACOBIAN
 from armproof.verification.document.postures import SINGULAR, kind_of_joints
@@ -210,7 +211,7 @@ class Circumstances:
             with suppress(ReadError, RecursionError):
                 found = [each for each in self.names.reader.read(latex) if isinstance(each, n.Chain)]
                 conditions += [condition for chain in found for condition in self._conditions(chain)]
-                if not found and self._stands_still(outcome):
+                if not found and self._may_hold_there(outcome):
                     return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
         if conditions and self._follows(conditions, outcome):
             return outcome.left_open(say(Kind.HOLDS_AS_BEHIND))
@@ -307,7 +308,7 @@ class Circumstances:
             return outcome.left_open(say(Kind.HOLDS_AS_TOLD))
         if self.names.arm is None and told.conditions and any(map(bare_key, outcome.nodes)):
             return outcome.left_open(say(Kind.OTHER_AS_TOLD))  # what a name is, or is there: either may hold the slip
-        if told.in_words and self._stands_still(outcome):
+        if told.in_words and self._may_hold_there(outcome):
             return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
         if told.bounds and any(map(_has_a_sign, (outcome.true.node, outcome.printed.node))):
             return self._within(told.bounds, outcome)
@@ -444,13 +445,16 @@ class Circumstances:
         implication = Implication("⇒", [[*conditions]], [[claim]])
         return check_implication(self.checker, implication, 1)[0].verdict is not Verdict.REFUTED
 
-    def _stands_still(self, outcome: Outcome) -> bool:
-        """Whether one side moves with joints that the other side does not hold."""
+    def _may_hold_there(self, outcome: Outcome) -> bool:
+        """Whether an equation may hold in a posture that words name: a joint moves one side alone, or both agree at quarter turns."""
         if outcome.pair is None:
             return False
-        sides = (outcome.pair.true, outcome.pair.printed)
-        one, other = (symbols_in(side.cells) & set(self.given.joints) for side in sides)
-        return one != other
+        true, printed = outcome.pair.true.cells, outcome.pair.printed.cells
+        if symbols_in(true) & set(self.given.joints) != symbols_in(printed) & set(self.given.joints):
+            return True
+        joints = self.names.arm.joints if self.names.arm is not None else ()
+        differences = [a - b for a, b in zip(true, printed, strict=True)]
+        return vanish_at_quarter_turns(self.checker.exact, joints, differences)
 
     def _postures(self, condition: n.Chain) -> tuple[n.Chain, ...]:
         """Return the two values of a joint whose sine or cosine a condition says to be 0, if it says so."""

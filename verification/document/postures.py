@@ -10,15 +10,22 @@ from armproof.verification.document.model import INLINE, Display
 _PLACE = r"(?:configuration|position|posture|pose)"
 _ARM = r"(?:arm|links?|segments?|bras|manipulator|robot)"
 _LIES = r"(?:straight|vertical(?:e|es)?|verticaux|horizontal(?:e|es)?|horizontaux|aligned|collinear|upright|alignés?|colinéaires)"
+_BENT = r"(?:elbow|shoulder|wrist|joints?|coude|épaule|poignet|articulations?)(?: (?!axe?s\b|axis)\w+){0,3} (?:at|to|by|à|de|makes?|forms?|fait|forme)"
+_AN_ANGLE = r"(?:-?\d+(?:\.\d+)? ?(?:°|degrees|degrés)|(?:an? |un )?(?:right angles?|angle droit))"
+_BENT_TO = re.compile(rf"\b{_BENT}\s+\Z", re.IGNORECASE)
+_DEGREES = re.compile(r"(?:\$`?|\\\(|:math:`)\s*-?\d+(?:\.\d+)?\s*(?:\^\s*\{?\s*\\circ|°)")
 _POSTURE = re.compile(
     rf"\b(?:(?:out)?stretched|(?:fully|completely|entirely) (?:extended|folded|retracted)|full extension|folded|"
     rf"(?:zero|home|rest|initial|reference|singular|upright|vertical|horizontal) {_PLACE}|at the origin|straight {_ARM}|"
-    rf"{_ARM}(?: (?:is|are|being|est|sont|étant))? {_LIES}|tendue?s?|en extension|repliée?s?|dépliée?s?|à l['’]origine|"
+    rf"(?:{_ARM}|elbow|coude)(?: (?:is|are|being|est|sont|étant))? {_LIES}|tendue?s?|en extension|repliée?s?|dépliée?s?|à l['’]origine|"
     rf"{_PLACE} (?:zéro|nulle|initiale|singulière|de repos|de référence|verticale|horizontale)|"
-    r"(?:vanish(?:es)?|s['’]annule(?:nt)?|est nul(?:le)?) (?:when|if|iff|for|at|pour|si|quand|lorsque|ssi))\b",
+    r"(?:vanish(?:es)?|s['’]annule(?:nt)?|est nul(?:le)?) (?:when|if|iff|for|at|pour|si|quand|lorsque|ssi))\b"
+    rf"|\b{_BENT} {_AN_ANGLE}"
+    rf"|\b(?:first|second|third|last|upper|lower|premier|deuxième|troisième|dernier) {_ARM}(?: (?:is|lies|lying|points|pointing|est|étant))? (?:along|parallel to|le long de|parallèle à)\b",
     re.IGNORECASE,
 )
 
+FARTHEST = 60  # characters of the words that lead to an angle
 SINGULAR = r"\text{singular}"  # what is said right before the conditions of singularities
 _OF_ARM = rf"(?: (?:of|du|del|de la) (?:the |this |a )?(?:planar |two-link )?(?:{_ARM}|Jacobian|mechanism|jacobienne))?"
 _JACOBIAN = r"(?:Jacobian|jacobienne|jacobiano|Jacobi-Matrix)"
@@ -76,6 +83,12 @@ def postures(text: str, line: int, section: str) -> Iterator[Display]:
         yield Display(line, rf"\dot q = [{rates}]^T", section=section, opening=INLINE)
     if is_of_singularities(re.split(r"[.;:!?](?=\s+\S)", plain)[-1]):
         yield Display(line, SINGULAR, section=section, opening=INLINE)
+
+
+def bent_to(text: str, at: int) -> str | None:
+    """Return the words for a posture that lead to an angle in degrees at a place, "with the elbow at $90^\\circ$"; None elsewhere."""
+    found = _BENT_TO.search(text, max(0, at - FARTHEST), at)
+    return rf"\text{{{found.group().strip()}}}" if found is not None and _DEGREES.match(text, at) else None
 
 
 def is_of_singularities(sentence: str) -> bool:
