@@ -82,7 +82,8 @@ avoid~/prevent~/remedy/without/éviter/évite~/sans/vermeide~/evitar (…) mista
 false/wrong position/ground/side/way/hand
 right inverse/angle/angles/side/hand/triangle
 error metric/norm/signal/measure/model/bound/function
-not/no/nobody/cannot/never/~n'/pas/nul/nulle/nicht/kein/keine/ohne/sans (…) doubt~/deny/denied/denies/dispute~/doute/difficult/difficulty/hard/surprise~/surprising/wonder~/secret/coincidence/accident/pity/forget/forgotten/overlook/hide/ignore/escape~/prevent~/exaggeration/étonn~/surpren~/oublier/hasard/mal/peine/difficile/zweifel~/schwer/schwierig/vergessen/wunder~/mühe/repeat/prove/proof/derive/démontrer/mention/forgotten/obvious/trivial/clear/evident/évident/new/object
+not/no/nobody/cannot/never/~n'/pas/nul/nulle/nicht/kein/keine/ohne/sans (…) doubt~/deny/denied/denies/dispute~/doute/difficult/difficulty/hard/surprise~/surprising/wonder~/secret/coincidence/accident/pity/forget/forgotten/overlook/hide/ignore/escape~/prevent~/exaggeration/étonn~/surpren~/oublier/hasard/mal/peine/difficile/zweifel~/schwer/schwierig/vergessen/wunder~/mühe/repeat/mention/forgotten/obvious/trivial/clear/evident/évident/new/object
+not/without/~n'/pas/nicht/ohne/sans (…) prove/proof/derive/démontrer
 not without reason
 never/nunca/jamais forget/oublier/olvidar
 no/sin es/hay/cabe duda/difícil/extraño
@@ -105,17 +106,33 @@ if/when/whenever/where/for/at/unless/that/to/si/quand/pour/que/lorsque/lorsqu'/d
 """
 DENIED_BEHIND = """
 ^ * ne/n' vaut/vaudra/tient (pas/rien/plus)
-^ * ne/n' est (pas/plus) (valable/vraie/vrai/exacte/exact/correcte) (que)
+^ * ne/n' est (pas/plus) valable/vraie/vrai/exacte/exact/correcte/correct/juste (que)
+^ * n' est pas/plus (du) (tout) (le) cas
+^ * cannot/nobody/never … prove/proved/proven/derive/derived (this/it/that) . $
+^ * no one can/has (ever) prove/proved/proven/derive/derived (this/it/that) . $
 ^ * wrong/false/incorrect/faux/fausse/falsch/falso/falsa/incorrecto/incorrecta/sbagliato/sbagliata/errato/errata/errado/errada (here/ici/hier/aquí/qui/aqui) . $
 ^ * formula/equation/relation/result/expression/it/this (does/do/is) not/n'/never/longer (longer) (t) hold/apply/valid/usable/true
 ^ * gleichung/formel/beziehung (ist/gilt) … nicht/nur
 ^ * drawing board
+^ no/non/nein/nope :/;/!/—
+^ (well) (,) (not/pas/nicht/gar) at/du/tout/überhaupt (à) all/tout/fait/nicht . $
+^ far from it
+^ loin de là
+^ if only . $
+^ would (that) (it/this) (were) (so) . $
+^ here * should/must/ought be
+^ * too few/little . $
+^ ne/n' * utilisez/utilisons/utiliser/copiez/écrivez/retenez pas
+^ (the/quite) opposite/contrary/reverse/converse (is) (the) case/true/so/holds/right
+^ le contraire est
+^ das gegenteil ist
 ^ * (once/one) too often/many/much
 ^ * counted/added/taken/entered twice
 ^ * went/gone/goes missing
 ^ * must/should/ought/needs/need/has/have (to) (still) (be) (have) (been) exchanged/changed/replaced/swapped/interchanged/switched/reversed/negated/removed/deleted/corrected/subtracted/flipped
 ^ * should/ought (to) (still) (be) (have) (been) multiplied/divided/added/squared/inverted/transposed/omitted/dropped/moved
-^ * (was/were) (has/have) (been) swapped/interchanged/exchanged/forgotten/overlooked/omitted/mistyped/miscopied
+^ * was/were/been/got … swapped/interchanged/exchanged/forgotten/overlooked/omitted/mistyped/miscopied
+^ * sign/signs/index/indices/factor/factors/term/terms/angle/angles/letter/letters/length/lengths/row/rows/column/columns/sine/cosine/square swapped/interchanged/exchanged/forgotten/overlooked/omitted/mistyped/miscopied
 ^ (please) (now) change/correct/reverse/swap/exchange/interchange/flip * . $
 ^ (please) replace the/a sine/cosine/sign/index/term/factor/exponent
 ^ * doit/doivent/devrait/devraient être remplacé~/changé~/corrigé~/inversé~/interverti~/permuté~/supprimé~/retiré~/soustrait~/échangé~
@@ -173,6 +190,12 @@ DENIED_BEFORE = """
 ^ (c') (est) seulement/uniquement/nur/solo/sólo pour/si/quand/für/bei/para/en
 ^ except/excepté/sauf/außer/excepto for/at/if/when/pour/si/bei/für/para
 one/we/you may/need not write
+^ (but) (please) avoid/éviter/évitez/évitons (:) (writing) $
+^ (but) (surely/surtout) not/pas/nicht/non/no (like/comme/wie/come/como) this/ceci/cela/ainsi/so/dies/questo/esto (:) $
+by no means (,) $
+^ & (in/auf/en/de/in/em/under) no/keinen/keiner/aucun/aucune/ninguna/ningún/nessun/nessuna/nenhuma way/circumstances/fall/weise/cas/façon/manière/manera/modo/caso (,) $
+opposite/contrary/converse/negation/contraire/réciproque/gegenteil/contrario of/de/von (this) (is) (:) $
+^ (the) claim/assertion/allegation (is/was) (:) (that) $
 """
 DENYING_HEADING = """
 common/frequent/typical/classic/usual/popular mistake~/error~/slip~/misconception~
@@ -320,6 +343,13 @@ suppose/supposing/assume/assuming/imagine/pretend/believe/supposons/supposant/ad
 on suppose (que) $
 contradiction , (let) $
 as a hypothesis
+supposedly/allegedly/purportedly/reportedly (,) $
+^ & (can/could/may/might) it/this/that (really/ever) be that $
+^ & (find/work) out if/whether $
+^ (please) discuss/discutez/diskutieren (:) $
+(you/one/we/students/some/many) may/might/can/could/will/often have read/heard/seen/met (that) $
+^ (the/an/a/our) (last/old/previous/earlier/early/first/printed/original) (year/year') (s) version/solution/edition/draft/handout/sheet/printing * was/had/has/read/reads/gave/says/said (:) $
+^ (many/some/most/other/several/a) (few) books/authors/textbooks/texts/notes/sites/pages have/write/print/give/say (that) (:) $
 if we/one/it had/were
 had/were it/we (found/the) (case) (that) $
 par l' absurde

@@ -48,6 +48,7 @@ _ARGUMENTS = re.compile(  # \begin{frame}<2->[fragile]{Title}, \section{Inverse}
 )
 _STOP = re.compile(r"(?<!\\)[.;!?](?=\s+\S)")
 _IS_OVER = re.compile(r"[.!]\W*\Z")
+_GAP = r"(?<![,:;] )(?:(?!(?:true|right|correct|valid|holds?|vraie?|exacte?|correcte|richtig|wahr) )[^\s,:;.!?]\S* ){0,4}?"  # no comma, no verdict
 _LIGHT = frozenset(re.split(r"[/\s]+", phrases.LIGHT.strip()))
 MOST_CHARACTERS = 500  # of a sentence that is read
 _MOST = 14  # words before a denial of what stands above it
@@ -274,7 +275,7 @@ def _pattern(table: str) -> str:
 
 def _of_word(word: str) -> str:
     special = {
-        "^": r"\A", "$": r"(?:[,:.!?] )*\Z", "…": r"(?:\S+ ){0,4}?", "*": r"(?:[^:;.\s]+ )*?", "%": r"(?:[^:;.\s¤]+ )*?", ",": ", ",
+        "^": r"\A", "$": r"(?:[,:.!?] )*\Z", "…": _GAP, "*": r"(?:[^:;.\s]+ )*?", "%": r"(?:[^:;.\s¤]+ )*?", ",": ", ",
         "&": rf"(?:(?:{'|'.join(phrases.JOINING)}) (?:, )?)*",
     }  # fmt: skip
     if word in special:

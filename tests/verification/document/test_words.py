@@ -50,6 +50,14 @@ def displays(text: str, name: str = "sheet.md") -> tuple[Display, ...]:
         ("$$ a = b $$\n\nThis fails where $s = 0$.", False),
         ("The first guess was wrong. We have\n\n$$ a = b $$", False),
         ("$$ a = b $$\n\nThis is impossible if $a > 1$.", False),
+        ("$$ a = b $$\n\nThis is not so, nobody doubts it.", True),  # "not … doubt" would deny nothing
+        ("$$ a = b $$\n\nNobody doubts that this is so.", False),
+        ("$$ a = b $$\n\nThis does not hold in a new frame.", True),
+        ("$$ a = b $$\n\nThis is not new.", False),
+        ("$$ a = b $$\n\nThis must not be forgotten.", False),
+        ("$$ a = b $$\n\nA sign was forgotten.", True),
+        ("By no means\n\n$$ a = b $$", True),
+        ("By no means easily we find\n\n$$ a = b $$", False),
     ],
 )
 def test_a_display_is_denied_by_the_text_beside_it(text: str, denied: bool, name: str) -> None:
@@ -101,3 +109,16 @@ def test_what_goes_on_from_a_text_denies_no_display(text: str, name: str) -> Non
 def test_a_text_right_behind_a_display_denies_it_in_rst() -> None:
     (display,) = displays(".. math:: a = b\n\nThis is wrong.\n", "sheet.rst")
     assert display.denied
+
+
+@pytest.mark.parametrize(
+    ("text", "posture"),
+    [
+        (r"with the elbow at $90^\circ$", r"\text{elbow at}"),
+        (r"le coude fait un angle de \(90^\circ\)", r"\text{coude fait un angle de}"),
+        (r"with the elbow at $90$", None),
+        (r"the joint axes are at $90^\circ$", None),
+    ],
+)
+def test_an_angle_in_degrees_at_which_a_joint_stands_is_a_posture(text: str, posture: str | None) -> None:
+    assert said_in_words(text, text.index("$" if "$" in text else "\\(")) == posture
