@@ -463,6 +463,16 @@ base is raised/lifted
 stands/mounted on a pedestal
 base est surélevée/relevée
 y-axis … down~/unten/bas/abajo
+x-axis … left/down/downward/downwards/gauche/bas/unten/links/izquierda/abajo
+arm/robot/manipulator/base/bras is/hangs/est (mounted/fixed/suspended/installed) upside down
+arm/robot/manipulator is/hangs (mounted/fixed/suspended) (down) from/on the/a ceiling/wall
+measured/given/expressed in pixels
+image coordinates
+^ * y (axis) points/pointing down~
+origin is/lies (placed/taken) at/in the tip/end of
+base/shoulder is/stands/lies/sits (placed/located) at (a/the) height
+base/shoulder (is) displaced/shifted/offset (by)
+after (a) (the) reflection
 """
 
 # -- angles that are not those of the arm
@@ -475,6 +485,7 @@ absolute (joint) angles/coordinates
 angle/angles/ángulo/ángulos/winkel (¤) (and/et/y/und) (¤) (are/is/est/sont/son/sind) (all) absolu/absolus/absolute/absolut/absoluto/absolutos
 ¤ (and/et) (¤) (are/is/est/sont) (the) (an) (l') absolute/absolus/absolu
 ¤ est l' angle absolu
+second/third/last/elbow/other angle is absolute/absolu
 """
 NOT_RELATIVE = """
 is/are not relative/measured (to/from) the first/previous link
@@ -488,6 +499,11 @@ sens des aiguilles
 im uhrzeigersinn
 sentido horario
 numbered * from the tip/tool/end/gripper/hand
+number/count (the) joints/links/axes from the tip/tool/end/gripper/hand
+numbered/counted (in) backwards/backward/reverse
+roles of (the) sine/sines/cosine/cosines and (the) sine/sines/cosine/cosines (are/is)
+¤ is/denotes/est (the/l') interior/internal/inner/included/intérieur angle
+angle ¤ (is/vanishes) zero/0 when/if * folded
 """
 # -- lengths and columns that are not those of the arm
 
@@ -498,6 +514,9 @@ OTHER_LENGTH = """
 ¤ est la moitié
 twice/double (as) (long) (as) ¤
 double de ¤
+¤ is/denotes/means/est/désigne (the/la/le) total/overall/whole/totale length/reach/longueur
+¤ is/denotes/means/est/désigne (the/la/le) diameter/radius/width/diamètre/rayon/largeur
+¤ is/denotes (being) (counted) measured from (the) shoulder/base
 """
 OTHER_COLUMNS = """
 columns belong to ¤ and ¤

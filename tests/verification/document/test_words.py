@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from armproof.verification.check import check_document
 from armproof.verification.document import Display, parse_document
 from armproof.verification.document.in_words import said_in_words
 from armproof.verification.document.sentences import denied_in
@@ -122,3 +123,24 @@ def test_a_text_right_behind_a_display_denies_it_in_rst() -> None:
 )
 def test_an_angle_in_degrees_at_which_a_joint_stands_is_a_posture(text: str, posture: str | None) -> None:
     assert said_in_words(text, text.index("$" if "$" in text else "\\(")) == posture
+
+
+@pytest.mark.parametrize(
+    ("sentence", "harmless"),
+    [
+        ("The x-axis points down.", "The x-axis points along the first link."),
+        ("The arm is mounted upside down.", "The arm is mounted on a table."),
+        ("The arm hangs from the ceiling.", "The arm reaches for the ceiling."),
+        ("The origin is at the tip of link 1.", "The origin of the base is at joint 1."),
+        ("The second angle is absolute.", "The second angle is relative."),
+        ("We number the joints from the hand.", "We number the joints from the base."),
+        (r"$\theta_2$ is the interior angle at the elbow.", r"$\theta_2$ is the angle at the elbow."),
+        (r"The angle $\theta_2$ is zero when the arm is folded.", r"The determinant is zero when the arm is folded."),
+        ("$l_2$ is the total length.", "$l_1 + l_2$ is the total length."),
+        ("$l_2$ is measured from the shoulder.", "$l_2$ is measured from joint to joint."),
+    ],
+)  # fmt: skip
+def test_what_a_letter_or_a_place_is_otherwise_is_heard_where_the_text_says_it(sentence: str, harmless: str) -> None:
+    page = "---\narm: planar_2r\n---\n{}\n\n$$ x = l_1 c_1 + l_2 c_{{12}} $$\n"
+    found = [check_document(parse_document(Path("a.md"), page.format(each))).equations for each in (sentence, harmless)]
+    assert [record.verdict.value for (record,) in found] == ["unchecked", "proved"]
