@@ -48,6 +48,7 @@ _ARGUMENTS = re.compile(  # \begin{frame}<2->[fragile]{Title}, \section{Inverse}
 )
 _STOP = re.compile(r"(?<!\\)[.;!?](?=\s+\S)")
 _IS_OVER = re.compile(r"[.!]\W*\Z")
+_WORDS_WITHIN = re.compile(r"\\(tag\*?|text(?:rm|bf|it|sf|up|normal)?|mbox)\s*\{([^{}]*)\}")
 _GAP = r"(?<![,:;] )(?:(?!(?:true|right|correct|valid|holds?|vraie?|exacte?|correcte|richtig|wahr) )[^\s,:;.!?]\S* ){0,4}?"  # no comma, no verdict
 _LIGHT = frozenset(re.split(r"[/\s]+", phrases.LIGHT.strip()))
 MOST_CHARACTERS = 500  # of a sentence that is read
@@ -112,10 +113,11 @@ def _denies_before(sentence: str, words: str) -> bool:
 
 
 def denied_in(latex: str) -> bool:
-    """Whether a display denies itself: a tag says that it is wrong, or it is crossed out."""
+    """Whether a display denies itself: words in it, under a brace or in its tag, say that it is wrong, or it is crossed out."""
     if re.search(r"\\[bx]?cancel\s*\{(?:[^{}]|\{[^{}]*\})*=", latex):
         return True
-    return any(denies_within(tag) or "?" in tag for tag in re.findall(r"\\tag\*?\s*\{([^{}]*)\}", latex))
+    words = _WORDS_WITHIN.findall(latex)
+    return any(denies_within(said) or (kind.startswith("tag") and "?" in said) for kind, said in words)
 
 
 def denies_within(text: str) -> bool:

@@ -69,7 +69,10 @@ def test_a_display_is_denied_by_the_text_beside_it(text: str, denied: bool, name
 def test_a_display_denies_itself() -> None:
     assert denied_in(r"a = b \tag{wrong}")
     assert denied_in(r"\cancel{a = b}")
+    assert denied_in(r"\underset{\text{wrong}}{a = b}")
+    assert denied_in(r"a = \underbrace{b}_{\textbf{false!}}")
     assert not denied_in(r"a = b \tag{3.1}")
+    assert not denied_in(r"a = \underbrace{b}_{\text{not trivial}}")
 
 
 @pytest.mark.parametrize("name", ["sheet.md", "sheet.tex"])
