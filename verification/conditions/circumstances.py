@@ -15,7 +15,7 @@ from armproof.verification.conditions.implication import Implication
 from armproof.verification.conditions.postures import vanish_at_quarter_turns
 from armproof.verification.document.heading import sections_around
 from armproof.verification.document.other_meanings import ALL, BEHIND, JACOBIAN
-from armproof.verification.document.postures import SINGULAR, kind_of_joints
+from armproof.verification.document.postures import SINGULAR, THERE, kind_of_joints
 from armproof.verification.document.sentences import GENERAL
 from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
@@ -112,6 +112,7 @@ class Circumstances:
         self.names.state.told = replace(
             before,
             of_singularities=is_last,
+            begins_there=any(THERE in latex for latex in said),
             velocities=tuple(velocities) or before.velocities,
             bounds=tuple(bounds) or before.bounds,
             kind=kind or before.kind,
@@ -211,7 +212,7 @@ class Circumstances:
             with suppress(ReadError, RecursionError):
                 found = [each for each in self.names.reader.read(latex) if isinstance(each, n.Chain)]
                 conditions += [condition for chain in found for condition in self._conditions(chain)]
-                if not found and self._may_hold_there(outcome):
+                if not found and self._may_hold_there(outcome, THERE in latex):
                     return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
         if conditions and self._follows(conditions, outcome):
             return outcome.left_open(say(Kind.HOLDS_AS_BEHIND))
@@ -308,7 +309,7 @@ class Circumstances:
             return outcome.left_open(say(Kind.HOLDS_AS_TOLD))
         if self.names.arm is None and told.conditions and any(map(bare_key, outcome.nodes)):
             return outcome.left_open(say(Kind.OTHER_AS_TOLD))  # what a name is, or is there: either may hold the slip
-        if told.in_words and self._may_hold_there(outcome):
+        if told.in_words and self._may_hold_there(outcome, told.begins_there):
             return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
         if told.bounds and any(map(_has_a_sign, (outcome.true.node, outcome.printed.node))):
             return self._within(told.bounds, outcome)
@@ -445,16 +446,19 @@ class Circumstances:
         implication = Implication("⇒", [[*conditions]], [[claim]])
         return check_implication(self.checker, implication, 1)[0].verdict is not Verdict.REFUTED
 
-    def _may_hold_there(self, outcome: Outcome) -> bool:
-        """Whether an equation may hold in a posture that words name: a joint moves one side alone, or both agree at quarter turns."""
+    def _may_hold_there(self, outcome: Outcome, begins_there: bool) -> bool:
+        """Whether an equation may hold in a posture that words name.
+
+        A joint moves one side alone; or both agree at quarter turns, and the sentence begins with the posture.
+        """
         if outcome.pair is None:
             return False
         true, printed = outcome.pair.true.cells, outcome.pair.printed.cells
         if symbols_in(true) & set(self.given.joints) != symbols_in(printed) & set(self.given.joints):
             return True
         joints = self.names.arm.joints if self.names.arm is not None else ()
-        differences = [a - b for a, b in zip(true, printed, strict=True)]
-        return vanish_at_quarter_turns(self.checker.exact, joints, differences)
+        differences = [a - b for a, b in zip(true, printed, strict=True)] if begins_there else []
+        return begins_there and vanish_at_quarter_turns(self.checker.exact, joints, differences)
 
     def _postures(self, condition: n.Chain) -> tuple[n.Chain, ...]:
         """Return the two values of a joint whose sine or cosine a condition says to be 0, if it says so."""

@@ -86,6 +86,7 @@ not/no/nobody/cannot/never/~n'/pas/nul/nulle/nicht/kein/keine/ohne/sans (…) do
 not/without/~n'/pas/nicht/ohne/sans (…) prove/proof/derive/démontrer
 not without reason
 never/nunca/jamais forget/oublier/olvidar
+nothing/rien (…) neglected/négligé
 no/sin es/hay/cabe duda/difícil/extraño
 cannot but
 """
@@ -103,6 +104,13 @@ esta/este/esto/eso/ecuación/fórmula/lo/cual/pero/está/son/signo/el/questo/ci�
 """
 ELSEWHERE = """
 if/when/whenever/where/for/at/unless/that/to/si/quand/pour/que/lorsque/lorsqu'/de/où/wenn/falls/für/dass/para/cuando
+"""
+ABOVE = """
+formula/formulas/equation/equations/expression/relation/result/line/one above
+above/previous/preceding/last formula/formulas/equation/equations/expression/relation/result/line
+formule/équation/relation/expression/égalité/ligne/résultat ci-dessus/précédente/précédent
+obige/vorige/letzte gleichung/formel/beziehung/ausdruck
+fórmula/ecuación/relación/expresión anterior
 """
 DENIED_BEHIND = """
 ^ * ne/n' vaut/vaudra/tient (pas/rien/plus)

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from functools import cache
 
 import armproof.verification.document.phrases as phrases
+from armproof.verification.document.heading import sections_around
 from armproof.verification.document.model import INLINE, Display
 from armproof.verification.document.postures import SINGULAR, is_of_singularities
 from armproof.verification.document.strange import is_strange_before, is_strange_behind
@@ -60,7 +61,7 @@ def said_above(text: str, line: int, section: str) -> Iterator[Display]:
     """Yield what a text says of the display that it stands right behind."""
     sentence = _first_sentence(text)
     words = words_of(sentence)
-    heard = [DENIED_ABOVE] if _denies_behind(words) else []
+    heard = [DENIED_ABOVE] if _denies_behind(words) or _denies_later(text) else []
     if _limits(words):
         heard.append(LIMITED_ABOVE)
     if DENIED_ABOVE not in heard and is_strange_behind(_plain(sentence)):
@@ -106,6 +107,13 @@ def _denies_behind(words: str) -> bool:
     return hears("DENIED_BEHIND", words) is not None or _is_error(words) or _denies(words, is_behind=True)
 
 
+def _denies_later(text: str) -> bool:
+    """Whether a later sentence of a text denies what stands above it, and says that it is of that: "The formula above is wrong."."""
+    line = " ".join(text.split())[:MOST_CHARACTERS]
+    later = map(words_of, _STOP.split(line)[1:]) if len(line) < MOST_CHARACTERS else ()
+    return any(hears("ABOVE", words) and _denies_behind(words) for words in later)
+
+
 def _denies_before(sentence: str, words: str) -> bool:
     if _IS_OVER.search(sentence) and words.count(" ") > 3:
         return False
@@ -146,6 +154,12 @@ def heading_denies(section: str) -> bool:
     """Whether a heading says that what stands below it is wrong: "A common mistake"."""
     words = words_of(section)
     return hears("DENYING_HEADING", words) is not None or (hears("WRONG", words) is not None and _denies(words))
+
+
+def is_denied_by_headings(section: str) -> bool:
+    """Whether the heading of a section denies what stands below it, or one around it does and its own does not say that it is right."""
+    around = sections_around(section) if hears("TRUE", words_of(section)) is None else ()
+    return any(map(heading_denies, (section, *around)))
 
 
 def is_of_a_case(section: str) -> bool:

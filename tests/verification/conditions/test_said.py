@@ -165,6 +165,8 @@ def test_the_text_tells_of_which_joints_a_law_is(said: str, display: str, verdic
         ("With the first link along the $x$ axis,", "x = l_1 c_1 + l_2 c_2", "unchecked"),
         ("With the first link along the $x$ axis,", "x = l_1 c_1 + l_2 c_2 + l_1", "refuted"),
         ("The position is", "x = l_1 c_1 + l_2 c_2", "refuted"),
+        ("The determinant vanishes when the arm is stretched:", "\\det J = -l_1 l_2 s_2", "refuted"),
+        ("When the arm is stretched, the determinant vanishes:", "\\det J = -l_1 l_2 s_2", "unchecked"),
     ],
 )  # fmt: skip
 def test_what_holds_at_quarter_turns_may_be_meant_of_a_posture_in_words(said: str, display: str, verdict: str) -> None:

@@ -118,7 +118,7 @@ def test_a_text_right_behind_a_display_denies_it_in_rst() -> None:
 @pytest.mark.parametrize(
     ("text", "posture"),
     [
-        (r"with the elbow at $90^\circ$", r"\text{elbow at}"),
+        (r"with the elbow at $90^\circ$", r"\text{there: elbow at}"),
         (r"le coude fait un angle de \(90^\circ\)", r"\text{coude fait un angle de}"),
         (r"with the elbow at $90$", None),
         (r"the joint axes are at $90^\circ$", None),
@@ -147,3 +147,30 @@ def test_what_a_letter_or_a_place_is_otherwise_is_heard_where_the_text_says_it(s
     page = "---\narm: planar_2r\n---\n{}\n\n$$ x = l_1 c_1 + l_2 c_{{12}} $$\n"
     found = [check_document(parse_document(Path("a.md"), page.format(each))).equations for each in (sentence, harmless)]
     assert [record.verdict.value for (record,) in found] == ["unchecked", "proved"]
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "denied"),
+    [
+        ("~~$$ a = b $$~~", "sheet.md", True),
+        ("a~~sum:\n\\[ a = b \\]\nand~~more", "sheet.tex", False),  # blanks
+        ("<del>\n\n$$ a = b $$\n\n</del>", "sheet.md", True),
+        ("<del>text</del>\n\n$$ a = b $$", "sheet.md", False),
+        ("::: {.danger} Wrong\n$$ a = b $$\n:::", "sheet.md", True),
+        ("::: {.tip} Not hard\n$$ a = b $$\n:::", "sheet.md", False),
+        ('<div class="wrong">\n\n$$ a = b $$\n\n</div>', "sheet.md", True),
+        ("<details><summary>A wrong solution</summary>\n\n$$ a = b $$\n\n</details>", "sheet.md", True),
+        ("<details><summary>Solution</summary>\n\n$$ a = b $$\n\n</details>", "sheet.md", False),
+        ("\\begin{wrong}\\[ a = b \\]\\end{wrong}", "sheet.tex", True),
+        ("\\begin{proof}[A wrong one]\n\\[ a = b \\]\n\\end{proof}", "sheet.tex", True),
+        ("\\begin{proof}[A short one]\n\\[ a = b \\]\n\\end{proof}", "sheet.tex", False),
+        ("\\begin{conjecture}\nOf us.\n\\end{conjecture}\n\\[ a = b \\]", "sheet.tex", False),
+        ("# Common mistakes\n\n## First\n\n$$ a = b $$", "sheet.md", True),
+        ("# Common mistakes\n\n## What is right\n\n$$ a = b $$", "sheet.md", False),
+        ("$$ a = b $$\n\nThe arm has two links. The formula above is wrong.", "sheet.md", True),
+        ("$$ a = b $$\n\nThe arm has two links. The formula below is wrong.", "sheet.md", False),
+    ],
+)
+def test_what_is_struck_out_or_in_a_box_that_says_so_is_denied(text: str, name: str, denied: bool) -> None:
+    (display,) = displays(text, name)
+    assert display.denied is denied
