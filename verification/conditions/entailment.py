@@ -18,7 +18,7 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.postures import quarter_turns
 from armproof.verification.conditions.system import Condition, System, Undecided
 from armproof.verification.equations.chain import ChainChecker
-from armproof.verification.errors import EvaluationError
+from armproof.verification.errors import EvaluationError, WhereDefined
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.naming.conventions import reads_as_length
 from armproof.verification.singularities.decomposition import Decomposer, Lengths
@@ -199,9 +199,10 @@ class Entailment:
         angles, symbols = self._named
         joints = [joint for joint in arm.joints if joint.symbol in angles | symbols]
         for values, numbers in quarter_turns(self.checker.exact, joints):
-            holds = any(_holds(system, values) for system in self.premise)
-            if holds and not any(_holds(system, values) for system in self.conclusion):
-                return numbers
+            with WhereDefined():  # tan θ has no value at π/2
+                holds = any(_holds(system, values) for system in self.premise)
+                if holds and not any(_holds(system, values) for system in self.conclusion):
+                    return numbers
         return None
 
 

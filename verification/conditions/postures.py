@@ -10,6 +10,7 @@ from math import pi
 from armproof.models.arm import Joint
 from armproof.verification.algebra.calculus import substitute, symbols_in
 from armproof.verification.algebra.ring import Scalar
+from armproof.verification.errors import WhereDefined
 from armproof.verification.evaluation.exact import ExactAlgebra
 
 MOST_JOINTS = 4  # of which quarter turns are tried
@@ -29,5 +30,8 @@ def quarter_turns(exact: ExactAlgebra, joints: Sequence[Joint]) -> Iterator[tupl
 def vanish_at_quarter_turns(exact: ExactAlgebra, joints: Sequence[Joint], differences: Sequence[Scalar]) -> bool:
     """Whether scalars vanish together in one of these postures of the joints that they hold."""
     moving = [joint for joint in joints if joint.symbol in symbols_in(differences)]
-    postures = quarter_turns(exact, moving)
-    return any(all(substitute(each, values).is_zero() for each in differences) for values, _ in postures)
+    for values, _ in quarter_turns(exact, moving):
+        with WhereDefined():
+            if all(substitute(each, values).is_zero() for each in differences):
+                return True
+    return False
