@@ -5,7 +5,9 @@ Each is raised with a finding, or with a text that is said under the kind of its
 
 from __future__ import annotations
 
+from contextlib import AbstractContextManager
 from pathlib import Path
+from types import TracebackType
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.findings import Finding, Kind, say
@@ -81,6 +83,15 @@ class TooComplex(EvaluationError):
     """A formula exceeds the bounds on terms or time that keep every display under two seconds."""
 
     kind = Kind.MORE_THAN_IS_COMPUTED
+
+
+class WhereDefined(AbstractContextManager[None]):
+    """Leaves its block at what has no value; what takes too long is no answer, and goes on."""
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> bool:
+        return isinstance(error, EvaluationError) and not isinstance(error, TooComplex)
 
 
 class ClusterError(ArmproofError):

@@ -15,7 +15,7 @@ from armproof.verification.findings.finding import write
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.writer import Notation, Writer
 from tests.mutation.place import Place
-from tests.mutation.sites import Site, find_sites, letters_of
+from tests.mutation.sites import Site, are_conditions, find_sites, letters_of
 
 CELLS = 8  # of a display whose slips are tried
 CONSTANT_CELLS = 3
@@ -51,7 +51,7 @@ def mutants_of(place: Place, seed: int = 0) -> Iterator[Mutant]:
     latex = place.display.latex
     statements = place.read(latex)
     sites = find_sites(place, statements)
-    conditions = any(isinstance(s, n.Connective) and s.kind in ("⇔", "if") for s in statements)
+    conditions = are_conditions(statements)
     letters = letters_of(place)
     formulas = [site for site in sites if not _is_constant(site.node)]
     constants = [site for site in sites if _is_constant(site.node)]

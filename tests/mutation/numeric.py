@@ -76,6 +76,8 @@ def compare_conditions(place: Place, a: tuple[n.Node, ...], b: tuple[n.Node, ...
         holds = [_close(*(_values(place, node, algebra)[0] for node in equation)) for equation in (a, b)]
     except (ArmproofError, TypeError, IndexError):
         return Opinion.UNKNOWN
+    if not np.any(holds):  # a relation with lengths is met at no quarter turn: nothing was compared
+        return Opinion.UNKNOWN
     return Opinion.EQUAL if (holds[0] == holds[1]).all() else Opinion.DIFFERENT
 
 

@@ -73,7 +73,9 @@ def chosen_rewrites(place: Place, seed: int = 0, each: int = EACH) -> list[Rewri
 def rewrites_of(place: Place, chance: random.Random) -> Iterator[Rewrite]:
     """Yield one rewrite of each kind that applies, the algebraic ones at two places."""
     latex = place.display.latex
-    sites = find_sites(place, place.read(latex))
+    sites = [
+        site for site in find_sites(place, place.read(latex)) if not n.is_rank(site.node)
+    ]  # k is that of one place
     for kind, rule in RULES.items():
         for _ in range(2):
             for site in chance.sample(sites, len(sites)):

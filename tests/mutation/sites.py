@@ -54,6 +54,13 @@ def find_sites(place: Place, statements: list[n.Statement]) -> list[Site]:
     return sites
 
 
+def are_conditions(statements: list[n.Statement]) -> bool:
+    """Whether a display says where something holds, by ⇔, "if", or ⇒ before a rank: a sign or a factor is no other condition."""
+    kinds = {statement.kind for statement in statements if isinstance(statement, n.Connective)}
+    has_rank = any(n.is_rank(m) for s in statements if isinstance(s, n.Chain) for m in s.members)
+    return not kinds.isdisjoint(("⇔", "if")) or (has_rank and "⇒" in kinds)
+
+
 def _nodes(outcome: Outcome, printed: bool) -> Iterator[n.Node]:
     member = outcome.printed if printed else outcome.true
     if member is not None:

@@ -13,6 +13,7 @@ from armproof.verification.verdict import Verdict
 from tests.mutation.mutants import Mutant, mutants_of
 from tests.mutation.numeric import Opinion, compare, compare_conditions
 from tests.mutation.place import Place, proved_places
+from tests.mutation.sites import are_conditions
 
 REFUTED, IDENTICAL, SURVIVED, FALSE_ALARM = "refuted", "identical", "survived", "refuted though equal"
 
@@ -61,7 +62,7 @@ def _fate(verdict: str, opinion: Opinion) -> str:
 def _second_opinions(place: Place, mutants: list[Mutant]) -> list[Opinion]:
     """Return how each mutant compares with the original numerically."""
     statements = place.read(place.display.latex)
-    implication = any(isinstance(s, n.Connective) and s.kind in ("⇔", "if") for s in statements)
+    implication = are_conditions(statements)
     with place.altered():
         place.outcomes(statements)  # so that names which the display itself defines are known
         return [_second_opinion(place, mutant, implication, statements) for mutant in mutants]

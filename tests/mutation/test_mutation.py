@@ -65,6 +65,13 @@ def test_an_unchanged_display_is_no_mutant() -> None:
     assert trial.fate == sweep.IDENTICAL
 
 
+def test_a_condition_of_a_rank_has_no_slips_of_signs_and_factors() -> None:
+    place = first_place("rx90-001.md", "C_3 = 0 \\Rightarrow")
+    assert {mutant.kind for mutant in mutants_of(place, seed=1)} == {"function", "index"}
+    place = first_place("rx90-001.md", r"\operatorname{rank}\left(\left. J \right|_{\theta_3")
+    assert "sign" in {mutant.kind for mutant in mutants_of(place, seed=1)}
+
+
 def test_an_unreadable_mutant_survives() -> None:
     place = first_place("planar-2r-002.md", r"\det")
     site = find_sites(place, place.read(place.display.latex))[0]

@@ -88,10 +88,11 @@ class Trial:
 
 
 def trials(seed: int, count: int) -> Iterator[Trial]:
-    """Yield documents drawn at random, each sentence about as often."""
+    """Yield documents drawn at random, each sentence about as often, one of each effect first."""
     rng = random.Random(seed)
     drawn = [(group, words) for group in _groups() for words in group["sentences"]]
     rng.shuffle(drawn)
+    drawn = [*{group["effect"]: (group, words) for group, words in drawn}.values(), *drawn]
     for number in range(count):
         group, words = drawn[number % len(drawn)]
         yield _trial(rng, group, words)

@@ -12,11 +12,12 @@ from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.implication import Implication
+from armproof.verification.conditions.postures import vanish_at_quarter_turns
 from armproof.verification.document.heading import sections_around
 from armproof.verification.document.joint_values import in_letters, is_joint_value
 from armproof.verification.document.other_meanings import ALL, BEHIND, JACOBIAN
-from armproof.verification.document.postures import SINGULAR, kind_of_joints
-from armproof.verification.document.sentences import GENERAL, THERE
+from armproof.verification.document.postures import SINGULAR, THERE, kind_of_joints
+from armproof.verification.document.sentences import FROM_VALUES, GENERAL
 from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
@@ -76,7 +77,7 @@ class Circumstances:
         said = tuple(said)
         is_last = said[-1:] == (SINGULAR,)
         for latex in self._in_letters(said):
-            if latex in (SINGULAR, THERE):
+            if latex in (SINGULAR, FROM_VALUES):
                 continue
             if latex == GENERAL:
                 self._end_configuration(line)
@@ -115,10 +116,11 @@ class Circumstances:
         self.names.state.told = replace(
             before,
             of_singularities=is_last,
+            begins_there=any(THERE in latex for latex in said),
             velocities=tuple(velocities) or before.velocities,
             bounds=tuple(bounds) or before.bounds,
             kind=kind or before.kind,
-            is_direct=bool(conditions) and not in_words and THERE in said,
+            is_direct=bool(conditions) and not in_words and FROM_VALUES in said,
             line=line if velocities or is_last else before.line,
         )
         told = self._values(conditions)
@@ -217,11 +219,11 @@ class Circumstances:
         if outcome.verdict is not Verdict.REFUTED or outcome.true is None or outcome.printed is None:
             return outcome
         conditions: list[n.Chain] = []
-        for latex in self._in_letters(each for each in said if each != THERE):
+        for latex in self._in_letters(each for each in said if each != FROM_VALUES):
             with suppress(ReadError, RecursionError):
                 found = [each for each in self.names.reader.read(latex) if isinstance(each, n.Chain)]
                 conditions += [condition for chain in found for condition in self._conditions(chain)]
-                if not found and self._stands_still(outcome):
+                if not found and self._may_hold_there(outcome, THERE in latex):
                     return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
         if conditions and self._follows(conditions, outcome):
             return outcome.left_open(say(Kind.HOLDS_AS_BEHIND))
@@ -318,7 +320,7 @@ class Circumstances:
             return self._proved_there(outcome) or outcome.left_open(say(Kind.HOLDS_AS_TOLD))
         if self.names.arm is None and told.conditions and any(map(bare_key, outcome.nodes)):
             return outcome.left_open(say(Kind.OTHER_AS_TOLD))  # what a name is, or is there: either may hold the slip
-        if told.in_words and self._stands_still(outcome):
+        if told.in_words and self._may_hold_there(outcome, told.begins_there):
             return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
         if told.bounds and any(map(_has_a_sign, (outcome.true.node, outcome.printed.node))):
             return self._within(told.bounds, outcome)
@@ -472,13 +474,19 @@ class Circumstances:
         implication = Implication("⇒", [[*conditions]], [[claim]])
         return check_implication(self.checker, implication, 1)[0].verdict is not Verdict.REFUTED
 
-    def _stands_still(self, outcome: Outcome) -> bool:
-        """Whether one side moves with joints that the other side does not hold."""
+    def _may_hold_there(self, outcome: Outcome, begins_there: bool) -> bool:
+        """Whether an equation may hold in a posture that words name.
+
+        A joint moves one side alone; or both agree at quarter turns, and the sentence begins with the posture.
+        """
         if outcome.pair is None:
             return False
-        sides = (outcome.pair.true, outcome.pair.printed)
-        one, other = (symbols_in(side.cells) & set(self.given.joints) for side in sides)
-        return one != other
+        true, printed = outcome.pair.true.cells, outcome.pair.printed.cells
+        if symbols_in(true) & set(self.given.joints) != symbols_in(printed) & set(self.given.joints):
+            return True
+        joints = self.names.arm.joints if self.names.arm is not None else ()
+        differences = [a - b for a, b in zip(true, printed, strict=True)] if begins_there else []
+        return begins_there and vanish_at_quarter_turns(self.checker.exact, joints, differences)
 
     def _postures(self, condition: n.Chain) -> tuple[n.Chain, ...]:
         """Return the two values of a joint whose sine or cosine a condition says to be 0, if it says so."""

@@ -16,6 +16,8 @@ from armproof.verification.singularities.variety import Variety
 
 TRIED = 32
 CLEARLY = 1e-6  # what an equation must be off at a counterexample, relative to the size of its terms
+WITHOUT_SLOPE = 1e-2  # where a condition has none: a sum of squares is 0 to rounding where what is squared is off by 1e-6, its square by 1e-3
+SLOPE = 1e-3  # what a condition changes by, a radian or a metre on, relative to that size, too
 
 Polynomials = tuple[Polynomial, ...]
 
@@ -50,14 +52,16 @@ class DrawnPoints:
         """
         rng = np.random.default_rng(2019)
         sampler = self._sampler(variety, scale)
-        q = sampler.sample([factor.polynomial for factor in variety.conditions], rng, TRIED)
+        conditions = [factor.polynomial for factor in variety.conditions]
+        q = sampler.sample(conditions, rng, TRIED)
         if not len(q):
             return None
+        least = np.where(_have_slopes(sampler, conditions, q), CLEARLY, WITHOUT_SLOPE)
         off = np.ones(len(q), dtype=bool)
         for excluded in left_out:
-            off &= _clearly_off(sampler, excluded, q)
+            off &= _clearly_off(sampler, excluded, q, least)
         for zero, not_all_zero in conclusion:
-            fails = _clearly_off(sampler, zero, q)
+            fails = _clearly_off(sampler, zero, q, least)
             for excluded in not_all_zero:
                 fails |= (np.abs(sampler.values(excluded, q)) < 1e-12).all(axis=1)
             off &= fails
@@ -84,7 +88,17 @@ class DrawnPoints:
         return sampler
 
 
-def _clearly_off(sampler: Sampler, polynomials: Polynomials, q: np.ndarray) -> np.ndarray:
+def _have_slopes(sampler: Sampler, conditions: Sequence[Polynomial], q: np.ndarray) -> np.ndarray:
+    """Return at which points each condition that holds there changes: it is 0 nowhere else nearby."""
+    moving = [each for each in conditions if sampler.derivatives(each)]
+    if not moving:
+        return np.ones(len(q), dtype=bool)
+    slopes = np.abs(sampler.gradients(moving, q)).max(axis=2)
+    return np.asarray((slopes > SLOPE * sampler.sizes(moving, q)).all(axis=1))
+
+
+def _clearly_off(sampler: Sampler, polynomials: Polynomials, q: np.ndarray, least: np.ndarray) -> np.ndarray:
     if not polynomials:
         return np.zeros(len(q), dtype=bool)
-    return (np.abs(sampler.values(polynomials, q)) > CLEARLY * sampler.sizes(polynomials, q)).any(axis=1)
+    values, sizes = np.abs(sampler.values(polynomials, q)), sampler.sizes(polynomials, q)
+    return np.asarray((values > least[:, None] * sizes).any(axis=1))

@@ -11,15 +11,14 @@ import itertools
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cached_property
-from math import pi
 
 from armproof.verification.algebra.calculus import substitute
 from armproof.verification.algebra.ring import Scalar
+from armproof.verification.conditions.postures import quarter_turns
 from armproof.verification.conditions.system import Condition, System, Undecided
 from armproof.verification.equations.chain import ChainChecker
-from armproof.verification.errors import EvaluationError
+from armproof.verification.errors import EvaluationError, WhereDefined
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.naming.conventions import reads_as_length
 from armproof.verification.singularities.decomposition import Decomposer, Lengths
@@ -30,7 +29,6 @@ from armproof.verification.singularities.writing import write_condition
 
 LONGEST = 120  # characters of the families that are named
 MOST_PRODUCTS = 32
-MOST_QUARTERS = 4  # joints of which quarter turns are tried
 SCALES = (1.0, 4.0, 0.25)  # of the lengths: what holds for an arm of any size is refuted by one
 
 
@@ -198,22 +196,13 @@ class Entailment:
         arm = self.checker.names.arm
         if arm is None:
             return None
-        ring, half_turn = self.checker.exact.ring, self.checker.exact.pi()
         angles, symbols = self._named
         joints = [joint for joint in arm.joints if joint.symbol in angles | symbols]
-        if len(joints) > MOST_QUARTERS:
-            return None
-        quarters = [Fraction(k, 2) for k in (0, 2, 1, -1)]
-        for choice in itertools.product(quarters, repeat=len(joints)):
-            values = {
-                joint.symbol: half_turn * ring.rational(turn) if joint.kind == "revolute" else ring.rational(turn)
-                for joint, turn in zip(joints, choice, strict=True)
-            }
-            holds = any(_holds(system, values) for system in self.premise)
-            if holds and not any(_holds(system, values) for system in self.conclusion):
-                scale = {joint.symbol: pi if joint.kind == "revolute" else 1.0 for joint in joints}
-                pairs = zip(joints, choice, strict=True)
-                return {joint.symbol: float(turn) * scale[joint.symbol] for joint, turn in pairs}
+        for values, numbers in quarter_turns(self.checker.exact, joints):
+            with WhereDefined():  # tan θ has no value at π/2
+                holds = any(_holds(system, values) for system in self.premise)
+                if holds and not any(_holds(system, values) for system in self.conclusion):
+                    return numbers
         return None
 
 

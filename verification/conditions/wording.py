@@ -12,7 +12,7 @@ from armproof.verification.latex.statements import ARROWS
 from armproof.verification.verdict import DECIDED, Role, Verdict
 
 CHANGES = re.compile(
-    r"\b(?:not|never|cannot|no longer|except|unless|only (?:if|for|when|where|at)|otherwise|false|wrong|incorrect|impossible|untrue|invalid|erroneous|fails"
+    r"\b(?:not|never|nowhere|cannot|no longer|except|unless|only (?:if|for|when|where|at)|otherwise|false|wrong|incorrect|impossible|untrue|invalid|erroneous|fails"
     r"|neither|nor|contradicts?|without|instead of|rather than|unlike|exceeds?|differs?|ignor\w+|neglect\w*|approximat\w+|small|up to (?:a|an|the)|(?:first|second) order"
     r"|(?:seulement|uniquement) (?:si|pour|quand|lorsque)|sauf|ne|n'|ni|pas|jamais|faux|fausse|erronée?|incorrecte|inexacte?|non|sinon|sans|au lieu de|plutôt que|néglige\w*"
     r"|petits?|petites?|(?:premier|second) ordre)\b",

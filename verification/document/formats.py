@@ -34,11 +34,12 @@ from armproof.verification.document.sentences import (
     denied_in,
     denies_above,
     denies_below,
-    heading_denies,
+    is_denied_by_headings,
     is_of_a_case,
     words_of,
 )
 from armproof.verification.document.strange import is_in_known_language
+from armproof.verification.document.struck_out import with_struck_out
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
@@ -87,6 +88,8 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
 
         document = with_macros(document)
     document = _with_what_is_said(document)
+    if suffix not in (".ipynb", ".py"):
+        document = with_struck_out(document, text, suffix)
     if any(display.strange for display in document.displays) and not is_in_known_language(
         words_of(text[:_TELLS_LANGUAGE])
     ):
@@ -186,7 +189,7 @@ def _denies_itself(display: Display, is_marked: bool) -> bool:
         return True
     has_words = "\\tag" in display.latex or "cancel" in display.latex or "text" in display.latex
     is_below = bool(display.section) and not is_marked
-    return (has_words and denied_in(display.latex)) or (is_below and heading_denies(display.section))
+    return (has_words and denied_in(display.latex)) or (is_below and is_denied_by_headings(display.section))
 
 
 def _with_what_is_behind(displays: Sequence[Display], behind: Sequence[Sequence[Display]]) -> Iterator[Display]:

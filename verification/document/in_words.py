@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from armproof.verification.document.postures import bent_to
+
 _FORMULA = r"(?:\$`?(?P<{0}>[^$`]{{1,200}})`?\$|\\\((?P<{0}_tex>.{{1,200}}?)\\\)|:math:`(?P<{0}_rst>[^`]{{1,200}})`)"
 _WRITE = re.compile(
     r"\b(?:writ(?:e|ing|ten)|abbreviat(?:e|es|ing|ed)|denot(?:e|es|ing|ed)|use|using|not(?:e|ons|ant)|écri(?:t|vons|vant)|abr[eèé]g(?:e|eons|eant))\s*\Z"
@@ -35,7 +37,9 @@ _ONE_NAME = re.compile(r"\s*\\?[A-Za-z]+(?:\s*_\s*(?:\{[\w\s,]+\}|\\?\w+))?\s*")
 
 
 def said_in_words(text: str, at: int) -> str | None:
-    """Return the equation that words make of the formula that begins at a place and of the next one; None where they make none."""
+    """Return the equation that words make of the formula that begins at a place and of the next one, or the posture of its angle; None where they make none."""
+    if (posture := bent_to(text, at)) is not None:
+        return posture
     if (two := _TWO_SAID.match(text, at)) is not None:
         pairs = [(_formula(two, "name"), _formula(two, "value")), (_formula(two, "other"), _formula(two, "second"))]
         return (

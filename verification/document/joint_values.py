@@ -28,6 +28,11 @@ def joint_values(text: str) -> Iterator[str]:
         yield f"{_BEGIN}{number}}} = " + (rf"{degrees}^\circ" if degrees else "0")
 
 
+def without_joint_values(text: str) -> str:
+    """Return a text with blanks in the place of the values that it gives to joints in words."""
+    return _AT_VALUE.sub(lambda found: " " * len(found.group()), text)
+
+
 def is_joint_value(latex: str) -> bool:
     """Whether what stands between displays is the value of a joint in words."""
     return latex.startswith(_BEGIN)

@@ -14,7 +14,7 @@ from armproof.verification.document.sentences import MOST_CHARACTERS, hears, hea
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
     r"horizontal|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
-    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|numbered|gripper|tool|boden|suelo|inclination|direction of"
+    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from"
 )
 _SENTENCE = re.compile(r"(?:\\[;!]|[^.;!?\n]|[.;!?](?!\s)|\n(?![^\S\n]*\n))+[.;!?]?")
 _SHOWN = re.compile(  # what is no sentence
@@ -32,7 +32,7 @@ _OF_FRAME = re.compile(
 _OF_Q = re.compile(r"(?:\\mathbf\{)?q\}?\s*=\s*\\?(?:left)?(?:[\[(]|\\begin\{[bp]matrix\})(.*)")
 _FORMULA = re.compile(r"\$([^$]*)\$|\\\((.*?)\\\)")
 _PLURAL = re.compile(
-    r"\b(?:angles|both|all|each|every|chaque|rotations?|turns|positi[fv]e?|winkel|ángulos|deux|numbered)\b",
+    r"\b(?:angles|(?:second|third|last|elbow|other) angle|both|all|each|every|chaque|rotations?|turns|positi[fv]e?|winkel|ángulos|deux|number(?:ed)?|roles)\b",
     re.IGNORECASE,
 )
 
@@ -122,8 +122,8 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
     for name in ("OTHER_LENGTH", "SWAPPED"):
         if (half := hears(name, words)) is not None:
             first = words.count("¤", 0, half.start())
-            within = " ".join(formulas[first : first + (1 if name == "OTHER_LENGTH" else 2)])
-            yield from (f"{ALL} {each}" for each in _LETTER.findall(within))
+            within = formulas[first : first + (1 if name == "OTHER_LENGTH" else 2)]
+            yield from (f"{ALL} {each.strip()}" for each in within if _LETTER.fullmatch(each.strip()))
     yield from (
         f"{ALL} {letter}"
         for formula in formulas

@@ -83,9 +83,11 @@ avoid~/prevent~/remedy/without/éviter/évite~/sans/vermeide~/evitar (…) mista
 false/wrong position/ground/side/way/hand
 right inverse/angle/angles/side/hand/triangle
 error metric/norm/signal/measure/model/bound/function
-not/no/nobody/cannot/never/~n'/pas/nul/nulle/nicht/kein/keine/ohne/sans (…) doubt~/deny/denied/denies/dispute~/doute/difficult/difficulty/hard/surprise~/surprising/wonder~/secret/coincidence/accident/pity/forget/forgotten/overlook/hide/ignore/escape~/prevent~/exaggeration/étonn~/surpren~/oublier/hasard/mal/peine/difficile/zweifel~/schwer/schwierig/vergessen/wunder~/mühe/repeat/prove/proof/derive/démontrer/mention/forgotten/obvious/trivial/clear/evident/évident/new/object
+not/no/nobody/cannot/never/~n'/pas/nul/nulle/nicht/kein/keine/ohne/sans (…) doubt~/deny/denied/denies/dispute~/doute/difficult/difficulty/hard/surprise~/surprising/wonder~/secret/coincidence/accident/pity/forget/forgotten/overlook/hide/ignore/escape~/prevent~/exaggeration/étonn~/surpren~/oublier/hasard/mal/peine/difficile/zweifel~/schwer/schwierig/vergessen/wunder~/mühe/repeat/mention/forgotten/obvious/trivial/clear/evident/évident/new/object
+not/without/~n'/pas/nicht/ohne/sans (…) prove/proof/derive/démontrer
 not without reason
 never/nunca/jamais forget/oublier/olvidar
+nothing/rien (…) neglected/négligé
 no/sin es/hay/cabe duda/difícil/extraño
 cannot but
 """
@@ -104,10 +106,20 @@ esta/este/esto/eso/ecuación/fórmula/lo/cual/pero/está/son/signo/el/questo/ci�
 ELSEWHERE = """
 if/when/whenever/where/for/at/unless/that/to/si/quand/pour/que/lorsque/lorsqu'/de/où/wenn/falls/für/dass/para/cuando
 """
+ABOVE = """
+formula/formulas/equation/equations/expression/relation/result/line/one above
+above/previous/preceding/last formula/formulas/equation/equations/expression/relation/result/line
+formule/équation/relation/expression/égalité/ligne/résultat ci-dessus/précédente/précédent
+obige/vorige/letzte gleichung/formel/beziehung/ausdruck
+fórmula/ecuación/relación/expresión anterior
+"""
 DENIED_BEHIND = """
 ^ * ne/n' vaut/vaudra/tient (pas/rien/plus)
-^ * ne/n' est pas/plus (…) valable/vraie/vrai/exacte/exact/correcte/juste/bonne/bon
+^ * ne/n' est pas/plus (…) valable/vraie/vrai/exacte/exact/correcte/correct/juste/bonne/bon
 ^ * ne/n' est (…) (valable/vraie/vrai/exacte/exact/correcte) que
+^ * n' est pas/plus (du) (tout) (le) cas
+^ * cannot/nobody/never … prove/proved/proven/derive/derived (this/it/that) . $
+^ * no one can/has (ever) prove/proved/proven/derive/derived (this/it/that) . $
 ^ * wrong/false/incorrect/faux/fausse/falsch/falso/falsa/incorrecto/incorrecta/sbagliato/sbagliata/errato/errata/errado/errada (here/ici/hier/aquí/qui/aqui) . $
 ^ * formula/equation/relation/result/expression/claim/statement/line/identity/value/it/this/that (…) (does/do/is/can) not/n'/never/longer/cannot (longer) (t) (be) hold/apply/valid/usable/true/agree/match/fit/correspond/work/follow/stand/suffice/used/kept/trusted/right/correct/give/yield/describe/represent/express/reproduce/equal
 ^ * il/résultat/formule/relation/équation/expression/valeur/cela/ceci/ça ne/n' … correspond/convient/marche/suffit/concorde/donne/décrit/représente/exprime/fournit pas/plus
@@ -125,6 +137,18 @@ hay (…) un/unos/algún (…) error/errores
 ^ * erreur/error/mistake/fehler/faute * ? $
 ^ * gleichung/formel/beziehung (ist/gilt) … nicht/nur
 ^ * drawing board
+^ no/non/nein/nope :/;/!/—
+^ (well) (,) (not/pas/nicht/gar) at/du/tout/überhaupt (à) all/tout/fait/nicht . $
+^ far from it
+^ loin de là
+^ if only . $
+^ would (that) (it/this) (were) (so) . $
+^ here * should/must/ought be
+^ * too few/little . $
+^ ne/n' * utilisez/utilisons/utiliser/copiez/écrivez/retenez pas
+^ (the/quite) opposite/contrary/reverse/converse (is) (the) case/true/so/holds/right
+^ le contraire est
+^ das gegenteil ist
 ^ * (once/one) too often/many/much
 ^ * with/has/have/had/avec/a/ont/mit/con (the/a/an/le/un/dem/einem/el) wrong/false/incorrect/opposite/mauvais/faux/falschem/falschen/equivocado
 ^ * sign/signe/term/terme/factor/facteur/index/indice/exponent/exposant/vorzeichen/signo/término (…) must/should/ought/doit/devrait/muss/müsste/sollte/debe/debería (to) (be/have/être/avoir/sein/ser) (…) preceded/minus/plus/opposite/other/another/negative/reversed/précédé/moins/opposé/autre/négatif/minus/umgekehrt/opuesto/menos
@@ -133,7 +157,8 @@ hay (…) un/unos/algún (…) error/errores
 ^ * went/gone/goes missing
 ^ * must/should/ought/needs/need/has/have (to) (still) (be) (have) (been) exchanged/changed/replaced/swapped/interchanged/switched/reversed/negated/removed/deleted/corrected/subtracted/flipped
 ^ * should/ought (to) (still) (be) (have) (been) multiplied/divided/added/squared/inverted/transposed/omitted/dropped/moved
-^ * (was/were) (has/have) (been) swapped/interchanged/exchanged/forgotten/overlooked/omitted/mistyped/miscopied
+^ * was/were/been/got … swapped/interchanged/exchanged/forgotten/overlooked/omitted/mistyped/miscopied
+^ * sign/signs/index/indices/factor/factors/term/terms/angle/angles/letter/letters/length/lengths/row/rows/column/columns/sine/cosine/square swapped/interchanged/exchanged/forgotten/overlooked/omitted/mistyped/miscopied
 ^ (please) (now) change/correct/reverse/swap/exchange/interchange/flip/replace/drop/delete/remove/negate/remplacez/remplacer/changez/inversez/corrigez/supprimez/ersetze/ersetzen/streiche/streichen/sustituya/sustituir/cambie/corrija * . $
 ^ check/verify/recheck/re-check this/it again
 to-do/todo/fixme/xxx
@@ -194,6 +219,7 @@ unsure/uncertain/doubtful/douteux/douteuse/fraglich/zweifelhaft/dudoso/dudosa
 ^ which/this/that/ce (qui) requires/assumes/presupposes/suppose/erfordert ¤
 """
 DENIED_BEFORE = """
+^ falsch/unrichtig/verkehrt wäre/ist es * $
 ^ (a/an/the/one/another) (very) common/frequent/classic/usual/typical/widespread misconception~/mistake~/error~/belief * $
 * if/when/where * (is/are/was/were) (simply) forgotten/confused/overlooked/mixed/mistaken/miscounted/neglected/ignored (up/for) (:) $
 * must/should/ought/needs/need/has/have (to) (still) be deleted/removed/struck/corrected/withdrawn/replaced/discarded/ignored (:) $
@@ -240,6 +266,12 @@ instead/au/anstelle/statt/en of/lieu/des/der/lugar (de/du/del) (the/l'/la/le) co
 ^ (c') (est) seulement/uniquement/nur/solo/sólo pour/si/quand/für/bei/para/en
 ^ except/excepté/sauf/außer/excepto for/at/if/when/pour/si/bei/für/para
 one/we/you may/need not write
+^ (but) (please) avoid/éviter/évitez/évitons (:) (writing) $
+^ (but) (surely/surtout) not/pas/nicht/non/no (like/comme/wie/come/como) this/ceci/cela/ainsi/so/dies/questo/esto (:) $
+by no means (,) $
+^ & (in/auf/en/de/in/em/under) no/keinen/keiner/aucun/aucune/ninguna/ningún/nessun/nessuna/nenhuma way/circumstances/fall/weise/cas/façon/manière/manera/modo/caso (,) $
+opposite/contrary/converse/negation/contraire/réciproque/gegenteil/contrario of/de/von (this) (is) (:) $
+^ (the) claim/assertion/allegation (is/was) (:) (that) $
 """
 NOT_AT_ITS_END = """
 not/never/cannot/~n't/pas/jamais/nicht/kein/keine/nunca (…) $
@@ -491,6 +523,13 @@ suppose/supposing/assume/assuming/imagine/pretend/believe/supposons/supposant/ad
 on suppose (que) $
 contradiction , (let) $
 as a hypothesis
+supposedly/allegedly/purportedly/reportedly (,) $
+^ & (can/could/may/might) it/this/that (really/ever) be that $
+^ & (find/work) out if/whether $
+^ (please) discuss/discutez/diskutieren (:) $
+(you/one/we/students/some/many) may/might/can/could/will/often have read/heard/seen/met (that) $
+^ (the/an/a/our) (last/old/previous/earlier/early/first/printed/original) (year/year') (s) version/solution/edition/draft/handout/sheet/printing * was/had/has/read/reads/gave/says/said (:) $
+^ (many/some/most/other/several/a) (few) books/authors/textbooks/texts/notes/sites/pages have/write/print/give/say (that) (:) $
 if we/one/it had/were
 had/were it/we (found/the) (case) (that) $
 par l' absurde
@@ -610,6 +649,16 @@ base is raised/lifted
 stands/mounted on a pedestal
 base est surélevée/relevée
 y-axis … down~/unten/bas/abajo
+x-axis … left/down/downward/downwards/gauche/bas/unten/links/izquierda/abajo
+arm/robot/manipulator/base/bras is/hangs/est (mounted/fixed/suspended/installed) upside down
+arm/robot/manipulator is/hangs (mounted/fixed/suspended) (down) from/on the/a ceiling/wall
+measured/given/expressed in pixels
+image coordinates
+^ * y (axis) points/pointing down~
+origin is/lies (placed/taken) at/in the tip/end of
+base/shoulder is/stands/lies/sits (placed/located) at (a/the) height
+base/shoulder (is) displaced/shifted/offset (by)
+after (a) (the) reflection
 """
 
 # -- angles that are not those of the arm
@@ -622,6 +671,7 @@ absolute (joint) angles/coordinates
 angle/angles/ángulo/ángulos/winkel (¤) (and/et/y/und) (¤) (are/is/est/sont/son/sind) (all) absolu/absolus/absolute/absolut/absoluto/absolutos
 ¤ (and/et) (¤) (are/is/est/sont) (the) (an) (l') absolute/absolus/absolu
 ¤ est l' angle absolu
+second/third/last/elbow/other angle is absolute/absolu
 """
 NOT_RELATIVE = """
 is/are not relative/measured (to/from) the first/previous link
@@ -635,6 +685,11 @@ sens des aiguilles
 im uhrzeigersinn
 sentido horario
 numbered * from the tip/tool/end/gripper/hand
+number/count (the) joints/links/axes from the tip/tool/end/gripper/hand
+numbered/counted (in) backwards/backward/reverse
+roles of (the) sine/sines/cosine/cosines and (the) sine/sines/cosine/cosines (are/is)
+¤ is/denotes/est (the/l') interior/internal/inner/included/intérieur angle
+angle ¤ (is/vanishes) zero/0 when/if * folded
 """
 # -- lengths and columns that are not those of the arm
 
@@ -645,6 +700,9 @@ OTHER_LENGTH = """
 ¤ est la moitié
 twice/double (as) (long) (as) ¤
 double de ¤
+¤ is/denotes/means/est/désigne (the/la/le) total/overall/whole/totale length/reach/longueur
+¤ is/denotes/means/est/désigne (the/la/le) diameter/radius/width/diamètre/rayon/largeur
+¤ is/denotes (being) (counted) measured from (the) shoulder/base
 """
 OTHER_COLUMNS = """
 columns belong to ¤ and ¤

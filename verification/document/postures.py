@@ -5,21 +5,35 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from armproof.verification.document.joint_values import joint_values
+from armproof.verification.document.joint_values import joint_values, without_joint_values
 from armproof.verification.document.model import INLINE, Display
 
 _PLACE = r"(?:configuration|position|posture|pose)"
 _ARM = r"(?:arm|links?|segments?|bras|manipulator|robot|(?:first|second|third|last) joint|elbow|forearm)"
 _LIES = r"(?:straight|vertical(?:e|es)?|verticaux|horizontal(?:e|es)?|horizontaux|aligned|collinear|upright|alignés?|colinéaires)"
+_BENT = r"(?:elbow|shoulder|wrist|joints?|coude|épaule|poignet|articulations?)(?: (?!axe?s\b|axis)\w+){0,3} (?:at|to|by|à|de|makes?|forms?|fait|forme)"
+_AN_ANGLE = r"(?:-?\d+(?:\.\d+)? ?(?:°|degrees|degrés)|(?:an? |un )?(?:right angles?|angle droit))"
+_BENT_TO = re.compile(rf"\b{_BENT}\s+\Z", re.IGNORECASE)
+_DEGREES = re.compile(r"(?:\$`?|\\\(|:math:`)\s*-?\d+(?:\.\d+)?\s*(?:\^\s*\{?\s*\\circ|°)")
 _POSTURE = re.compile(
     rf"\b(?:(?:out)?stretched|(?:fully|completely|entirely) (?:extended|folded|retracted)|full extension|folded|"
     rf"(?:zero|home|rest|initial|reference|singular|upright|vertical|horizontal) {_PLACE}|at the origin|straight {_ARM}|"
-    rf"{_ARM}(?: (?:is|are|being|est|sont|étant))? {_LIES}|tendue?s?|en extension|repliée?s?|dépliée?s?|à l['’]origine|"
+    rf"(?:boundary|edge|border|limits?|bord|limite|frontière) (?:of|de) (?:the |its |l['’])?(?:workspace|reach|espace)|"
+    rf"(?:{_ARM}|elbow|coude)(?: (?:is|are|being|est|sont|étant))? {_LIES}|tendue?s?|en extension|repliée?s?|dépliée?s?|à l['’]origine|"
     rf"{_PLACE} (?:zéro|nulle|initiale|singulière|de repos|de référence|verticale|horizontale)|"
-    r"(?:vanish(?:es)?|s['’]annule(?:nt)?|est nul(?:le)?) (?:when|if|iff|for|at|pour|si|quand|lorsque|ssi))\b",
+    r"(?:vanish(?:es)?|s['’]annule(?:nt)?|est nul(?:le)?) (?:when|if|iff|for|at|pour|si|quand|lorsque|ssi))\b"
+    rf"|\b{_BENT} {_AN_ANGLE}"
+    rf"|\b(?:first|second|third|last|upper|lower|premier|deuxième|troisième|dernier) {_ARM}(?: (?:is|lies|lying|points|pointing|est|étant))? (?:along|parallel to|le long de|parallèle à)\b",
     re.IGNORECASE,
 )
 
+FARTHEST = 60  # characters of the words that lead to an angle
+THERE = "there: "  # before a posture with which its sentence begins: "With the elbow at 90°,", and not "it vanishes when stretched"
+_BEGINS = re.compile(
+    r"\W*(?:and |but |so |et |mais )?(?:at|on|in|with|for|when|if|à|au|aux|sur|en|dans|avec|pour|quand|lorsque)\b",
+    re.IGNORECASE,
+)
+_STOPS = re.compile(r"[.;:!?]\s")
 SINGULAR = r"\text{singular}"  # what is said right before the conditions of singularities
 _OF_ARM = rf"(?: (?:of|du|del|de la) (?:the |this |a )?(?:planar |two-link )?(?:{_ARM}|Jacobian|mechanism|jacobienne))?"
 _JACOBIAN = r"(?:Jacobian|jacobienne|jacobiano|Jacobi-Matrix)"
@@ -70,8 +84,10 @@ def kind_of_joints(text: str) -> str:
 def postures(text: str, line: int, section: str) -> Iterator[Display]:
     """Yield the words of a text that name a posture, a kind of joints or, at its end, singularities, each as what stands in the text between displays."""
     plain = " ".join(text.split())
-    for found in (*_POSTURE.finditer(plain), *_OF_A_KIND.finditer(plain)):
-        yield Display(line, rf"\text{{{found.group()}}}", section=section, opening=INLINE)
+    rest = without_joint_values(plain)
+    for found in (*_POSTURE.finditer(rest), *_OF_A_KIND.finditer(rest)):
+        there = THERE if _begins_there(plain, found.start()) else ""
+        yield Display(line, rf"\text{{{there}{found.group()}}}", section=section, opening=INLINE)
     for latex in joint_values(plain):
         yield Display(line, latex, section=section, opening=INLINE)
     for found in _RATES.finditer(plain):
@@ -79,6 +95,21 @@ def postures(text: str, line: int, section: str) -> Iterator[Display]:
         yield Display(line, rf"\dot q = [{rates}]^T", section=section, opening=INLINE)
     if is_of_singularities(re.split(r"[.;:!?](?=\s+\S)", plain)[-1]):
         yield Display(line, SINGULAR, section=section, opening=INLINE)
+
+
+def bent_to(text: str, at: int) -> str | None:
+    """Return the words for a posture that lead to an angle in degrees at a place, "with the elbow at $90^\\circ$"; None elsewhere."""
+    found = _BENT_TO.search(text, max(0, at - FARTHEST), at)
+    if found is None or not _DEGREES.match(text, at):
+        return None
+    there = THERE if _begins_there(text, found.start()) else ""
+    return rf"\text{{{there}{found.group().strip()}}}"
+
+
+def _begins_there(text: str, at: int) -> bool:
+    """Whether the sentence in which a posture stands begins with it: at, with, when, …"""
+    stops = [each.end() for each in _STOPS.finditer(text, max(0, at - 3 * FARTHEST), at)]
+    return _BEGINS.match(text, max(stops, default=max(0, at - 3 * FARTHEST))) is not None
 
 
 def is_of_singularities(sentence: str) -> bool:

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from functools import cache
 
 import armproof.verification.document.phrases as phrases
+from armproof.verification.document.heading import sections_around
 from armproof.verification.document.joint_values import joint_values
 from armproof.verification.document.model import INLINE, Display
 from armproof.verification.document.postures import SINGULAR, is_of_singularities
@@ -18,7 +19,7 @@ from armproof.verification.document.strange import is_strange_before, is_strange
 DENIED_ABOVE, LIMITED_ABOVE = r"\text{denies above}", r"\text{limits above}"  # what a text says of the display above it
 DENIED = r"\text{denies below}"  # and of the one that it leads to
 GENERAL = r"\text{in general}"  # what ends a configuration
-THERE = r"\text{there}"  # what leads to what holds at the values that it gives: "For ¤ and ¤ we get"
+FROM_VALUES = r"\text{from values}"  # what leads to what holds at the values that it gives: "For ¤ and ¤ we get"
 SUPPOSED = r"\text{under a hypothesis}"  # what is supposed, sought, quoted, of another case, or an approximation
 OTHER_POINT = r"\text{of another point}"  # what is no coordinate of the tool in the base
 OTHER_FRAME = r"\text{in another frame}"  # what is none of anything in the base
@@ -51,6 +52,8 @@ _ARGUMENTS = re.compile(  # \begin{frame}<2->[fragile]{Title}, \section{Inverse}
 )
 _STOP = re.compile(r"(?<!\\)[.;!?](?=\s+\S)")
 _IS_OVER = re.compile(r"[.!]\W*\Z")
+_WORDS_WITHIN = re.compile(r"\\(tag\*?|text(?:rm|bf|it|sf|up|normal)?|mbox)\s*\{([^{}]*)\}")
+_GAP = r"(?<![,:;] )(?:(?!(?:true|right|correct|valid|holds?|vraie?|exacte?|correcte|richtig|wahr) )[^\s,:;.!?]\S* ){0,4}?"  # no comma, no verdict
 _LIGHT = frozenset(re.split(r"[/\s]+", phrases.LIGHT.strip()))
 MOST_CHARACTERS = 500  # of a sentence that is read
 _SHORT = 6  # words of one that is heard with the one before it
@@ -63,7 +66,7 @@ def said_above(text: str, line: int, section: str) -> Iterator[Display]:
     """Yield what a text says of the display that it stands right behind."""
     sentence = _first_sentence(text)
     words = words_of(sentence)
-    heard = [DENIED_ABOVE] if _denies_behind(words) else []
+    heard = [DENIED_ABOVE] if _denies_behind(words) or _denies_later(text) else []
     if _limits(words):
         heard.append(LIMITED_ABOVE)
     if DENIED_ABOVE not in heard and is_strange_behind(_plain(sentence)):
@@ -104,7 +107,7 @@ def said_below(text: str, line: int, section: str) -> Iterator[Display]:
         heard.append(STRANGE + sentence)
     yield from (Display(line, each, section=section, opening=INLINE) for each in heard)
     if hears("AT_VALUES", words) or (hears("AT_WORDS", words) and any(joint_values(sentence))):
-        yield Display(line, THERE, section=section, opening=INLINE)
+        yield Display(line, FROM_VALUES, section=section, opening=INLINE)
     found = _ALTERNATIVES.search(sentence)
     if found is not None and is_of_singularities(sentence[: found.start()].rstrip()):
         yield Display(line, SINGULAR, section=section, opening=INLINE)
@@ -129,6 +132,13 @@ def _denies_behind(words: str) -> bool:
     )
 
 
+def _denies_later(text: str) -> bool:
+    """Whether a later sentence of a text denies what stands above it, and says that it is of that: "The formula above is wrong."."""
+    line = " ".join(text.split())[:MOST_CHARACTERS]
+    later = map(words_of, _STOP.split(line)[1:]) if len(line) < MOST_CHARACTERS else ()
+    return any(hears("ABOVE", words) and _denies_behind(words) for words in later)
+
+
 def _denies_before(sentence: str, words: str) -> bool:
     if _IS_OVER.search(sentence) and words.count(" ") > 3 and not hears("POINTS_BELOW", words):
         return False
@@ -138,10 +148,11 @@ def _denies_before(sentence: str, words: str) -> bool:
 
 
 def denied_in(latex: str) -> bool:
-    """Whether a display denies itself: a tag says that it is wrong, or it is crossed out."""
+    """Whether a display denies itself: words in it, under a brace or in its tag, say that it is wrong, or it is crossed out."""
     if re.search(r"\\[bx]?cancel\s*\{(?:[^{}]|\{[^{}]*\})*=", latex):
         return True
-    return any(denies_within(tag) or "?" in tag for tag in re.findall(r"\\tag\*?\s*\{([^{}]*)\}", latex))
+    words = _WORDS_WITHIN.findall(latex)
+    return any(denies_within(said) or (kind.startswith("tag") and "?" in said) for kind, said in words)
 
 
 def denies_within(text: str) -> bool:
@@ -170,6 +181,12 @@ def heading_denies(section: str) -> bool:
     """Whether a heading says that what stands below it is wrong: "A common mistake"."""
     words = words_of(section)
     return hears("DENYING_HEADING", words) is not None or (hears("WRONG", words) is not None and _denies(words))
+
+
+def is_denied_by_headings(section: str) -> bool:
+    """Whether the heading of a section denies what stands below it, or one around it does and its own does not say that it is right."""
+    around = sections_around(section) if hears("TRUE", words_of(section)) is None else ()
+    return any(map(heading_denies, (section, *around)))
 
 
 def is_of_a_case(section: str) -> bool:
@@ -307,7 +324,7 @@ def _pattern(table: str) -> str:
 
 def _of_word(word: str) -> str:
     special = {
-        "^": r"\A", "$": r"(?:[,:.!?] )*\Z", "…": r"(?:\S+ ){0,4}?", "*": r"(?:[^:;.\s]+ )*?", "%": r"(?:[^:;.\s¤]+ )*?", ",": ", ",
+        "^": r"\A", "$": r"(?:[,:.!?] )*\Z", "…": _GAP, "*": r"(?:[^:;.\s]+ )*?", "%": r"(?:[^:;.\s¤]+ )*?", ",": ", ",
         "&": rf"(?:(?:{'|'.join(phrases.JOINING)}) (?:, )?)*",
     }  # fmt: skip
     if word in special:

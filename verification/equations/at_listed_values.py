@@ -17,7 +17,7 @@ from armproof.verification.equations.alignment import Pair, angle_places
 from armproof.verification.equations.decimals import roundings
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Members
-from armproof.verification.errors import EvaluationError, ReadError, TooComplex
+from armproof.verification.errors import ReadError, WhereDefined
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.reader import key_as_latex
@@ -179,12 +179,9 @@ class ListedValues:
         used = symbols_in([difference])
         if not used <= values.keys():
             return None
-        try:
+        with WhereDefined():
             return substitute(difference, {name: values[name] for name in used})
-        except TooComplex:
-            raise
-        except EvaluationError:
-            return None
+        return None
 
 
 def holds_at_listed_values(outcome: Outcome) -> bool:

@@ -18,7 +18,7 @@ from armproof.verification.equations.length_values import length_values
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.equations.stated_rates import columns_of_numbers
-from armproof.verification.errors import EvaluationError, NoValue, TooComplex
+from armproof.verification.errors import NoValue, WhereDefined
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
@@ -178,11 +178,10 @@ class StatedValues:
         missing, lengths = names - set(stated), self.names.arm.lengths
         if not missing <= set(lengths):
             return None
-        try:
+        value = None
+        with WhereDefined():
             value = self._at(difference, stated)
-        except TooComplex:
-            raise
-        except EvaluationError:
+        if value is None:
             return None
         missing &= symbols_in([value])  # l_2 cos 90° is none
         if missing and not value.is_zero() and length_values([value], lengths) is not None:
@@ -308,12 +307,9 @@ class StatedValues:
         return replace(outcome, verdict=Verdict.UNCHECKED, findings=(say(Kind.NUMBERS_ROUNDED),), wrong=[])
 
     def _vanish(self, pair: Pair, stated: dict[str, Stated]) -> bool:
-        try:
+        with WhereDefined():
             return all(self._at(each, stated).is_zero() for each in _differences(pair))
-        except TooComplex:
-            raise
-        except EvaluationError:
-            return False
+        return False
 
 
 def is_mostly_right(outcome: Outcome) -> bool:

@@ -35,7 +35,7 @@ from armproof.verification.equations.rates import SPEAKS_OF_RATES, seen_from_fra
 from armproof.verification.equations.readings import column_of_jacobian
 from armproof.verification.equations.sides import Member
 from armproof.verification.equations.spellings import POINTS, Spellings
-from armproof.verification.errors import EvaluationError, ShapeError, TooComplex, UnboundName
+from armproof.verification.errors import EvaluationError, ShapeError, TooComplex, UnboundName, WhereDefined
 from armproof.verification.evaluation.blocks import partition, rows_of_letters, written_rows
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
@@ -352,13 +352,10 @@ class Conventions:
         """Return the readings of both in one shape that differ in the fewest entries, or None."""
         if not (tried.known and other.known):
             return None
-        try:
+        with WhereDefined():
             pairs = list(align(tried.value, other.value, self.members.exact))
-        except TooComplex:
-            raise
-        except EvaluationError:
-            return None
-        return min(pairs, key=lambda pair: len(different_entries(pair, exactly_equal)), default=None)
+            return min(pairs, key=lambda pair: len(different_entries(pair, exactly_equal)), default=None)
+        return None
 
     def _agree(self, tried: Member, other: Member, pair: Pair | None) -> bool:
         if pair is not None and agree_exactly(pair):

@@ -28,7 +28,7 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.second_route import SecondRoute
 from armproof.verification.equations.sides import Member, Members, beyond_size
 from armproof.verification.equations.worked_numbers import holds_as_worked
-from armproof.verification.errors import EvaluationError, TooComplex
+from armproof.verification.errors import EvaluationError, TooComplex, WhereDefined
 from armproof.verification.evaluation.blocks import partition
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.findings import Finding, Kind, finding_of, say
@@ -192,12 +192,8 @@ def _distance(a: Any, b: Any) -> Any:
     """A scalar that vanishes where two agree: the difference, or 1 − cos of it for angles."""
     difference = a - b
     if has_arcs(a) or has_arcs(b):
-        try:
+        with WhereDefined():  # a product with an arc function, a sum of one and a length are no angles
             return 1 - cos_sin(difference)[0]
-        except TooComplex:
-            raise
-        except EvaluationError:  # no angle: a product with an arc function, a sum of one and a length
-            return difference
     return difference
 
 

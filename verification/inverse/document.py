@@ -12,7 +12,7 @@ from armproof.models.errors import ArmproofError, Sentence, together
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.document import Document, read_document
 from armproof.verification.equations.table_angles import LOOSE, TABLE, VARIABLE
-from armproof.verification.errors import DocumentError, EvaluationError, TooComplex
+from armproof.verification.errors import DocumentError, EvaluationError, WhereDefined
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.inverse.branch_graph import BranchGraph
 from armproof.verification.inverse.derivation import Derivation, Step
@@ -108,13 +108,10 @@ def _next_step(resolution: Resolution, joints: list[str]) -> tuple[Step, Any] | 
     formulas = [formula for joint in joints for formula in resolution.derivation.formulas.get(joint, [])]
     for formula in sorted(formulas, key=lambda formula: formula.line):
         known, choice = len(resolution.branching), dict(resolution.choice)
-        try:
+        with WhereDefined():
             return Step(formula.key, formula), resolution.variable(formula)
-        except TooComplex:
-            raise
-        except EvaluationError:
-            del resolution.branching[known:]
-            resolution.choice = choice
+        del resolution.branching[known:]
+        resolution.choice = choice
     return None
 
 

@@ -96,7 +96,7 @@ class Told:
     Attributes:
         conditions: equations that it gives.
         earlier: the values stated before it, that it may leave as they are.
-        in_words: whether it names a posture without an equation.
+        in_words: whether it names a posture without an equation; begins_there: and begins with it.
         of_singularities: whether it ends with "the singularities are".
         velocities: equations that may give how fast the tool moves.
         has_shown: whether an equation holds at the rates that it gives.
@@ -111,6 +111,7 @@ class Told:
     conditions: tuple[n.Chain, ...] = ()
     earlier: tuple[n.Chain, ...] = ()
     in_words: bool = False
+    begins_there: bool = False
     of_singularities: bool = False
     velocities: tuple[n.Chain, ...] = ()
     has_shown: bool = False

@@ -320,3 +320,22 @@ def test_a_cosine_without_an_arm_is_of_the_letter_that_the_document_uses(judge: 
         judge(r"R = \begin{bmatrix} c_1 & -s_1 \\ s_1 & c_1 \end{bmatrix}", premises, arm=None).verdict
         is not Verdict.REFUTED
     )
+
+
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (r"s_2^2 + s_3^2 = 0 \iff s_2 = 0 \text{ and } s_3 = 0", Verdict.UNCHECKED),
+        (r"(1 - c_2)^2 + (1 - c_3)^2 = 0 \Rightarrow s_2 = 0", Verdict.UNCHECKED),
+        (r"s_2 + s_3 = 2 \Rightarrow c_2 = 0", Verdict.UNCHECKED),
+        (r"-(-\det(J J^T)) = 0 \iff s_2 = 0 \text{ and } s_3 = 0", Verdict.UNCHECKED),
+        (r"s_2^2 + s_3^2 = 1 \Rightarrow s_2 = 0", Verdict.REFUTED),
+        (r"s_2^2 - s_3^2 = 0 \iff s_2 = 0 \text{ and } s_3 = 0", Verdict.REFUTED),
+        (r"s_2 + s_3 = 1 \Rightarrow c_2 = c_3", Verdict.REFUTED),
+        (r"\det(J J^T) = 0 \iff s_2 = 0", Verdict.REFUTED),
+    ],
+)
+def test_what_is_zero_to_rounding_beside_its_zeros_refutes_nothing(judge: Judge, latex: str, verdict: Verdict) -> None:
+    """A sum of squares is 0 to rounding also where what is squared is not: det(J Jᵀ) = 0 was said to leave out -7e-6."""
+    arm = {"arm": "planar_3r", "quantities": {"J": {"jacobian": 3, "rows": [1, 2]}}}
+    assert judge(latex, **arm).verdict is verdict

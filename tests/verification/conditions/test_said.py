@@ -152,3 +152,22 @@ def test_the_text_tells_of_which_joints_a_law_is(said: str, display: str, verdic
     rows = "[{a: a_1, alpha: 0, d: 0, theta: theta_1}, {a: a_2, alpha: 0, d: 0, theta: theta_2}, {a: 0, alpha: 0, d: d_3, theta: 0}]"
     text = f"---\narm: {{dh: classic, rows: {rows}}}\n---\n{said}\n\n$$ J_i = {display} $$\n"
     assert [record.verdict.value for record in verify_text(text).equations] == [verdict]
+
+
+@pytest.mark.parametrize(
+    ("said", "display", "verdict"),
+    [
+        ("At the singular configuration,", "\\det J = -l_1 l_2 s_2", "unchecked"),  # there it is so
+        ("At the singular configuration,", "\\det J = l_1 l_2 (1 + s_2)", "refuted"),  # at no quarter turn
+        ("With the elbow at $90^\\circ$,", "x^2 + y^2 = l_1^2 + l_2^2 - 2 l_1 l_2 c_2", "unchecked"),
+        ("Quand le coude fait un angle droit,", "x^2 + y^2 = l_1^2 + l_2^2", "unchecked"),
+        ("With joint axes at right angles to the plane,", "x^2 + y^2 = l_1^2 + l_2^2 - 2 l_1 l_2 c_2", "refuted"),
+        ("With the first link along the $x$ axis,", "x = l_1 c_1 + l_2 c_2", "unchecked"),
+        ("With the first link along the $x$ axis,", "x = l_1 c_1 + l_2 c_2 + l_1", "refuted"),
+        ("The position is", "x = l_1 c_1 + l_2 c_2", "refuted"),
+        ("The determinant vanishes when the arm is stretched:", "\\det J = -l_1 l_2 s_2", "refuted"),
+        ("When the arm is stretched, the determinant vanishes:", "\\det J = -l_1 l_2 s_2", "unchecked"),
+    ],
+)  # fmt: skip
+def test_what_holds_at_quarter_turns_may_be_meant_of_a_posture_in_words(said: str, display: str, verdict: str) -> None:
+    assert verdicts_of(said, "", f"$$ {display} $$") == [verdict]

@@ -69,3 +69,22 @@ def test_a_pose_is_that_of_the_twists_given(screw, x, verdict):
     result = verify_text(HEAD + SCREWS % screw + PRODUCT + POSE % x)
     assert result.equations[-1].verdict.value == verdict
     assert "refuted" not in [record.verdict.value for record in result.equations[:-1]]
+
+
+COLUMN = r"$$ \xi_2' = \begin{bmatrix} L_1 s_1 & -L_1 %s & 0 & 0 & 0 & 1 \end{bmatrix}^T $$"
+SKEW = r"$$ \hat\xi_2 = \begin{bmatrix} 0 & -1 & 0 & 0 \\ 1 & 0 & 0 & %s \\ 0 & 0 & 0 & 0 \\ 0 & 0 & 0 & 0 \end{bmatrix} $$"
+
+
+@pytest.mark.parametrize(
+    ("display", "verdict"),
+    [
+        (COLUMN % "c_1", "proved"),
+        (COLUMN % "c_2", "unchecked"),
+        (SKEW % "-L_1", "proved"),
+        (SKEW % "L_1", "unchecked"),
+    ],
+)
+def test_a_twist_has_its_column_and_its_matrix(display, verdict):
+    twists = r"$$ \xi_1 = (0, 0, 0, 0, 0, 1), \quad \xi_2 = (0, -L_1, 0, 0, 0, 1) $$" "\n"
+    product = r"$$ g(\theta) = e^{\hat\xi_1\theta_1} e^{\hat\xi_2\theta_2} M $$" "\n"
+    assert verify_text(HEAD + twists + product + display).equations[-1].verdict.value == verdict

@@ -1,0 +1,72 @@
+"""What a text strikes out, or puts into a box that says that it is wrong: the displays in there are denied."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import lru_cache
+
+from armproof.verification.document.model import Document
+from armproof.verification.document.sentences import denies_within
+
+MOST = 4000  # characters that are struck out or stand in a box: what is not closed is looked through no further
+_INSIDE = rf".{{0,{MOST}}}?"
+_STRUCK = re.compile(
+    rf"<(?P<tag>del|s|strike)>{_INSIDE}</(?P=tag)>|\\(?:st|sout|xout)\s*\{{{_INSIDE}(?<!\\)\}}(?=\s*(?:\\|\n|\Z))",
+    re.DOTALL,
+)
+_STRUCK_IN_MARKDOWN = re.compile(rf"(?<![~\\])~~(?!~){_INSIDE}(?<![~\\])~~(?!~)", re.DOTALL)
+_OPENS = re.compile(
+    r"\\begin\s*\{(?P<name>[A-Za-z]+)\*?\}(?:\[(?P<option>[^\]\n]*)\])?"
+    r"|<(?P<tag>div|section|aside|p)\s[^>\n]*class\s*=\s*[\"'](?P<class>[^\"'\n]*)[\"'][^>\n]*>"
+    r"|<summary>(?P<summary>[^<\n]*)</summary>|^:::+[ \t]*(?P<words>[^\n]+)$",
+    re.MULTILINE,
+)
+_NO_CLAIM = re.compile(
+    r"(?:counter-?examples?|contre-?exemples?|gegenbeispiele?|contraejemplos?|conjectures?|fallac(?:y|ies))",
+    re.IGNORECASE,
+)
+_IN_MARKDOWN = frozenset([".md", ".qmd", ".rmd", ".markdown"])
+
+
+def with_struck_out(document: Document, text: str, suffix: str) -> Document:
+    """Return a document whose displays know that they are struck out, or stand in a box that denies them."""
+    lines = [*_lines(text, suffix)]
+    if not lines:
+        return document
+    displays = tuple(
+        replace(each, denied=True)
+        if not (each.erratum or each.file) and any(first <= each.line <= last for first, last in lines)
+        else each
+        for each in document.displays
+    )
+    return replace(document, displays=displays)
+
+
+def _lines(text: str, suffix: str) -> Iterator[tuple[int, int]]:
+    """Yield the first and the last line of what is struck out or denied."""
+    found = [*_STRUCK.finditer(text), *(_STRUCK_IN_MARKDOWN.finditer(text) if suffix in _IN_MARKDOWN else ())]
+    places = [each.span() for each in found]
+    places += [(each.start(), _end(each, text)) for each in _OPENS.finditer(text) if _denies(each)]
+    for start, end in places:
+        yield text.count("\n", 0, start) + 1, text.count("\n", 0, end) + 1
+
+
+def _denies(box: re.Match[str]) -> bool:
+    """Whether the name or the title of a box denies what stands in it."""
+    words = " ".join(filter(None, box.group("name", "option", "class", "summary", "words")))
+    return _says_no(re.sub(r"[-_{}:]", " ", words))
+
+
+@lru_cache(maxsize=256)
+def _says_no(words: str) -> bool:
+    return denies_within(words) or _NO_CLAIM.search(words) is not None
+
+
+def _end(box: re.Match[str], text: str) -> int:
+    """Return where a box ends; one that is not closed ends where it begins."""
+    closing = rf"\\end\s*\{{{box['name']}\*?\}}" if box["name"] else rf"</{box['tag']}>" if box["tag"] else None
+    closing = closing or ("</details>" if box["summary"] else r"^:::+[ \t]*$")
+    found = re.compile(closing, re.MULTILINE).search(text, box.end(), box.end() + MOST)
+    return found.end() if found is not None else box.end()
