@@ -150,7 +150,7 @@ hay (…) un/unos/algún (…) error/errores
 ^ le contraire est
 ^ das gegenteil ist
 ^ * (once/one) too often/many/much
-^ * with/has/have/had/avec/a/ont/mit/con (the/a/an/le/un/dem/einem/el) wrong/false/incorrect/opposite/mauvais/faux/falschem/falschen/equivocado
+^ * counted/taken/entered/added/has/have/had/compté/a/ont/hat/gezählt (with/avec/mit) (the/a/an/le/un/dem/einem/el) wrong/false/incorrect/opposite/mauvais/faux/falschem/falschen/equivocado
 ^ * sign/signe/term/terme/factor/facteur/index/indice/exponent/exposant/vorzeichen/signo/término (…) must/should/ought/doit/devrait/muss/müsste/sollte/debe/debería (to) (be/have/être/avoir/sein/ser) (…) preceded/minus/plus/opposite/other/another/negative/reversed/précédé/moins/opposé/autre/négatif/minus/umgekehrt/opuesto/menos
 ^ (…) statt/anstatt/anstelle/instead/lieu/lugar * must/should/doit/devrait/muss/müsste/sollte/gehört/debe
 ^ * counted/added/taken/entered twice
@@ -362,17 +362,10 @@ angle/angles/winkel/ángulo/ángulos/angolo/angoli/ângulo/ângulos/motor/motors
 measured/counted/taken/reckoned/referred/given/mesuré~/compté~/pris/prise/repéré~/gemessen/gezählt/medido~/medida~/contado~/tomado~/misurat~/contat~/contada~ (with) (respect) from/to/against/with/depuis/à/par/desde/respecto/rapport/gegen/gegenüber/von/zur/zum/dall' (…) horizontal~/vertical~/orizzontal~/vertikal~/ground/floor/sol/suelo/boden/lotrecht~/waagrecht~/waagerecht~/senkrecht~
 horizontal/vertical/ground/floor (line/axis) as/for (the) (a) reference/zero/origin
 prenant/prend/tomando (l'/la/como) horizontal~/vertical~ (comme/como) (référence/origine/referencia)
-zero/home/rest/initial/reference/starting/calibration/parking/transport posture/position/configuration/pose
-position/configuration/posture/pose zéro/nulle/initiale
-position/configuration/posture/pose de repos/référence/départ/transport/calibration
 nullstellung/nulllage/grundstellung/ruhelage/ausgangsstellung/referenzstellung/strecklage
 posición/configuración/postura inicial/cero
 posición/configuración/postura de reposo/referencia/casa
-stretched~/outstretched/extended/straight/folded/retracted (out) position/configuration/posture/pose/elbow
-links/elbow/forearm (…) straight/stretched/outstretched/extended/folded/aligned/collinear/upright
-bras/segments/coude (…) (fully) tendu~/replié~/déplié~/aligné~/droit
 brazo/eslabones/codo (…) extendid~/estirad~/plegad~/alinead~
-at/in/near a/the singular position/configuration/posture/pose
 in/to/into/from/of/dans/vers/du/im/in/en/desde/al the/le/l'/la/el/zum/dem/den/der (¤) second/third/moving/moved/rotating/tool/body/hand/gripper/wrist/elbow/forearm/local/new/own/last/other/deuxième/second/mobile/local/nouveau/outil/zweiten/mitbewegten/bewegten/móvil/segundo/herramienta frame/axes/coordinates/system/koordinatensystem/system/repère/sistema
 repère/sistema/referencial/referencia (qui) mobile/lié/attaché/móvil/ligado/del (segundo/última)
 frame/coordinates/system of/attached (to) (the) first/second/third/last/moving/tool/hand/gripper/elbow/forearm/wrist/end-effector (link)
@@ -389,7 +382,6 @@ articulación/eslabón/eje/codo/hombro (…) bloquead~/fij~/inmóvil/quiet~
 parallelogram~/belt/belts/pulley/pulleys/pantograph/parallélogramme/courroie~/riemen/parallelogramm~/paralelogramo/correa~
 chain drive
 held/kept/set/frozen/put/maintenu~/gehalten/mantenid~ (…) at/to/à/auf/bei/en zero/¤/zéro/null/cero
-link/forearm/segment/glied/eslabón (…) lying/lies/pointing/parallel/perpendicular/lie/along/aligné/aligned
 no longer
 ne/n' * plus la/le/l'/les/de/d'
 acceptable/good/rough/crude/bonne approximation

@@ -125,11 +125,7 @@ def denies_below(text: str) -> bool:
 
 
 def _denies_behind(words: str) -> bool:
-    return (
-        hears("DENIED_BEHIND", without_harmless(words)) is not None
-        or _is_error(words)
-        or _denies(words, is_behind=True)
-    )
+    return hears("DENIED_BEHIND", words) is not None or _is_error(words) or _denies(words, is_behind=True)
 
 
 def _denies_later(text: str) -> bool:

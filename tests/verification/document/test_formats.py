@@ -13,6 +13,7 @@ import armproof.course
 from armproof.verification.check import check_document, verify
 from armproof.verification.document import Display, Document, find_documents, parse_document, read_document
 from armproof.verification.document.rewriting import change_of, rewrite
+from armproof.verification.document.sentences import FROM_VALUES
 from armproof.verification.errors import DocumentError
 from armproof.verification.verdict import Verdict
 
@@ -385,7 +386,16 @@ SAID_IN = {
 )
 def test_numbers_are_not_judged_at_values_that_the_text_replaces(suffix: str, said: str, verdict: Verdict) -> None:
     document = parse_document(Path(f"page{suffix}"), SAID_IN[suffix] % (STATED, said, PLACE))
-    assert [display.said for display in document.displays] == [(), (said,) if said != r"\theta_1" else ()]
+    heard = [tuple(each for each in display.said if each != FROM_VALUES) for display in document.displays]
+    assert heard == [(), (said,) if said != r"\theta_1" else ()]
+    assert check_document(document).equations[-1].verdict is verdict
+
+
+@pytest.mark.parametrize("suffix", [".md", ".tex", ".rst"])
+@pytest.mark.parametrize(("claim", "verdict"), [("l_1 l_2", Verdict.PROVED), ("l_1^2", Verdict.REFUTED)])
+def test_what_holds_at_values_that_lead_to_it_is_proved(suffix: str, claim: str, verdict: Verdict) -> None:
+    said = r"\theta_2 = \frac{\pi}{2}"
+    document = parse_document(Path(f"page{suffix}"), SAID_IN[suffix] % (r"s_{12} = s_{12}", said, rf"\det J = {claim}"))
     assert check_document(document).equations[-1].verdict is verdict
 
 
@@ -393,7 +403,6 @@ def test_numbers_are_not_judged_at_values_that_the_text_replaces(suffix: str, sa
 @pytest.mark.parametrize(
     ("said", "claim", "verdict"),
     [
-        (r"\theta_2 = \frac{\pi}{2}", r"\det J = l_1 l_2", Verdict.UNCHECKED),
         (r"\theta_2 = \frac{\pi}{2}", r"\det J = -l_1 l_2", Verdict.REFUTED),
         (r"\theta_2 = 0", r"\det J = l_1 l_2", Verdict.REFUTED),
         (r"P_x = 0.5", r"\det J = l_1 l_2", Verdict.REFUTED),
