@@ -10,6 +10,7 @@ from armproof.verification.equations.decimals import UNITS, fewest_decimals, rou
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Members
 from armproof.verification.errors import EvaluationError
+from armproof.verification.evaluation.blocks import written_rows
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, is_number
@@ -83,6 +84,8 @@ def unitless(given: Mapping[str, Stated]) -> Iterator[Mapping[str, Stated]]:
 
 
 def tells_values(node: n.Node) -> bool:
-    """Whether numbers are those of some values, and hardly of others: 0.433, 2 cos 30°; 1 may be that of many."""
+    """Whether numbers are those of some values, and hardly of others: 0.433, 2 cos 30°; 1 may be that of many. In a matrix all are numbers."""
+    cells = [cell for row in written_rows(bare(node)) for cell in row] or [node]
     fine = any(isinstance(b, n.Number) and b.decimals >= FEWEST for b in n.walk(node))
-    return is_number(node) and (fine or any(isinstance(b, n.Postfix) and b.operator == "deg" for b in n.walk(node)))
+    degrees = any(isinstance(b, n.Postfix) and b.operator == "deg" for b in n.walk(node))
+    return all(map(is_number, cells)) and (fine or degrees)

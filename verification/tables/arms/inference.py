@@ -18,6 +18,7 @@ from armproof.verification.tables.arms.beyond import with_point_beyond
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.closed_forms import candidates_of_closed_form
 from armproof.verification.tables.arms.code_letters import in_letters_of
+from armproof.verification.tables.arms.ends import with_ends
 from armproof.verification.tables.arms.general_link import shown_convention
 from armproof.verification.tables.arms.last_turn import with_last_turn
 from armproof.verification.tables.arms.laws import candidate_of_law, with_point_of_law
@@ -169,6 +170,8 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     if alike and "transforms" not in document.front:  # nothing tells which index is the reference
         best = replace(best, front={key: value for key, value in best.front.items() if key != "transforms"})
     best = with_point_beyond(document, best) if best.held and not rivals else best
+    best, ends = with_ends(document, plain_names(document), best) if best.held and not rivals else (best, ())
+    found = [replace(each, more_lines=(*each.more_lines, *ends)) for each in found]
     if more and (rivals or best.failed >= best.held):  # a part of an arm shows itself in poses of its own frames
         return Inference(document, None, missing, line)
     if _stated(document):
