@@ -132,7 +132,9 @@ def _without_last_joints(true: Matrix, printed: Matrix) -> Iterator[Pair]:
         if all(is_zero(cell) for cell in true.block(rows, range(c, k)).cells):
             note = say(Kind.WITHOUT_LAST_JOINTS, rows=[i + 1 for i in rows])
             read = rows if m == 6 else None
-            yield Pair(true.block(rows, range(c)), printed, note, true_rows=read, true_columns=tuple(range(c)))
+            pair = Pair(true.block(rows, range(c)), printed, note, true_rows=read, true_columns=tuple(range(c)))
+            if is_near(pair):  # else it may be that of another point, and of all joints
+                yield pair
 
 
 def _jacobian_rows(true: Matrix, count: int) -> Iterator[tuple[int, ...]]:

@@ -363,10 +363,14 @@ class _ClosedForm:
         before = [
             (axis, value, self._slide_in(value, slides)) for axis, value in (("x", u), ("y", v)) if not value.is_zero()
         ]
-        unclear = any(slide is None or (axis == "y" and not slide) for axis, _, slide in before)
+        lengths = symbols_in(value for _, value, _ in links)
+        unclear = any(
+            slide is None or (axis == "y" and not lengths.isdisjoint(symbols_in([value])))
+            for axis, value, slide in before
+        )
         if unclear or angles_in(u) or angles_in(v):
             return None
-        return [*((axis if slide else "a", value, str(slide)) for axis, value, slide in before), *links]
+        return [*((axis if slide or axis == "y" else "a", value, str(slide)) for axis, value, slide in before), *links]
 
     def _up(self, z: Scalar, slides: Sequence[str]) -> list[Step] | None:
         """Return the steps along z: a length and a joint that slides, at most."""

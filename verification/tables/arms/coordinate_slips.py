@@ -23,10 +23,8 @@ def mended_coordinates(found: Found, algebra: ExactAlgebra) -> Iterator[tuple[di
     first = min(angles_in(values["x"]) & angles_in(values["y"]), key=index_of, default="")
     for told, axis, sign in (("x", "y", -1), ("y", "x", 1)) if first else ():
         angle = algebra.ring.symbol(first)
-        slide = (values[axis] + derivative(derivative(values[axis], angle), angle)).normal()  # what does not turn
-        by_other = (
-            derivative(values[told], angle) * sign + (algebra.ring.zero if angles_in(slide) else slide)
-        ).normal()
+        slide = standing(values[axis] + derivative(derivative(values[axis], angle), angle))  # what does not turn
+        by_other = (derivative(values[told], angle) * sign + slide).normal()
         apart, turned = by_other - values[axis], by_other + values[axis]  # y may point down
         is_mirrored = turned.normal().is_zero() or len(lengths_in(turned)) < len(lengths_in(apart))
         is_of_same = symbols_in([values[axis]]) <= symbols_in([by_other])
@@ -48,7 +46,7 @@ def _heights_by_reach(values: Mapping[str, Scalar], first: str, algebra: ExactAl
     if not inner or not (are_equal(values["x"], reach * cosine) and are_equal(values["y"], reach * sine)):
         return
     z, rises = values["z"], derivative(reach, algebra.ring.symbol(inner))
-    ways = [(_standing(z) + rises * sign).normal() for sign in (-1, 1)]
+    ways = [(standing(z) + rises * sign).normal() for sign in (-1, 1)]
     apart = [len(lengths_in(way - z)) for way in ways]
     for way in (way for way, count in zip(ways, apart, strict=True) if count == min(apart)):
         is_slip = is_near(Pair(as_matrix(way), as_matrix(z))) or _lacks_one_link(z, way)
@@ -56,7 +54,7 @@ def _heights_by_reach(values: Mapping[str, Scalar], first: str, algebra: ExactAl
             yield way
 
 
-def _standing(value: Scalar) -> Scalar:
+def standing(value: Scalar) -> Scalar:
     """Return the terms of a coordinate in which nothing turns."""
     ring, total = value.ring, value.ring.zero
     for powers, factor in ring.terms(value.normal().numerator):

@@ -170,8 +170,8 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     if alike and "transforms" not in document.front:  # nothing tells which index is the reference
         best = replace(best, front={key: value for key, value in best.front.items() if key != "transforms"})
     best = with_point_beyond(document, best) if best.held and not rivals else best
-    best, ends = with_ends(document, plain_names(document), best) if best.held and not rivals else (best, ())
-    found = [replace(each, more_lines=(*each.more_lines, *ends)) for each in found]
+    if best.held and not rivals:
+        best, found = with_ends(document, plain_names(document), best, found)
     if more and (rivals or best.failed >= best.held):  # a part of an arm shows itself in poses of its own frames
         return Inference(document, None, missing, line)
     if _stated(document):

@@ -56,3 +56,19 @@ def test_a_tool_that_nothing_speaks_of_is_none_of_the_arm() -> None:
 def test_a_transform_that_moves_is_no_base() -> None:
     moving = {"{}^BT_0": planar("5", "0", "0")}
     assert "refuted" not in verdicts(moving, LINKS, WHOLE, {"x": "l_1 c_1 + l_2 c_{12}"})
+
+
+def test_a_base_may_be_turned() -> None:
+    base = {"{}^WT_0": matrix("0 & -1 & 0 & b", "1 & 0 & 0 & e", "0 & 0 & 1 & h")}
+    seen = {
+        "{}^WT_2": matrix(
+            "-s_{12} & -c_{12} & 0 & b - l_1 s_1 - l_2 s_{12}",
+            "c_{12} & -s_{12} & 0 & e + l_1 c_1 + l_2 c_{12}",
+            "0 & 0 & 1 & h",
+        )
+    }
+    entries = [r"-l_1 c_1 - l_2 c_{12} & -l_2 c_{12}", r"-l_1 s_1 - l_2 s_{12} & -l_2 s_{12}"]
+    jacobian = {"J": r"\begin{bmatrix} " + r" \\ ".join(entries) + r" \end{bmatrix}"}
+    assert verdicts(base, LINKS, WHOLE, seen, jacobian) == ["proved"] * 6
+    wrong = {"J": jacobian["J"].replace("-l_2 s_{12} \\end", "l_2 s_{12} \\end")}
+    assert verdicts(base, LINKS, WHOLE, seen, wrong)[-1] == "refuted"
