@@ -110,8 +110,9 @@ def _printed(document: Document, names: Names) -> Iterator[tuple[n.Name, n.Matri
     for display in document.displays:
         for chain in equations_of(display, names) if "matri" in display.latex or "array" in display.latex else ():
             name, printed = unapplied(chain.members[0]), n.bare(chain.members[-1])
-            are_two = len(chain.members) == 2 and isinstance(name, n.Name) and isinstance(printed, n.Matrix)
-            if are_two and name.base in ("T", "A", "H") and not (name.primes or name.dots):
+            if len(chain.members) != 2 or not isinstance(name, n.Name) or not isinstance(printed, n.Matrix):
+                continue
+            if name.base in ("T", "A", "H") and not (name.primes or name.dots):
                 yield name, printed, display.place
 
 

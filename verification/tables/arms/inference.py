@@ -22,7 +22,11 @@ from armproof.verification.tables.arms.ends import with_ends
 from armproof.verification.tables.arms.general_link import shown_convention
 from armproof.verification.tables.arms.last_turn import with_last_turn
 from armproof.verification.tables.arms.laws import candidate_of_law, with_point_of_law
-from armproof.verification.tables.arms.matrices import candidates_of_matrices, poses_that_are_links
+from armproof.verification.tables.arms.matrices import (
+    candidate_of_rotations,
+    candidates_of_matrices,
+    poses_that_are_links,
+)
 from armproof.verification.tables.arms.other_case import in_other_case
 from armproof.verification.tables.arms.rows import candidates
 from armproof.verification.tables.arms.support import Inference
@@ -62,6 +66,7 @@ def _inferred(document: Document) -> Inference:
             of_table if of_table.problem is not None else Inference(document, None, problem, problem.terms.get("line"))
         )
     found = found or _of_formulas(document, plain_names(document))
+    found = found or (candidate_of_rotations(document, plain_names(document)) if of_table.problem is None else [])
     settled = _settle(document, found) if found else of_table
     if settled.arm is None and not found and of_table.problem is None:
         settled = _of_code(document)
