@@ -18,6 +18,7 @@ from armproof.verification.naming.state import Stated
 from armproof.verification.verdict import Verdict
 
 FEWEST = 2  # decimals of a number that is rounded; 0.8 for 0.75 is another one
+FEWEST_CELLS = 3  # such numbers in a matrix that is of values given under another heading
 
 
 def holds_as_worked(members: Members, outcome: Outcome) -> bool:
@@ -84,8 +85,11 @@ def unitless(given: Mapping[str, Stated]) -> Iterator[Mapping[str, Stated]]:
 
 
 def tells_values(node: n.Node) -> bool:
-    """Whether numbers are those of some values, and hardly of others: 0.433, 2 cos 30°; 1 may be that of many. In a matrix all are numbers."""
-    cells = [cell for row in written_rows(bare(node)) for cell in row] or [node]
+    """Whether numbers are those of some values, and hardly of others: 0.433, 2 cos 30°; 1 may be that of many. Of a matrix several are to tell."""
+    cells = [cell for row in written_rows(bare(node)) for cell in row]
+    return all(map(is_number, cells or [node])) and sum(map(_tells, cells or [node])) >= (FEWEST_CELLS if cells else 1)
+
+
+def _tells(node: n.Node) -> bool:
     fine = any(isinstance(b, n.Number) and b.decimals >= FEWEST for b in n.walk(node))
-    degrees = any(isinstance(b, n.Postfix) and b.operator == "deg" for b in n.walk(node))
-    return all(map(is_number, cells)) and (fine or degrees)
+    return fine or any(isinstance(b, n.Postfix) and b.operator == "deg" for b in n.walk(node))
