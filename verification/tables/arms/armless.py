@@ -13,7 +13,7 @@ from armproof.verification.tables.arms.support import Inference
 from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 Check = Callable[[Inference], DocumentResult]
-_NAME = re.compile(r"[A-Za-z]+_\d+")
+_NAME = re.compile(r"[A-Za-z]+(?:_\w+)?")
 
 
 def with_armless(part: Inference, result: DocumentResult, check: Check) -> DocumentResult:
@@ -48,11 +48,16 @@ def _armless(part: Inference) -> tuple[Display, ...]:
 
 
 def _letters_of(part: Inference) -> re.Pattern[str]:
-    """Return what finds the letters with an index of an arm's rows, d_3 and l_2."""
+    """Return what finds the letters of an arm's rows: d_3 and l_2, and r and \\theta of joints without numbers."""
     rows = part.document.front["arm"]["rows"]
-    names = {name for row in rows for entry in row.values() for name in _NAME.findall(str(entry))}
-    written = (rf"{letter}\s*_\s*\{{?\s*{digits}(?!\d)" for letter, _, digits in (n.partition("_") for n in names))
-    return re.compile("|".join(rf"(?<![A-Za-z]){each}" for each in sorted(written)) or r"(?!)")
+    names = {name for row in rows for entry in row.values() for name in _NAME.findall(str(entry))} - {"pi"}
+    return re.compile("|".join(map(_written, sorted(names))) or r"(?!)")
+
+
+def _written(name: str) -> str:
+    letter, _, index = name.partition("_")
+    begin = rf"(?<![A-Za-z\\]){letter}" if len(letter) == 1 else rf"(?<![A-Za-z])(?:var)?{letter}"
+    return begin + (rf"\s*_\s*\{{?\s*{index}(?!\d)" if index else r"(?![A-Za-z]|\s*_)")
 
 
 def _speaks_of_arm(displays: list[Display], own: re.Pattern[str]) -> bool:
