@@ -52,6 +52,7 @@ from armproof.verification.tables.arms import (
     stated_lengths,
     table_of_named,
     unless_disputed,
+    with_armless,
 )
 from armproof.verification.verdict import (
     DECIDED,
@@ -120,6 +121,7 @@ def check_document(
     results = [_unless_of_another_arm(k, parts, result) for k, result in enumerate(results)] if samples else results
     if seeks and samples:
         results = [unless_disputed(part, result, plainly) for part, result in zip(parts, results, strict=True)]
+        results = [with_armless(part, result, plainly) for part, result in zip(parts, results, strict=True)]
     result = results[0] if len(results) == 1 else joined(document, results)
     return with_accepted(document, result) if document.accepts else result
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from fractions import Fraction
 from functools import partial
 from itertools import combinations, pairwise
 
@@ -225,9 +226,24 @@ class Circumstances:
                 conditions += [condition for chain in found for condition in self._conditions(chain)]
                 if not found and self._may_hold_there(outcome, THERE in latex):
                     return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
-        if conditions and self._follows(conditions, outcome):
+        if conditions and self._follows(conditions, outcome) and not self._vanishes(conditions, outcome):
             return outcome.left_open(say(Kind.HOLDS_AS_BEHIND))
         return outcome
+
+    def _vanishes(self, conditions: Sequence[n.Chain], outcome: Outcome) -> bool:
+        """Whether an equation gives a determinant that moves, and says 0 = 0 under conditions: "so the arm is singular where θ_2 = 0"."""
+        is_determinant = any(
+            isinstance(below, n.Call) and below.function == "det" for node in outcome.nodes for below in n.walk(node)
+        )
+        moves = outcome.pair is not None and all(
+            symbols_in(side.cells) for side in (outcome.pair.true, outcome.pair.printed)
+        )
+        nought = n.Number(Fraction(0), "0")
+        return (
+            is_determinant
+            and moves
+            and all(self._holds_where(conditions, n.Chain((node, nought), ("=",))) for node in outcome.nodes)
+        )
 
     def unless_meant_otherwise(self, outcome: Outcome, meant: Sequence[str]) -> Outcome:
         """Leave open what is written with a letter that the text gives another meaning than the arm has for it."""

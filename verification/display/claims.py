@@ -45,6 +45,7 @@ from armproof.verification.naming.state import DocumentState, Key, Told
 from armproof.verification.verdict import DECIDED, HOLDS, Role, Verdict
 
 CLOSE = 1e-9  # so near are angles that are the same
+MANY = 3  # times as many numbers that are right as wrong: hardly by chance
 
 
 class Claims:
@@ -207,7 +208,8 @@ class Claims:
     def _of_worked_example(self, chain: n.Chain, equation: int, line: int) -> list[Outcome]:
         """Return the outcomes of numbers that hold at the values given last, under whatever heading; [] where some do not.
 
-        What is "Given" in centimetres is often worked out without a unit. Nothing is refuted there: the numbers may be of other values.
+        What is "Given" in centimetres is often worked out without a unit. Only one number of a matrix is refuted there, of which
+        many others are right: else the numbers may be of other values.
         """
         state = self.names.state
         if not state.given_last or set(chain.relations) != {"="} or not any(map(tells_values, chain.members)):
@@ -218,11 +220,10 @@ class Claims:
             self.begin()
             steps = [replace(chain, members=pair, relations=("=",)) for pair in pairwise(chain.members)]
             outcomes = [o for k, step in enumerate(steps) for o in self._read_chain(step, equation + k, line, False)]
-            if (
-                outcomes
-                and all(each.verdict in HOLDS for each in outcomes)
-                and any(each.tells(Kind.TO_DECIMALS_THERE) for each in outcomes)
-            ):
+            held = [each for each in outcomes if each.verdict in HOLDS]
+            slips = [each for each in outcomes if each not in held and is_mostly_right(each, MANY)]
+            tells = any(each.tells(Kind.TO_DECIMALS_THERE) for each in held) or slips
+            if outcomes and tells and len(held) + len(slips) == len(outcomes):
                 state.configuration = before.configuration
                 return [replace(self.unless_doubted(each), uses=self.consulted()) for each in outcomes]
             state.become(before)
@@ -231,7 +232,7 @@ class Claims:
     def _at_told_values(self, chain: n.Chain, equation: int, line: int) -> list[Outcome]:
         """Return what becomes of numbers at the values that the text before gives; [] where there are none.
 
-        What is not decided there leaves no trace. Only numbers right behind the text are refuted there, and few of many.
+        What is not decided there leaves no trace. Only few numbers of many are refuted there, and fewer still that do not stand right behind the text.
         """
         state = self.names.state
         speaks = state.told.standing or state.told_lengths
@@ -241,7 +242,8 @@ class Claims:
         state.configuration = self.circumstances.told_values() | state.configuration
         outcomes = self._read_chain(chain, equation, line, False)
         wrong = [each for each in outcomes if each.verdict not in HOLDS]
-        if not wrong or (state.told.line == line and all(map(is_mostly_right, wrong))):
+        times = 1 if state.told.line == line else MANY
+        if not wrong or all(is_mostly_right(each, times) for each in wrong):
             state.configuration = before.configuration
             return outcomes
         state.become(before)

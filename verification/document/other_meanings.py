@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from math import inf
 
 from armproof.verification.document.model import Display, Document
 from armproof.verification.document.sentences import MOST_CHARACTERS, hears, hears_denied, with_axes, words_of
@@ -24,7 +25,7 @@ _SHOWN = re.compile(  # what is no sentence
     ),  # characters: what is not closed is looked through no further
     re.DOTALL | re.MULTILINE,
 )
-_HEADING = re.compile(r"\s*(?:#{1,6}\s|\\(?:sub)*section)")
+_HEADING = re.compile(r"\s*(?:(#{1,6})\s|\\((?:sub)*)section)")
 _LETTER = re.compile(r"(?:\\?[A-Za-z]+)\s*_\s*(?:\{?\s*[\dijk]\s*\}?)")
 _OF_FRAME = re.compile(
     r"\b(?:origine? (?:of|de|du) (?:the )?(?:frame|repère)|Ursprung von System) \$?\\?\{?(\d)\b", re.IGNORECASE
@@ -57,20 +58,27 @@ def with_other_meanings(document: Document, text: str) -> Document:
     found = [*_meanings(text)]
     if not found:
         return document
-    headings = [at for at, line in enumerate(text.split("\n"), start=1) if _HEADING.match(line)]
-    begins = [max((at for at in headings if at <= each.line), default=0) for each in found]
-    said = [*zip(found, begins, strict=True)]
+    said = [(each, *_reach(each.line, text)) for each in found]
     return replace(document, displays=tuple(_with(display, said) for display in document.displays))
 
 
-def _with(display: Display, said: Iterable[tuple[Meaning, int]]) -> Display:
+def _reach(line: int, text: str) -> tuple[int, float]:
+    """Return from the heading above a line to the next one that is not below that: lines, 0 and infinity where there is none."""
+    found = [(at, match) for at, each in enumerate(text.split("\n"), start=1) if (match := _HEADING.match(each))]
+    headings = [(at, len(match[1]) if match[1] else 1 + len(match[2]) // len("sub")) for at, match in found]
+    begin, level = next((each for each in reversed(headings) if each[0] <= line), (0, 0))
+    return begin, next((at for at, own in headings if at > line and own <= level), inf)
+
+
+def _with(display: Display, said: Iterable[tuple[Meaning, int, float]]) -> Display:
     """Return a display with what holds of it: of a letter from the heading above on, of a place beside it alone."""
     if display.erratum:
         return display
     letters: list[str] = []
     is_elsewhere = False
-    for each, begins in said:
-        is_near = begins <= display.line and each.line - _NEAR_ABOVE <= display.line <= each.line + _NEAR_BELOW
+    for each, begins, ends in said:
+        is_near = each.line - _NEAR_ABOVE <= display.line <= each.line + _NEAR_BELOW
+        is_near = is_near and begins <= display.line < ends
         if each.frame and is_near:
             letters.append(f"{FRAME} {each.frame}")
         if each.letters and (display.line >= begins or display.file):

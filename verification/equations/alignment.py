@@ -26,6 +26,7 @@ class Pair:
     note: Finding | None = None
     is_scalar: bool = False
     true_rows: tuple[int, ...] | None = None
+    true_columns: tuple[int, ...] | None = None  # of a Jacobian printed without the columns of its last joints
 
     def entries(self) -> Iterator[tuple[tuple[int, int], Any, Any]]:
         """Yield each place (from 0) with the true entry and the printed one."""
@@ -114,12 +115,26 @@ def _reshaped(true: Matrix, printed: Matrix) -> Iterator[Pair]:
         for rows in _jacobian_rows(true, r):
             note = say(Kind.JACOBIAN_ROWS, rows=[i + 1 for i in rows])
             yield Pair(true.block(rows, range(k)), printed, note, true_rows=rows)
+    if m in (3, 6) and 1 < c < k:
+        yield from _without_last_joints(true, printed)
     if (m, k) == (3, 1) and (r, c) in ((2, 1), (1, 2)) and is_zero(true.rows[2][0]):
         yield Pair(true.block([0, 1], [0]), printed if c == 1 else printed.transpose, say(Kind.PLANAR_VECTOR))
     if m == 3 and r == 2 and k == c and k > 1 and all(is_zero(cell) for cell in true.rows[2]):
         yield Pair(true.block([0, 1], range(k)), printed, say(Kind.PLANAR_ROWS))
     if m == 2 and r == 3 and k == c and k > 1 and all(is_zero(cell) for cell in printed.rows[2]):  # J = ∂p/∂q = […]
         yield Pair(true, printed.block([0, 1], range(k)), say(Kind.PLANAR_ROWS))
+
+
+def _without_last_joints(true: Matrix, printed: Matrix) -> Iterator[Pair]:
+    """Yield a Jacobian without the columns of the last joints, where these are zero: a wrist turns about the point and does not move it."""
+    (m, k), (r, c) = true.shape, printed.shape
+    for rows in [tuple(range(m))] if r == m else _jacobian_rows(true, r) if m == 6 and r < m else ():
+        if all(is_zero(cell) for cell in true.block(rows, range(c, k)).cells):
+            note = say(Kind.WITHOUT_LAST_JOINTS, rows=[i + 1 for i in rows])
+            read = rows if m == 6 else None
+            pair = Pair(true.block(rows, range(c)), printed, note, true_rows=read, true_columns=tuple(range(c)))
+            if is_near(pair):  # else it may be that of another point, and of all joints
+                yield pair
 
 
 def _jacobian_rows(true: Matrix, count: int) -> Iterator[tuple[int, ...]]:

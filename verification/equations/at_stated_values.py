@@ -312,12 +312,12 @@ class StatedValues:
         return False
 
 
-def is_mostly_right(outcome: Outcome) -> bool:
-    """Whether numbers are refuted at stated values, and at least as many are right as are wrong, 0 and ±1 not counted."""
+def is_mostly_right(outcome: Outcome, times: int = 1) -> bool:
+    """Whether numbers are refuted at stated values, and as many are right as are wrong, or some `times` as many, 0 and ±1 not counted."""
     if outcome.verdict is not Verdict.REFUTED or not outcome.there or outcome.pair is None:
         return False
     telling = {place for place, true, _ in outcome.pair.entries() if true.as_fraction() not in (-1, 0, 1)}
-    return len(telling - {*outcome.wrong, *outcome.coarse}) >= len(outcome.wrong)
+    return len(telling - {*outcome.wrong, *outcome.coarse}) >= times * len(outcome.wrong)
 
 
 def _sides(outcome: Outcome) -> tuple[Member, Member]:

@@ -26,6 +26,7 @@ from armproof.verification.equations.alignment import (
     is_near,
     square_rows,
 )
+from armproof.verification.equations.at_stated_values import is_mostly_right
 from armproof.verification.equations.by_size import BySize
 from armproof.verification.equations.coordinates import coordinates_among
 from armproof.verification.equations.doubts import Doubts
@@ -49,8 +50,10 @@ from armproof.verification.naming.conventions import (
     is_usual,
     seen_from_wrist,
 )
+from armproof.verification.naming.shown import letters_of_point, point_of
 from armproof.verification.verdict import Verdict
 
+MANY = 3  # times as many numbers that are right at stated values as wrong: hardly those of another quantity
 MOST_ROWS = 3  # of a Jacobian whose determinant is only looked for
 _MEASURES = ("manipulability", "determinant")
 
@@ -227,6 +230,7 @@ class Conventions:
         if name.key in self.names.state.inferred and _is_rate(member.node):  # of the other side: ṗ = ∂p/∂q q̇
             return self.members.evaluate(member.node)
         near, usual, candidates = None, self._usual(name.key), self._candidates(member.node, name)
+        candidates = tuple(sorted(candidates, key=lambda each: not self._is_beside_shown(name, each)))
         if at_numbers := _is_at_numbers(member.node):  # at one configuration many points agree, and more nearly
             candidates = (usual,) if usual is not None else candidates[:1]
         for quantity in candidates:
@@ -245,15 +249,18 @@ class Conventions:
                 if quantity != usual and (self._is_named_in(other, quantity, name.key) or self._is_of_own_letter(name)):
                     continue  # z = P_z - d_1 is no P_z, and then z_w is no height of the wrist
                 if pair is not None and self.names.state.configuration:
-                    there = self.equality.compare(tried, other, 1, False).verdict
-                    if there is Verdict.CONFIRMED:
+                    there = self.equality.compare(tried, other, 1, False)
+                    if there.verdict is Verdict.CONFIRMED or (
+                        quantity in self._meant(name.key) and is_mostly_right(there, MANY)
+                    ):
                         return tried
-                    if there is Verdict.REFUTED and is_usual(name) and is_constant(pair.printed):
+                    if there.verdict is Verdict.REFUTED and self._is_usual(name) and is_constant(pair.printed):
                         self.doubts.open.setdefault(name.key, quantity)
                 is_shown = quantity == usual and _is_rate(member.node)  # y has no other rate than its own
                 if pair is not None and self._measures_otherwise(quantity, pair.printed):
                     continue
-                if pair is not None and (is_usual(name) or is_shown) and not is_constant(pair.printed):
+                is_told = self._is_usual(name) or is_shown or self._is_beside_shown(name, quantity)  # d_y behind d_x
+                if pair is not None and is_told and not is_constant(pair.printed):
                     if self.doubts.open.setdefault(name.key, quantity) == quantity:
                         self.doubts.tried[name.key] = tried
                     may_be_near = quantity == usual or not (at_numbers or quantity.kind == "angle")
@@ -267,6 +274,18 @@ class Conventions:
         if near is None or (near != usual and self._is_of_another(known)):
             return member
         return self._tried(member.node, name, usual or near)  # what is wrong of all shows none anew
+
+    def _is_usual(self, name: n.Name) -> bool:
+        """Whether a name is so common, its index the letter of a frame of the arm or not: y_G where the arm has a G."""
+        assert self.names.arm is not None
+        is_of_frame = name.sub in self.names.arm.frames and not name.sub.isdigit()
+        return is_usual(name) or (is_of_frame and is_usual(replace(name, sub="")))
+
+    def _is_beside_shown(self, name: n.Name, quantity: Quantity) -> bool:
+        """Whether the other coordinates of a point have been shown under the names beside this one: x_G and z_G beside y_G."""
+        shown = self.names.state.usual.items() if (point := point_of(quantity)) is not None else ()
+        letters = letters_of_point(name.key)
+        return any(point_of(other) == point and letters_of_point(key) == letters for (key, _), other in shown)
 
     def _is_named_in(self, member: Member, quantity: Quantity, key: str) -> bool:
         """Whether a side holds another name of a quantity: then an author who has both means something else by this one."""
@@ -307,8 +326,12 @@ class Conventions:
             return None
         return next((usual[key, each] for each in (section, *sections_around(section)) if (key, each) in usual), None)
 
+    def _meant(self, key: str) -> set[Quantity]:
+        """Return what equations have shown a name to be, under whatever heading."""
+        return {quantity for (each, _), quantity in self.names.state.usual.items() if each == key}
+
     def _shown(self, node: n.Node, name: n.Name) -> Quantity | None:
-        shown = {quantity for (key, _), quantity in self.names.state.usual.items() if key == name.key}
+        shown = self._meant(name.key)
         first = self._candidates(node, name)[:1] if len(shown) == 1 and is_usual(name) else ()
         return self._usual(name.key) or next((quantity for quantity in first if quantity in shown), None)
 

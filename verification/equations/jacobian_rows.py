@@ -38,7 +38,8 @@ class RowsOfJacobians:
         """Return a chain in which J of det J and J^{-1} is square; a matrix printed for J decides its rows anew."""
         shown = self.names.state.shown
         for key in {printed.key for printed in self._printed(chain)}:  # J = J = […] prints it once
-            if not shown[key].printed or shown[key].section != self.names.state.section:
+            before = shown[key]
+            if not before.printed or before.columns or before.section != self.names.state.section:
                 del shown[key]
         rows = rows_told(chain, self.names) or _rows_of_plane(chain)
         for below in n.walk(chain):
@@ -74,9 +75,12 @@ class RowsOfJacobians:
                 rows = tuple(range(1, len(pair.true.rows) + 1))
                 self.names.state.shown.setdefault(name.key, JacobianRows(rows, self.names.state.section))
             return outcome
-        if pair.true_rows is None and len(pair.true.rows) != len(WHOLE):
+        if pair.true_rows is None and pair.true_columns is None and len(pair.true.rows) != len(WHOLE):
             return outcome
-        rows = tuple(row + 1 for row in pair.true_rows) if pair.true_rows is not None else WHOLE
+        quantity = self.names.quantity(replace(name, dots=0))
+        own = quantity.rows if quantity is not None and quantity.rows else WHOLE
+        rows = tuple(row + 1 for row in pair.true_rows) if pair.true_rows is not None else own
+        columns = tuple(column + 1 for column in pair.true_columns) if pair.true_columns is not None else None
         before = self.names.rows_of(name.key)
         if before not in (None, rows) and not (before == WHOLE and self._are_zero_beyond(name, rows)):
             return outcome.left_open(say(Kind.ROWS_TOLD_OTHERWISE, name=name.text, rows=list(before or ())))
@@ -85,7 +89,7 @@ class RowsOfJacobians:
         if len(outcome.wrong) > len(pair.true.cells) / 2 or _is_beside_zeros(outcome):
             return outcome
         is_matrix = isinstance(bare(printed.node), n.Matrix)
-        self.names.state.shown.setdefault(name.key, JacobianRows(rows, self.names.state.section, is_matrix))
+        self.names.state.shown.setdefault(name.key, JacobianRows(rows, self.names.state.section, is_matrix, columns))
         return outcome
 
     def _are_zero_beyond(self, name: n.Name, rows: tuple[int, ...]) -> bool:

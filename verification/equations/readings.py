@@ -36,6 +36,7 @@ class Readings:
         self.equality = equality
         self.members = equality.members
         self.names = equality.names
+        self.reads_of_tool = False  # while a chain is read with the tool's Jacobian
 
     def part(self, member: Member, known: list[Member]) -> Member:
         """An unbound J_1 or J_{12} that is equated to a column or a scalar is that part of the Jacobian."""
@@ -139,14 +140,19 @@ class Readings:
         """
         arm, state = self.names.arm, self.names.state
         left_open = self._of_last_frame([chain], settled)
-        if arm is None or not left_open or all(outcome.verdict is Verdict.UNCHECKED for outcome in outcomes):
+        all_open = all(outcome.verdict is Verdict.UNCHECKED for outcome in outcomes)
+        if arm is None or not left_open or all_open or self.reads_of_tool:
             return outcomes
         if not any(outcome.verdict is Verdict.REFUTED for outcome in outcomes):
             self._settle(left_open)
             return outcomes
         before = state.shown
         self._read_of_tool(left_open)
-        tried = check(chain)
+        self.reads_of_tool = True  # a name that convention binds is asked anew, and would be read so again
+        try:
+            tried = check(chain)
+        finally:
+            self.reads_of_tool = False
         if not any(outcome.verdict is Verdict.REFUTED for outcome in tried):
             self._settle({key: state.inferred[key] for key in left_open})
             return tried

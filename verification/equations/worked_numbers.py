@@ -10,6 +10,7 @@ from armproof.verification.equations.decimals import UNITS, fewest_decimals, rou
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Members
 from armproof.verification.errors import EvaluationError
+from armproof.verification.evaluation.blocks import written_rows
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, is_number
@@ -17,6 +18,7 @@ from armproof.verification.naming.state import Stated
 from armproof.verification.verdict import Verdict
 
 FEWEST = 2  # decimals of a number that is rounded; 0.8 for 0.75 is another one
+FEWEST_CELLS = 3  # such numbers in a matrix that is of values given under another heading
 
 
 def holds_as_worked(members: Members, outcome: Outcome) -> bool:
@@ -83,6 +85,11 @@ def unitless(given: Mapping[str, Stated]) -> Iterator[Mapping[str, Stated]]:
 
 
 def tells_values(node: n.Node) -> bool:
-    """Whether numbers are those of some values, and hardly of others: 0.433, 2 cos 30°; 1 may be that of many."""
+    """Whether numbers are those of some values, and hardly of others: 0.433, 2 cos 30°; 1 may be that of many. Of a matrix several are to tell."""
+    cells = [cell for row in written_rows(bare(node)) for cell in row]
+    return all(map(is_number, cells or [node])) and sum(map(_tells, cells or [node])) >= (FEWEST_CELLS if cells else 1)
+
+
+def _tells(node: n.Node) -> bool:
     fine = any(isinstance(b, n.Number) and b.decimals >= FEWEST for b in n.walk(node))
-    return is_number(node) and (fine or any(isinstance(b, n.Postfix) and b.operator == "deg" for b in n.walk(node)))
+    return fine or any(isinstance(b, n.Postfix) and b.operator == "deg" for b in n.walk(node))

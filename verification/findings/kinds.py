@@ -274,6 +274,7 @@ class Kind(MessageKind):
     PLANAR_VECTOR = "planar_vector", "the plane's two components"
     PLANAR_ROWS = "planar_rows", "the plane's two rows"
     JACOBIAN_ROWS = "jacobian_rows", "rows {rows} of the geometric Jacobian"
+    WITHOUT_LAST_JOINTS = "without_last_joints", "rows {rows} of the geometric Jacobian, without the columns of the last joints, which are zero"
     ROWS_BY_COMPONENTS = "rows_by_components", "`{name}` has six rows, and {count} components stand beside it: print its matrix before, or bind `{name}` in the front matter, with its rows"
     ROWS_NOT_TOLD = "rows_not_told", "holds only if `{name}` means the rows {rows}, and nothing tells which: print its matrix before, or bind `{name}` in the front matter"
     ROWS_TOLD_OTHERWISE = "rows_told_otherwise", "`{name}` was printed in this section with the rows {rows}: give the two matrices two names"

@@ -152,6 +152,8 @@ def _all(base: str, index: str, reference: str, arm: Arm, placed: bool) -> Itera
     ):
         yield Quantity("difference", end, reference, start=start)
         return
+    if base == "J":
+        yield from _quarters(index, reference, arm)  # of a whole arm; J_{11} is hardly that of frame 1 in frame 1
     for frame, component, given in _indices(index, reference, arm):
         origin = Quantity("origin", frame, given)
         if component is None:
@@ -163,7 +165,6 @@ def _all(base: str, index: str, reference: str, arm: Arm, placed: bool) -> Itera
             yield Quantity("velocity", frame, given, rows=(1, 2, 6))  # (v_x, v_y, ω)
     if base == "J":
         yield from _blocks(index, reference, arm)
-        yield from _quarters(index, reference, arm)
     kind = "manipulability" if base in MANIPULABILITIES else "determinant" if base == "Delta" else ""
     if kind and not index and not placed:
         yield from (Quantity(kind, frame, reference, scalar=True) for frame in dict.fromkeys((_last(arm), _tool(arm))))
@@ -206,20 +207,27 @@ def _velocities(base: str, frame: str, reference: str, component: str | None) ->
 
 def _blocks(index: str, reference: str, arm: Arm) -> Iterator[Quantity]:
     """J_{v2}, J_{ω_2}, J_{P_2}: the rows of one velocity in the Jacobian of a frame."""
+    ends = tuple(dict.fromkeys((_last(arm), _tool(arm))))
     if index in WHOLE_JACOBIAN:
-        yield Quantity("jacobian", _last(arm), reference)
+        yield from (Quantity("jacobian", frame, reference) for frame in ends)
     for letters, rows in (*((each, (1, 2, 3)) for each in LINEAR), *((each, (4, 5, 6)) for each in ANGULAR)):
         behind = index.removeprefix(letters).lstrip("_,")
-        if index.startswith(letters) and (frame := _frame(behind, arm) if behind else _last(arm)) is not None:
+        frames = (_frame(behind, arm),) if behind else ends
+        for frame in filter(None, frames if index.startswith(letters) else ()):
             yield Quantity("jacobian", frame, reference, rows=rows)
 
 
 def _quarters(index: str, reference: str, arm: Arm) -> Iterator[Quantity]:
-    """J_{11} … J_{22}: the quarters of the Jacobian, v above ω, the joints of the wrist apart; without a wrist J_{11} and J_{21} alone."""
+    """J_{11} … J_{22}: the quarters of the Jacobian, v above ω, the joints of the wrist apart; without a wrist J_{11} and J_{21} alone.
+
+    With a wrist J_{11} may be of its centre, which the last three joints do not move.
+    """
     if not re.fullmatch("[12]{2}", index) or (index[1] == "2" and len(arm.joints) < 6):
         return
     rows, columns = (((1, 2, 3), (4, 5, 6))[int(digit) - 1] for digit in index)
-    yield Quantity("jacobian", _last(arm), reference, rows=rows, columns=columns if len(arm.joints) == 6 else None)
+    has_wrist = len(arm.joints) == 6
+    for frame in (_last(arm), *(_wrists(arm) if has_wrist and index == "11" else ())):
+        yield Quantity("jacobian", frame, reference, rows=rows, columns=columns if has_wrist else None)
 
 
 def _twists(name: n.Name, reference: str, arm: Arm) -> Iterator[Quantity]:

@@ -231,9 +231,11 @@ class Names:
         found = self.state.inferred.get(name.key) or implied_quantity(name, self.arm, self.transforms)
         if found is not None and not self.may_be(name, found):
             return None
-        rows = self.rows_of(name.key)
-        fewer = rows is not None and len(rows) < 6 and found is not None and found.kind == "jacobian"
-        return replace(found, rows=rows) if fewer and found is not None else found
+        shown = self.state.shown.get(name.key)
+        if shown is None or found is None or found.kind != "jacobian":
+            return found
+        read = replace(found, rows=shown.rows) if len(shown.rows) < 6 else found
+        return read if shown.columns is None else replace(read, columns=shown.columns)
 
     def may_be(self, name: n.Name, quantity: Quantity) -> bool:
         """Whether a name can be that quantity: the tool of an arm of which only a part is known is none of its frames.

@@ -36,10 +36,10 @@ def _settled(record: Record, others: Iterable[Record]) -> Record:
 def _is_alone(meanings: Mapping[str, object], record: Record, others: Iterable[Record]) -> bool:
     """Whether another equation tells of this coordinate of the point, and none beside it is of another one: the elbow's have its x beside its y."""
     here = [each for each in others if each.section == record.section]
-    open_ = {_point(quantity) for each in here if each.if_shown for quantity in each.if_shown.meanings.values()}
+    open_ = {point_of(quantity) for each in here if each.if_shown for quantity in each.if_shown.meanings.values()}
     held = [one for each in (record, *here) for one in each.outcomes if one.verdict in HOLDS]
-    points = {_point(quantity) for one in held for quantity in one.usual.values()}
-    own = {_point(quantity) for quantity in meanings.values()}
+    points = {point_of(quantity) for one in held for quantity in one.usual.values()}
+    own = {point_of(quantity) for quantity in meanings.values()}
     rows = {row for quantity in meanings.values() if isinstance(quantity, Quantity) for row in quantity.rows or ()}
     told = {link for each in others for one in each.outcomes if one.verdict in HOLDS for link in one.links}
     is_told = all(AXES + 1 - row in told for row in rows)
@@ -56,19 +56,19 @@ def _of_other_angles(record: Record) -> bool:
 def _is_shown(key: str, quantity: object, shown: Iterable[Mapping[str, object]]) -> bool:
     """Whether a name stands for a quantity in what holds, and for no other one; of a coordinate the others of its point tell it, too."""
     found = {usual[key] for usual in shown if key in usual}
-    if found or (point := _point(quantity)) is None:
+    if found or (point := point_of(quantity)) is None:
         return found == {quantity}
     others = ((name, other) for usual in shown for name, other in usual.items())
-    return any(_point(other) == point and _letters(name) == _letters(key) for name, other in others)
+    return any(point_of(other) == point and letters_of_point(name) == letters_of_point(key) for name, other in others)
 
 
-def _point(quantity: object) -> Quantity | None:
+def point_of(quantity: object) -> Quantity | None:
     """Return the point of which a quantity is a coordinate."""
     if isinstance(quantity, Quantity) and quantity.kind == "origin" and quantity.scalar:
         return replace(quantity, rows=None)
     return None
 
 
-def _letters(key: str) -> str:
+def letters_of_point(key: str) -> str:
     """Return a name with a mark for its coordinate: p_* of p_x and p_y, * of x, and of X a capital one."""
     return _COORDINATE.sub(lambda found: "*" if found.group().islower() else "**", key)

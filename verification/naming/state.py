@@ -176,11 +176,15 @@ class NamedSigns:
 
 @dataclass(frozen=True)
 class JacobianRows:
-    """The rows (from 1) in which a Jacobian is read: since which section, and whether a matrix printed there shows them."""
+    """The rows (from 1) in which a Jacobian is read: since which section, and whether a matrix printed there shows them.
+
+    And its columns, where those of the last joints are left out because they are zero.
+    """
 
     rows: tuple[int, ...]
     section: str = ""
     printed: bool = True
+    columns: tuple[int, ...] | None = None
 
 
 @dataclass

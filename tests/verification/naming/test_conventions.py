@@ -227,13 +227,13 @@ p_{3P}  ⟶  origin P|3; origin P|0
 T  ⟶  pose P|0; pose 3|0
 {}^3T_P  ⟶  pose P|3; pose 3|3
 {}^3p  ⟶  origin P|3; origin 3|3
-J_P  ⟶  jacobian P|0; jacobian 3|0; jacobian 3|0 123
+J_P  ⟶  jacobian P|0; jacobian 3|0; jacobian 3|0 123; jacobian P|0 123
 v  ⟶  velocity P|0 123; velocity P|0; velocity 3|0 123; velocity 3|0
 w  ⟶  velocity P|0 456; velocity P|0 6.; velocity 3|0 456; velocity 3|0 6.; manipulability 3|0.; manipulability P|0.
 \varphi  ⟶
 p_n  ⟶  origin 3|0
 p_W  ⟶  origin 3|0; origin 2|0; origin 1|0
-J_v  ⟶  jacobian 3|0 123
+J_v  ⟶  jacobian 3|0 123; jacobian P|0 123
 f  ⟶  origin P|0; pose P|0; origin 3|0; pose 3|0
 """,
     "rx90": r"""

@@ -1,5 +1,6 @@
 """The arm that a document shows where its front matter names none: read from its DH table or from its link matrices."""
 
+from armproof.verification.tables.arms.armless import with_armless
 from armproof.verification.tables.arms.catalogue import difference, table_of_named
 from armproof.verification.tables.arms.disputed import unless_disputed
 from armproof.verification.tables.arms.inference import infer_arm, joints_used
@@ -20,4 +21,5 @@ __all__ = [
     "stated_lengths",
     "table_of_named",
     "unless_disputed",
+    "with_armless",
 ]

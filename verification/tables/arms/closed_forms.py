@@ -7,16 +7,21 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from armproof.verification.algebra.calculus import angles_in, derivative, substitute, symbols_in
-from armproof.verification.algebra.matrix import as_matrix
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.document import Display, Document
-from armproof.verification.equations.alignment import Pair, is_near
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
+from armproof.verification.tables.arms.coordinate_slips import (
+    Found,
+    are_equal,
+    goes_on_from,
+    index_of,
+    mended_coordinates,
+)
 from armproof.verification.tables.arms.jacobians import coordinates_of_jacobian
 from armproof.verification.tables.arms.letters import equations_of, unapplied, value_in_letters
 from armproof.verification.tables.arms.moves import Moves
@@ -30,10 +35,7 @@ _ANGLE = re.compile(r"(?:theta|q|phi|varphi)(?:_?\d+)?")
 _SUM = re.compile(r"(theta|q)_(\d{2,})")
 _SLIDE = re.compile(r"[dqr]_?\d+")
 _LETTER = re.compile(r"(?:r|R|rho|w|k|u|D|phi|psi|beta|gamma|alpha)(?:_?\w+)?")
-_INDEX = re.compile(r"\d+")
 SECONDS = 0.3
-
-Found = dict[str, tuple[Scalar, Display]]
 
 
 def candidates_of_closed_form(document: Document, names: Names, has_table: bool = False) -> list[Candidate]:
@@ -68,7 +70,7 @@ def _of_point(document: Document, names: Names, spelt: re.Pattern[str]) -> list[
                 number = _number(key)
                 before = found[axis][0] if axis in found and points[axis] else None
                 beside = [(each, other) for each, own, other in given if _number(own) == number and points.get(each)]
-                goes_on = any(points[each] == number or _goes_on_from(other, found[each][0]) for each, other in beside)
+                goes_on = any(points[each] == number or goes_on_from(other, found[each][0]) for each, other in beside)
                 is_next = before is not None and number > points[axis] and goes_on  # a slip is in one of two
                 if axis not in found or is_next or (before is not None and not number):
                     found[axis], points[axis] = (value, display), number
@@ -85,7 +87,7 @@ def _arms(found: Found, letters: Mapping[str, n.Name], algebra: ExactAlgebra, ra
     moves = _ClosedForm(algebra, {axis: value for axis, (value, _) in found.items()}, rates).moves()
     if moves is not None:
         return [_candidate(moves, found, letters)]
-    tried = [(_ClosedForm(algebra, values, rates).moves(), told) for values, told in _mended(found, algebra)]
+    tried = [(_ClosedForm(algebra, values, rates).moves(), told) for values, told in mended_coordinates(found, algebra)]
     mended = [_candidate(moves, told, letters) for moves, told in tried if moves is not None]
     mended = [replace(each, mended=frozenset(range(1, len(each.rows) + 1))) for each in mended]
     return [each for each in mended if not _turns_back(each)]  # else it is seen from below, and a slip is in either
@@ -103,7 +105,7 @@ def _arm_of_jacobian(document: Document, names: Names, algebra: ExactAlgebra, ra
 def _are_of_another_point(given: Sequence[tuple[str, str, Scalar]], found: Found, points: Mapping[str, int]) -> bool:
     """Whether a display gives x and y anew, and not those that were found: its z is not of that point either."""
     anew = {axis: value for axis, key, value in given if key == axis and not points.get(axis)}
-    return {"x", "y"} <= anew.keys() & found.keys() and not all(_equal(anew[axis], found[axis][0]) for axis in "xy")
+    return {"x", "y"} <= anew.keys() & found.keys() and not all(are_equal(anew[axis], found[axis][0]) for axis in "xy")
 
 
 def _turns_back(found: Candidate) -> bool:
@@ -127,7 +129,7 @@ def point_given_anew(document: Document, names: Names) -> Display | None:
                 for _, key, value in _coordinates(display, names, algebra, {}, _COORDINATE)
                 if key[2:].isdigit() or key in ("x", "y")
             ]
-            if any(key in met and not _equal(met[key], value) for key, value in given):
+            if any(key in met and not are_equal(met[key], value) for key, value in given):
                 return display
             met.update(given)
     return None
@@ -142,30 +144,6 @@ def _candidate(moves: Moves, told: Found, letters: Mapping[str, n.Name]) -> Cand
         "closed form", line, cell, tuple(moves.rows), joints, renamed(letters.values()), ("classic",), tuple(places),
         moves.frames,
     )  # fmt: skip
-
-
-def _mended(found: Found, algebra: ExactAlgebra) -> Iterator[tuple[dict[str, Scalar], Found]]:
-    """Yield the coordinates with y by x, and with x by y, where the other is a slip away: what turns about z has x = ∂y/∂θ_1, y = -∂x/∂θ_1."""
-    values = {axis: value for axis, (value, _) in found.items()}
-    first = min(angles_in(values["x"]) & angles_in(values["y"]), key=_index, default="")
-    for told, axis, sign in (("x", "y", -1), ("y", "x", 1)) if first else ():
-        angle = algebra.ring.symbol(first)
-        slide = (values[axis] + derivative(derivative(values[axis], angle), angle)).normal()  # what does not turn
-        by_other = (
-            derivative(values[told], angle) * sign + (algebra.ring.zero if angles_in(slide) else slide)
-        ).normal()
-        apart, turned = by_other - values[axis], by_other + values[axis]  # y may point down
-        is_mirrored = turned.normal().is_zero() or len(_lengths_in(turned)) < len(_lengths_in(apart))
-        is_of_same = symbols_in([values[axis]]) <= symbols_in([by_other])
-        is_slip = is_near(Pair(as_matrix(by_other), as_matrix(values[axis]))) or _lacks_one_link(values[axis], by_other)
-        if is_of_same and not is_mirrored and is_slip:
-            yield {**values, axis: by_other}, {each: given for each, given in found.items() if each != axis}
-
-
-def _lacks_one_link(value: Scalar, whole: Scalar) -> bool:
-    """Whether a coordinate is another without the term of one link: y = l_1 s_1 of l_1 s_1 + l_2 s_12."""
-    lacking = whole - value
-    return not value.is_zero() and _goes_on_from(whole, value) and len(_lengths_in(lacking)) == 1
 
 
 def _meanings(document: Document, names: Names, algebra: ExactAlgebra) -> dict[str, Scalar]:
@@ -198,18 +176,6 @@ def _sums_of_angles(value: Scalar, names: Names, algebra: ExactAlgebra) -> dict[
 def _number(key: str) -> int:
     """Return the number of the point of which a name is a coordinate, 0 for the tool."""
     return int(key[2:]) if key[2:].isdigit() else 0
-
-
-def _goes_on_from(value: Scalar, before: Scalar) -> bool:
-    """Whether a coordinate is one before it and more: that of the next point of a chain, and not of the middle of a link."""
-    if _equal(value, before):
-        return False
-    counts = [len(tuple(each.ring.terms(each.normal().numerator))) for each in (value, before, value - before)]
-    return counts[2] == counts[0] - counts[1]
-
-
-def _lengths_in(value: Scalar) -> set[str]:
-    return symbols_in([value.normal()]) - angles_in(value)
 
 
 def _with_meanings(value: Scalar, meant: Mapping[str, Scalar]) -> Scalar:
@@ -299,10 +265,6 @@ def _rates(document: Document) -> set[str]:
     return {f"{letter}_{index}" if index else letter for letter, index in found}
 
 
-def _index(letter: str) -> int:
-    return int(found[0]) if (found := _INDEX.search(letter)) else 0
-
-
 # where to: a column of a DH table or an axis to slide along; how far; the joint that moves it
 Step = tuple[str, Scalar, str]
 
@@ -328,14 +290,14 @@ class _ClosedForm:
 
     def _moves(self) -> Moves | None:
         x, y, z = (self.values.get(axis, self.algebra.ring.zero) for axis in "xyz")
-        angles, above = sorted(angles_in(x) | angles_in(y), key=_index), angles_in(z)
+        angles, above = sorted(angles_in(x) | angles_in(y), key=index_of), angles_in(z)
         slides = self._slides(angles, strictly=bool(above))
         if not all(map(_ANGLE.fullmatch, angles)) or len(angles) + len(slides) < 2:
             return None
-        if not (slides or all(map(_index, angles))) or not (angles or len(slides) == 3):
+        if not (slides or all(map(index_of, angles))) or not (angles or len(slides) == 3):
             return None
         steps = self._turned(x, y, z, angles, slides) if above else self._level(x, y, z, angles, slides)
-        order = [_index(joint) for _, _, joint in steps or () if joint]
+        order = [index_of(joint) for _, _, joint in steps or () if joint]
         if steps is None or len(order) < len(angles) + len(slides) or (all(order) and order != sorted(order)):
             return None
         moves = Moves()
@@ -348,10 +310,12 @@ class _ClosedForm:
 
     def _slides(self, angles: Sequence[str], strictly: bool) -> list[str]:
         """Return the letters of joints that slide: those with rates, or that have the numbers which angles leave out."""
-        letters = sorted(symbols_in(self.values.values()) - set(angles), key=_index)
+        letters = sorted(symbols_in(self.values.values()) - set(angles), key=index_of)
         told = [letter for letter in letters if letter in self.rates or letter.startswith("q_")]
-        found = [letter for letter in letters if _SLIDE.fullmatch(letter) and _index(letter) not in map(_index, angles)]
-        numbers = sorted(map(_index, (*angles, *found)))
+        found = [
+            letter for letter in letters if _SLIDE.fullmatch(letter) and index_of(letter) not in map(index_of, angles)
+        ]
+        numbers = sorted(map(index_of, (*angles, *found)))
         return found if not strictly and numbers == list(range(1, len(numbers) + 1)) else told
 
     def _level(
@@ -371,7 +335,7 @@ class _ClosedForm:
         ring, zero = self.algebra.ring, self.algebra.ring.zero
         cosine, sine = self.algebra.cos_sin(ring.symbol(first))
         reach, base = substitute(x, {first: zero}), substitute(z, self._stretched(others))
-        if not (_equal(x, reach * cosine) and _equal(y, reach * sine)):
+        if not (are_equal(x, reach * cosine) and are_equal(y, reach * sine)):
             return None
         up, pi = self._up(base, slides), self.algebra.pi()
         for turn, height in ((pi / 2, z - base), (-pi / 2, base - z)):  # R_z R_y: positive angles lead down
@@ -399,17 +363,21 @@ class _ClosedForm:
         before = [
             (axis, value, self._slide_in(value, slides)) for axis, value in (("x", u), ("y", v)) if not value.is_zero()
         ]
-        unclear = any(slide is None or (axis == "y" and not slide) for axis, _, slide in before)
+        lengths = symbols_in(value for _, value, _ in links)
+        unclear = any(
+            slide is None or (axis == "y" and not lengths.isdisjoint(symbols_in([value])))
+            for axis, value, slide in before
+        )
         if unclear or angles_in(u) or angles_in(v):
             return None
-        return [*((axis if slide else "a", value, str(slide)) for axis, value, slide in before), *links]
+        return [*((axis if slide or axis == "y" else "a", value, str(slide)) for axis, value, slide in before), *links]
 
     def _up(self, z: Scalar, slides: Sequence[str]) -> list[Step] | None:
         """Return the steps along z: a length and a joint that slides, at most."""
         slide = self._slide_in(z, slides, (1, -1))
         if slide is None:
             return None
-        if slide and not _equal(derivative(z, self.algebra.ring.symbol(slide)), self.algebra.ring.one):
+        if slide and not are_equal(derivative(z, self.algebra.ring.symbol(slide)), self.algebra.ring.one):
             symbol = self.algebra.ring.symbol(slide)
             return [("d", z + symbol, ""), ("-z", symbol, slide)]
         return [("d", z, slide)] if not z.is_zero() else []
@@ -426,11 +394,7 @@ class _ClosedForm:
     def _with(self, up: Sequence[Step], steps: Sequence[Step]) -> list[Step]:
         """Return steps with those along z between, as the numbers of joints say: they may be taken anywhere."""
         fixed, sliding = [step for step in up if not step[2]], [step for step in up if step[2]]
-        number = _index(sliding[0][2]) if sliding else 0
-        after = [k for k, (_, _, joint) in enumerate(steps) if number and _index(joint) > number]
+        number = index_of(sliding[0][2]) if sliding else 0
+        after = [k for k, (_, _, joint) in enumerate(steps) if number and index_of(joint) > number]
         place = min(after, default=len(steps))
         return [*fixed, *steps[:place], *sliding, *steps[place:]]
-
-
-def _equal(one: Scalar, other: Scalar) -> bool:
-    return (one - other).normal().is_zero()

@@ -146,7 +146,7 @@ def _others(part: Inference, letters: Sequence[str]) -> Iterator[_Other]:
             is_joint = printed.lstrip("-") in arm["joints"]
             for correct in _lengths(printed, letters, is_joint) if column in ("a", "d") else _angles(printed, is_joint):
                 rows = [{**each, column: correct} if each is row else each for each in arm["rows"]]
-                yield _Other(k + 1, column, printed, correct, {**front, "arm": {**arm, "rows": rows}})
+                yield _Other(k + _first(arm), column, printed, correct, {**front, "arm": {**arm, "rows": rows}})
     yield from _turning(part) if is_table else ()
 
 
@@ -164,8 +164,17 @@ def _turning(part: Inference) -> Iterator[_Other]:
         own = [joint, *arm["joints"]]
         joints = [name for each in rows for name in _joints_in(each, own, "theta", "d")[:1]]
         yield _Other(
-            k + 1, "theta", str(row["theta"]), joint, {**front, "arm": {**arm, "rows": rows, "joints": joints}}
+            k + _first(arm),
+            "theta",
+            str(row["theta"]),
+            joint,
+            {**front, "arm": {**arm, "rows": rows, "joints": joints}},
         )
+
+
+def _first(arm: Mapping[str, Any]) -> int:
+    """Return the number of the first row's link: a base of its own is one before it."""
+    return 1 + ("base" in arm)
 
 
 def _joints_in(row: Mapping[str, Any], joints: Sequence[str], *columns: str) -> list[str]:

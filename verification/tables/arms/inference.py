@@ -18,10 +18,15 @@ from armproof.verification.tables.arms.beyond import with_point_beyond
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.closed_forms import candidates_of_closed_form
 from armproof.verification.tables.arms.code_letters import in_letters_of
+from armproof.verification.tables.arms.ends import with_ends
 from armproof.verification.tables.arms.general_link import shown_convention
 from armproof.verification.tables.arms.last_turn import with_last_turn
 from armproof.verification.tables.arms.laws import candidate_of_law, with_point_of_law
-from armproof.verification.tables.arms.matrices import candidates_of_matrices, poses_that_are_links
+from armproof.verification.tables.arms.matrices import (
+    candidate_of_rotations,
+    candidates_of_matrices,
+    poses_that_are_links,
+)
 from armproof.verification.tables.arms.other_case import in_other_case
 from armproof.verification.tables.arms.rows import candidates
 from armproof.verification.tables.arms.support import Inference
@@ -62,6 +67,7 @@ def _inferred(document: Document) -> Inference:
             of_table if of_table.problem is not None else Inference(document, None, problem, problem.terms.get("line"))
         )
     found = found or _of_formulas(document, plain_names(document))
+    found = found or (candidate_of_rotations(document, plain_names(document)) if of_table.problem is None else [])
     settled = _settle(document, found) if found else of_table
     if settled.arm is None and not found and of_table.problem is None:
         settled = _of_code(document)
@@ -175,6 +181,8 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     if alike and "transforms" not in document.front:  # nothing tells which index is the reference
         best = replace(best, front={key: value for key, value in best.front.items() if key != "transforms"})
     best = with_point_beyond(document, best) if best.held and not rivals else best
+    if best.held and not rivals:
+        best, found = with_ends(document, plain_names(document), best, found)
     if more and (rivals or best.failed >= best.held):  # a part of an arm shows itself in poses of its own frames
         return Inference(document, None, missing, line)
     if _stated(document):

@@ -23,6 +23,7 @@ from armproof.verification.tables.angles import angle_as_scalar
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
 from armproof.verification.tables.arms.letters import equations_of, unapplied, value_in_letters
 from armproof.verification.tables.arms.mends import mended
+from armproof.verification.tables.arms.rotations import as_transforms, without_lengths
 from armproof.verification.tables.arms.rows import joint_of
 from armproof.verification.tables.columns import CONVENTIONS
 from armproof.verification.tables.row import PARAMETERS, equal, right_row
@@ -112,6 +113,24 @@ def candidates_of_matrices(document: Document, names: Names) -> list[Candidate]:
             return []
         found = [_by_own_index(each, chain, document) for each in _fit(chain)]
         return [each for each in found if each.first == first - 1 or "" in each.joints]
+
+
+def candidate_of_rotations(document: Document, names: Names) -> list[Candidate]:
+    """Return the wrist of which a document prints the rotations alone, {}^3R_4, {}^4R_5: links without lengths; nothing where one is no link of its joint."""
+    algebra = ExactAlgebra(Ring(), None)
+    with algebra.budget.of(SECONDS):
+        links: dict[int, _Link] = {}
+        for link in _links(document, names, algebra, rotations=True):
+            if link.index and not equal(links.setdefault(link.index, link).value, link.value):
+                return []
+        chain = [links[index] for index in sorted(links)]
+        if len(chain) < 2 or [link.index for link in chain] != list(range(chain[0].index, chain[-1].index + 1)):
+            return []
+        fitted = ([_row_or_none(link, convention) for link in chain] for convention in CONVENTIONS)
+        rows = next(((k, each) for k, each in enumerate(fitted) if None not in each), None)
+        found = _candidate(chain, CONVENTIONS[rows[0]], rows[1]) if rows is not None else None
+        is_wrist = found is not None and found.indices == tuple(link.index for link in chain)
+        return [found] if found is not None and is_wrist else []
 
 
 def poses_that_are_links(document: Document, names: Names) -> dict[str, dict[str, str]]:
@@ -212,21 +231,26 @@ def _is_in_place(link: _Link, index: int, links: Sequence[_Link]) -> bool:
     return any(sum(one != other for one, other in zip(digits, each, strict=True)) == 1 for each in own)
 
 
-def _links(document: Document, names: Names, algebra: ExactAlgebra) -> Iterator[_Link]:
+def _links(document: Document, names: Names, algebra: ExactAlgebra, *, rotations: bool = False) -> Iterator[_Link]:
+    """Yield the matrices of links; or of `rotations`, as those of links without lengths."""
     for display in document.displays:
         if _WRITTEN.search(display.latex):
             for chain in equations_of(display, names):
                 for part in side_by_side(chain) or (chain,):
-                    yield from _link_of(part, names, algebra, display)
+                    yield from _link_of(as_transforms(part) if rotations else part, names, algebra, display, rotations)
 
 
-def _link_of(chain: n.Chain, names: Names, algebra: ExactAlgebra, display: Display) -> Iterator[_Link]:
+def _link_of(
+    chain: n.Chain, names: Names, algebra: ExactAlgebra, display: Display, is_rotation: bool
+) -> Iterator[_Link]:
     for name, printed, in_product in _printed(chain):
         index, evaluated = _index(name) or 0, value_in_letters(printed, names, algebra)
-        if evaluated is None or not isinstance(evaluated[0], Matrix) or evaluated[0].shape != (4, 4):
+        value = evaluated[0] if evaluated is not None else None
+        if evaluated is None or not isinstance(value, Matrix) or value.shape != ((3, 3) if is_rotation else (4, 4)):
             continue
         if isinstance(name, n.Name):
-            yield _Link(index, evaluated[0], name, evaluated[1], display, in_product)
+            whole = without_lengths(value) if is_rotation else value
+            yield _Link(index, whole, name, evaluated[1], display, in_product)
 
 
 def _printed(chain: n.Chain) -> Iterator[tuple[n.Node, n.Node, bool]]:
