@@ -13,7 +13,7 @@ from armproof.verification.latex.nodes import bare
 _TRANSFORMS = "TAHR"
 _POINTS = ("P", "p")
 FEWEST = 3  # steps of a product that tell which index is the reference
-_INDEX = re.compile(r"(?:(?P<digit>\d)|(?P<letter>[ijkn]))(?:(?P<sign>[+-])(?P<step>\d))?")
+_INDEX = re.compile(r"(?:(?P<digit>\d)|(?P<letter>[ijknN]))(?:(?P<sign>[+-])(?P<step>\d))?")
 _FAR = 100  # ranks: of frame i, which is behind numbered ones,
 _LAST = 2000  # of a tool,
 _UNKNOWN = 10_000  # of what nothing tells
@@ -184,5 +184,5 @@ def _rank(index: str) -> int:
     found = _INDEX.fullmatch(index)
     if found is None:
         return _UNKNOWN
-    first = int(found["digit"]) if found["digit"] else _FAR * " ijkn".index(found["letter"])
+    first = int(found["digit"]) if found["digit"] else _FAR * " ijkn".index(found["letter"].lower())
     return first + int(f"{found['sign'] or '+'}{found['step'] or 0}")
