@@ -19,7 +19,7 @@ from armproof.verification.document.sentences import GENERAL
 from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
-from armproof.verification.equations.definitions import squared_name
+from armproof.verification.equations.definitions import angle_of_tangent, squared_name
 from armproof.verification.equations.forces import heed_forces
 from armproof.verification.equations.given_values import GivenValues
 from armproof.verification.equations.outcome import Outcome
@@ -471,7 +471,9 @@ def _has_a_sign(node: n.Node) -> bool:
 
 
 def _of_root(chain: n.Chain) -> n.Chain:
-    """r² = x² + y² says that r = √(x² + y²), which is a length and positive."""
+    """r² = x² + y² says that r = √(x² + y²), which is a length and positive; tan β = y/x what β is."""
+    if chain.relations == ("=",) and (turned := angle_of_tangent(*chain.members)) is not None:
+        return replace(chain, members=turned)
     if chain.relations != ("=",) or squared_name(chain.members[0]) is None:
         return chain
     square, value = chain.members
