@@ -83,7 +83,7 @@ relationship relative relevant remain remainder remaining remains remark remembe
 repeated repeats replace replay report repository represent reprinted reproduced require requiring research reset resistance resolution resolving
 respect responsiveness rest restrict result resultant resulting results return returned returning returns review revolute rewrite rewriting rewritten
 rhs right rigid rigidly rigorous ring robotic robots robust robustness rodrigues roll rolling root roots rotary rotate rotated rotates rotating
-rotational round routines row rows rpy rule run runge running runs rx sac same sampled sampling satisfied satisfy saw say scalar scale scaled scaling
+rotational roto rototranslation round routines row rows rpy rule run runge running runs rx sac same sampled sampling satisfied satisfy saw say scalar scale scaled scaling
 scara scene schematic schur schwarz science scratch screen screw screws script scripts sec second seconds section see seek seen select selecting
 selects self semi sense sensitive sensor sent separate sequence sequentially serial series serves set sets setting settling setup seven several
 severity shall shape share shared sheet shifts short shorten shorter shortest shorthand shoulder show showed showing shown shows side sides signal
@@ -98,7 +98,7 @@ symbolic symbols symmetry system systems table tables tabular take taken takes t
 techniques telescoping ten tends tensor term terms test text textbook th than that the their them then theorem theoretical theory there thereby
 therefore these thesis theta they third this those though three threshold through thus time timer times tip to together tolerances too tool toolbox
 tools top topology torque torques total toward towards trace traces tracking trajectory transcendental transcription transfer transform transition
-translate transmitted transpose trapezoid treat treated treatment treats tree triangular trig trigonometry trivial true turn turned turning turns
+translate transmitted transpose trapezoid traslation treat treated treatment treats tree triangular trig trigonometry trivial true turn turned turning turns
 twelve twist twists two type types typical ultimate unattainable unchanged under underlying understand uniform unique uniquely unit units universal
 unknown unreachable unstable until up update updated updates upon upper upward upwards us use used useful uses using usual usually valid value values
 vanish vanishes variable variance variation varies various vary varying vectors velocity verification verified verify version vertical very via vice
