@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -35,6 +36,7 @@ from armproof.verification.verdict import HOLDS, Verdict
 
 ON_A_BRANCH = (Kind.ON_A_BRANCH, Kind.TO_DECIMALS_ON_A_BRANCH)
 OF_A_SIGN = frozenset("sqrt abs atan2 atan acos asin".split())  # a root or an angle that has another sign elsewhere
+_HELD = re.compile(r"\s*(?:\\\{(?P<set>(?:(?!\\[{}]).)*=(?:(?!\\[{}]).)*)\\\}|\((?P<list>[^()]*=[^()]*)\))\s*")
 
 
 class Circumstances:
@@ -81,7 +83,7 @@ class Circumstances:
                 kind = of_joints
                 continue
             try:
-                found = [each for each in self.names.reader.read(latex) if isinstance(each, n.Chain)]
+                found = [each for each in self.names.reader.read(unbraced(latex)) if isinstance(each, n.Chain)]
                 chains = [chain for chain in found if not self.given.repeats(chain)]
                 bounding = [chain for chain in chains if _is_bound(chain)]
                 for bound in bounding:
@@ -208,7 +210,7 @@ class Circumstances:
         conditions: list[n.Chain] = []
         for latex in said:
             with suppress(ReadError, RecursionError):
-                found = [each for each in self.names.reader.read(latex) if isinstance(each, n.Chain)]
+                found = [each for each in self.names.reader.read(unbraced(latex)) if isinstance(each, n.Chain)]
                 conditions += [condition for chain in found for condition in self._conditions(chain)]
                 if not found and self._stands_still(outcome):
                     return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
@@ -468,6 +470,12 @@ class Circumstances:
 
 def _has_a_sign(node: n.Node) -> bool:
     return any(isinstance(below, n.Call) and below.function in OF_A_SIGN for below in n.walk(node))
+
+
+def unbraced(latex: str) -> str:
+    """Return the equations of {θ_1 = 30°, θ_2 = 60°}, which set braces or parentheses hold together."""
+    found = _HELD.fullmatch(latex)
+    return (found["set"] or found["list"]) if found is not None else latex
 
 
 def _of_root(chain: n.Chain) -> n.Chain:
