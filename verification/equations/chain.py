@@ -35,6 +35,7 @@ from armproof.verification.equations.letter_matrices import (
     forget_letters_of,
     hold_as_defined,
     hold_entries,
+    is_of_pose,
     is_shown_as_defined,
     is_shown_to_be,
     name_of_tool,
@@ -441,21 +442,23 @@ class ChainChecker:
         )
         open_ = ((key, matrix) for key, (matrix, _) in awaited_now.items() if key.rpartition("_")[2] not in WRIST)
         met = {key: matrix for key, matrix in open_ if spoken & keys_alone(matrix)}
-        of_tool = partial(self._mean_tool, now, met)
+        poses = {key: matrix for key, matrix in met.items() if is_of_pose(matrix)}
+        of_tool = partial(self._mean_tool, now, poses)
         usual = [matrix for key, matrix in met.items() if key.startswith("U")]
-        for meaning in (of_tool, *([partial(forget_letters_of, self.names, usual)] if usual else [])) if met else ():
+        as_usual = partial(forget_letters_of, self.names, usual)
+        for meaning in (*([of_tool] if poses else []), *([as_usual] if usual else [])):
             tried = self._aside(now.chain, now.first, now.line, meaning)
             if all(outcome.verdict in HOLDS for outcome in tried):
-                if now.define and meaning is of_tool and are_shown_of_tool(self.names, met, now.line):
+                if now.define and meaning is of_tool and are_shown_of_tool(self.names, poses, now.line):
                     of_tool()
                 return tried
         return first
 
     def _mean_tool(self, now: _Pass, met: Mapping[str, n.Node]) -> None:
-        """Let the letters of matrices be the entries of the tool's pose, or of its rotation."""
+        """Let the letters of matrices be the entries of the tool's pose."""
         for matrix in met.values():
             forget_letters(self.names, matrix)
-            tool = self.member(name_of_tool(self.names, matrix))
+            tool = self.member(name_of_tool(self.names))
             now.definitions.define_entries(tool, Member(matrix), 1, True)
 
     def _of_defined_rotation(self, now: _Pass) -> list[Outcome] | None:

@@ -30,7 +30,7 @@ from armproof.verification.verdict import Verdict
 _ROTATION = re.compile(r"(?:\{\}(?:\^\w+)?(?:_\w+)?)?R(?![a-z])")
 _TARGETS = frozenset(["d", "D", "des", "desired", "target", "goal", "ref"])
 FEWEST_SHOWN = 2  # equations that show of which rotation r_{ij} are
-SPACE = 3  # rows and columns of a rotation
+POSE = 4  # rows and columns
 FEWEST_LETTERS = 4  # of a matrix of letters: those of a rotation, and no column of lengths
 
 
@@ -222,12 +222,15 @@ def are_shown_of_tool(names: Names, met: Mapping[str, n.Node], line: int) -> boo
     return are_shown
 
 
-def name_of_tool(names: Names, letters: n.Node) -> n.Name:
-    """Return a name of the tool's pose, or of its rotation where a matrix of letters has three rows and columns."""
+def is_of_pose(letters: n.Node) -> bool:
+    """Whether a matrix of letters is a whole pose: a rotation alone may be that of any frame."""
+    return [len(row) for row in written_rows(letters) or ()] == [POSE] * POSE
+
+
+def name_of_tool(names: Names) -> n.Name:
+    """Return a name of the tool's pose."""
     assert names.arm is not None
-    rows = written_rows(letters) or ()
-    base = "R" if len(rows) == len(rows[0]) == SPACE else "T"
-    return n.Name(base, names.arm.frames[-1], pre_sup=names.arm.frames[0], span=letters.span)
+    return n.Name("T", names.arm.frames[-1], pre_sup=names.arm.frames[0])
 
 
 def forget_letters_of(names: Names, matrices: Iterable[n.Node]) -> None:
