@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -22,7 +23,7 @@ from armproof.verification.document.sentences import FROM_VALUES, GENERAL
 from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
-from armproof.verification.equations.definitions import squared_name
+from armproof.verification.equations.definitions import angle_of_tangent, squared_name
 from armproof.verification.equations.forces import heed_forces
 from armproof.verification.equations.given_values import GivenValues
 from armproof.verification.equations.outcome import Outcome
@@ -40,6 +41,7 @@ from armproof.verification.verdict import HOLDS, Verdict
 POSTURE = r"\text{posture}"  # one that the text names, and nobody can tell
 ON_A_BRANCH = (Kind.ON_A_BRANCH, Kind.TO_DECIMALS_ON_A_BRANCH)
 OF_A_SIGN = frozenset("sqrt abs atan2 atan acos asin".split())  # a root or an angle that has another sign elsewhere
+_HELD = re.compile(r"\s*(?:\\\{(?P<set>(?:(?!\\[{}]).)*=(?:(?!\\[{}]).)*)\\\}|\((?P<list>[^()]*=[^()]*)\))\s*")
 
 
 class Circumstances:
@@ -87,7 +89,7 @@ class Circumstances:
                 kind = of_joints
                 continue
             try:
-                found = [each for each in self.names.reader.read(latex) if isinstance(each, n.Chain)]
+                found = [each for each in self.names.reader.read(unbraced(latex)) if isinstance(each, n.Chain)]
                 chains = [chain for chain in found if not self.given.repeats(chain)]
                 bounding = [chain for chain in chains if _is_bound(chain)]
                 for bound in bounding:
@@ -222,7 +224,7 @@ class Circumstances:
         conditions: list[n.Chain] = []
         for latex in self._in_letters(each for each in said if each != FROM_VALUES):
             with suppress(ReadError, RecursionError):
-                found = [each for each in self.names.reader.read(latex) if isinstance(each, n.Chain)]
+                found = [each for each in self.names.reader.read(unbraced(latex)) if isinstance(each, n.Chain)]
                 conditions += [condition for chain in found for condition in self._conditions(chain)]
                 if not found and self._may_hold_there(outcome, THERE in latex):
                     return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
@@ -522,8 +524,16 @@ def _has_a_sign(node: n.Node) -> bool:
     return any(isinstance(below, n.Call) and below.function in OF_A_SIGN for below in n.walk(node))
 
 
+def unbraced(latex: str) -> str:
+    """Return the equations of {θ_1 = 30°, θ_2 = 60°}, which set braces or parentheses hold together."""
+    found = _HELD.fullmatch(latex)
+    return (found["set"] or found["list"]) if found is not None else latex
+
+
 def _of_root(chain: n.Chain) -> n.Chain:
-    """r² = x² + y² says that r = √(x² + y²), which is a length and positive."""
+    """r² = x² + y² says that r = √(x² + y²), which is a length and positive; tan β = y/x what β is."""
+    if chain.relations == ("=",) and (turned := angle_of_tangent(*chain.members)) is not None:
+        return replace(chain, members=turned)
     if chain.relations != ("=",) or squared_name(chain.members[0]) is None:
         return chain
     square, value = chain.members

@@ -20,7 +20,7 @@ FOR_ALL = ("forall", "for all", "for every", "for any", "pour tout", "pour tous"
 def prepared(statements: list[n.Statement], names: Names) -> list[n.Statement]:
     """Return the statements that are to be decided: without "for all", what vanishes at its end apart."""
     if len(statements) > 1:
-        statements = without_index_range(_of_spaced_factors(statements))
+        statements = _with_other_solutions(without_index_range(_of_spaced_factors(statements)))
     statements = _with_degrees(statements, names)
     return [part for statement in _without_for_all(statements, names) for part in _without_vanishing_end(statement)]
 
@@ -98,6 +98,35 @@ def _of_spaced_factors(statements: list[n.Statement]) -> list[n.Statement]:
         )  # fmt: skip
         return [*statements[: at - 1], chain, *_of_spaced_factors(statements[at + 2 :])]
     return statements
+
+
+def _with_other_solutions(statements: list[n.Statement]) -> list[n.Statement]:
+    """Return θ = arccos D or -arccos D as two equations; numbers that are joined so, and what arrows join, are conditions."""
+    if not all(each.kind in ("or", "and", "words") for each in statements if isinstance(each, n.Connective)):
+        return statements
+    found: list[n.Statement] = []
+    for each in statements:
+        before, joined = found[-2:] if len(found) > 1 else (None, None)
+        is_joined = isinstance(joined, n.Connective) and joined.kind == "or"
+        if is_joined and _is_solution(before) and _is_formula(each):
+            each = replace(each, members=(before.members[0], *each.members), relations=("=",))
+        found.append(each)
+    return found
+
+
+def _is_solution(statement: n.Statement | None) -> TypeGuard[n.Chain]:
+    """Whether a chain says by a formula what a name is."""
+    is_equation = isinstance(statement, n.Chain) and statement.relations == ("=",)
+    return is_equation and isinstance(statement.members[0], n.Name) and _has_letters(statement.members[1])  # type: ignore[union-attr]
+
+
+def _is_formula(statement: n.Statement) -> TypeGuard[n.Chain]:
+    """Whether a formula stands alone."""
+    return isinstance(statement, n.Chain) and not statement.relations and _has_letters(statement)
+
+
+def _has_letters(tree: n.Node) -> bool:
+    return any(isinstance(below, n.Name) for below in n.walk(tree))
 
 
 def _is_transform(node: n.Node) -> bool:

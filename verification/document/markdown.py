@@ -465,4 +465,5 @@ def _read_table(tokens: list[Token], start: int, first: int, erratum: bool, cell
             break
     opening = tokens[start]
     line = first + (opening.map[0] if opening.map else 0)
-    return Table(line, tuple(rows[0]), tuple(tuple(row) for row in rows[1:]), erratum, cell, section)
+    filled = [row for row in rows[1:] if any(row)]  # a blank one below the others is a rule
+    return Table(line, tuple(rows[0]), tuple(map(tuple, filled or rows[1:])), erratum, cell, section)

@@ -13,6 +13,9 @@ from functools import cache
 import armproof.verification.document.vocabulary as vocabulary
 
 _WORD = re.compile(r"[^\W\d_][\w'-]*")
+_OF_OTHER_SCRIPT = re.compile(
+    r"[Ѐ-ӿ؀-ۿऀ-ॿ฀-๿ᄀ-ᇿ぀-ヿ㄰-㆏㐀-鿿가-힯]"
+)  # Cyrillic, Arabic, Devanagari, Thai, Hangul, Kana, Han
 # letters that words of one family have in common
 _PREFIXES = {"ENGLISH": 7, "FRENCH": 6, "GERMAN": 6, "SPANISH": 6, "ITALIAN": 6, "PORTUGUESE": 6}
 _SHORT = 8  # words of a sentence that says little else than what becomes of the display
@@ -44,7 +47,7 @@ def is_strange_behind(words: str) -> bool:
     One of the display may have none of them, nor "not" or "only"; a short one none, others one in nine, and one of the arm more.
     """
     found = _words(words)
-    if not found or found[0] == "Erratum":
+    if not found or found[0] == "Erratum" or _is_foreign(found):
         return False  # of the next
     subject = _subject(words)
     if subject or (words[:1].islower() and found[0] not in _table("GOES_ON")):
@@ -54,7 +57,8 @@ def is_strange_behind(words: str) -> bool:
 
 def is_strange_before(words: str) -> bool:
     """Whether a sentence that leads to a display has words that no course has there: one in a few, or two in more."""
-    return _is_mostly_strange(_words(words), 0 if _is_over(words) else _FEW)
+    found = _words(words)
+    return not _is_foreign(found) and _is_mostly_strange(found, 0 if _is_over(words) else _FEW)
 
 
 def strange_words(words: str) -> list[str]:
@@ -66,6 +70,11 @@ def is_in_known_language(text: str) -> bool:
     """Whether most words of a text are of a language whose words are known here; of a few words that cannot be told."""
     found = _WORD.findall(text)
     return len(found) < _MANY or 2 * len(_strange(found)) < len(found)
+
+
+def _is_foreign(found: Sequence[str]) -> bool:
+    """Whether a sentence is of a language in another script, of which no words are known here: it is read as a whole document in it."""
+    return 2 * sum(_OF_OTHER_SCRIPT.search(word) is not None for word in found) >= max(1, len(found))
 
 
 def _subject(words: str) -> str:

@@ -89,31 +89,32 @@ relevant remain remainder remaining remains remark remember reminder remove remo
 replay report repository represent reprinted reproduced require requiring research reset resistance resolution resolving respect responsiveness rest
 restrict result resultant resulting results retracting return returned returning returns review revolute rewrite rewriting rewritten rhs right
 right-handed rigid rigidly rigorous ring robotic robots robust robustness rodrigues roll rolling root roots rotary rotate rotated rotates rotating
-rotational roughly round routine row row-wise rows rpy rule run runge running runs rx sac same sampled sampling satisfied satisfy saw say scalar scale
-scaled scaling scara scene schematic school schur schwarz science scratch screen screw screws script scripts sec second seconds section see seek seen
-select selecting selects self semester semi sense sensitive sensor sensors sent separate sequence sequentially serial series serves set sets setting
-settling setup seven several severity shall shank shape share shared sheet shelf shifts shop short shortcut shorten shorter shortest shorthand
-shoulder show showed showing shown shows side sides signal signed similar simple simpler simplest simplicity simplified simply simulated simultaneous
-sin since sine sines single singular situation sixth size sketch skew slice slide slider sliders slides slow slowest slowly small smaller smallest
-smooth smoother smoothly smoothness smooths so software solve solved solver solvers solves solving some sophisticated sort source space spaces span
-sparse spatial speak speaks special specific specify spectral speed speeds spelled sphere spheres spherical spindle spline splitting spoon spray
-spreadsheet square squared squares squaring stability stable stack stacking stage stand standard stands start started starting starts state stated
-statement states static statics stay step steps stewart still stop stops stored stores straight strategy stress stretch strictly strong strongly
-structural studied studies study studying sub subject submatrix subscript subsection subsequent subset subspace substitute subtract success such
-suitable sum summarize summary summation summed summing sums superscript supported suppose supposing sure surface sweep sweeping sweeps swept swing
-swinging swings switch switched swivelling symbolic symbols symmetry system systems table tables tabular take taken takes taking tall tangent target
-targets task tasks taylor tcp technically techniques tedious telescoping ten tends tensor term term-by-term terms test text textbook th than that the
-their them then theorem theoretical theory there thereby therefore therein these thesis theta they thigh third this those though three
+rotational roto rototranslation roughly round routine row row-wise rows rpy rule run runge running runs rx sac same sampled sampling satisfied satisfy
+saw say scalar scale scaled scaling scara scene schematic school schur schwarz science scratch screen screw screws script scripts sec second seconds
+section see seek seen select selecting selects self semester semi sense sensitive sensor sensors sent separate sequence sequentially serial series
+serves set sets setting settling setup seven several severity shall shank shape share shared sheet shelf shifts shop short shortcut shorten shorter
+shortest shorthand shoulder show showed showing shown shows side sides signal signed similar simple simpler simplest simplicity simplified simply
+simulated simultaneous sin since sine sines single singular situation sixth size sketch skew slice slide slider sliders slides slow slowest slowly
+small smaller smallest smooth smoother smoothly smoothness smooths so software solve solved solver solvers solves solving some sophisticated sort
+source space spaces span sparse spatial speak speaks special specific specify spectral speed speeds spelled sphere spheres spherical spindle spline
+splitting spoon spray spreadsheet square squared squares squaring stability stable stack stacking stage stand standard stands start started starting
+starts state stated statement states static statics stay step steps stewart still stop stops stored stores straight strategy stress stretch strictly
+strong strongly structural studied studies study studying sub subject submatrix subscript subsection subsequent subset subspace substitute subtract
+success such suitable sum summarize summary summation summed summing sums superscript supported suppose supposing sure surface sweep sweeping sweeps
+swept swing swinging swings switch switched swivelling symbolic symbols symmetry system systems table tables tabular take taken takes taking tall
+tangent target targets task tasks taylor tcp technically techniques tedious telescoping ten tends tensor term term-by-term terms test text textbook th
+than that the their them then theorem theoretical theory there thereby therefore therein these thesis theta they thigh third this those though three
 three-dimensional threshold thrice through thumb thus tilting time timer times tip to toe together tolerances too tool toolbox tools top topology
 torch torque torques torso total toward towards toy trace traced traces tracing tracking trajectory transcendental transcription transfer transform
-transition translate transmitted transpose trapezoid tray treat treated treatment treats tree triangular trick trig trigonometry trivial true trunk
-turn turned turning turns turret twelve twice twist twists two two-dimensional type types typical ultimate unattainable unchanged under underlying
-understand uniform unique uniquely unit units universal unknown unreachable unstable until up update updated updates upon upper upward upwards us use
-used useful uses using usual usually valid value values vanish vanishes variable variance variation varies various vary varying vectors velocity
-verification verified verify version vertical very via vice view virtual viscous visualize volume waist walker wall wall-mounted want warehouse was
-way waypoint ways we weight weighted weighting weights welded welding well were what wheel wheels when whence whenever where whereas wherein which
-while whiteboard whole whom whose why wide widely width will window with within word words work workpiece works workshop workspace world worth wrap
-wrapped wrench wrenches wrist write writes writing written wrt xy yaw yawing yet yield yielding yields yoshikawa you your zero zeros zyx zyz
+transition translate transmitted transpose trapezoid traslation tray treat treated treatment treats tree triangular trick trig trigonometry trivial
+true trunk turn turned turning turns turret twelve twice twist twists two two-dimensional type types typical ultimate unattainable unchanged under
+underlying understand uniform unique uniquely unit units universal unknown unreachable unstable until up update updated updates upon upper upward
+upwards us use used useful uses using usual usually valid value values vanish vanishes variable variance variation varies various vary varying vectors
+velocity verification verified verify version vertical very via vice view virtual viscous visualize volume waist walker wall wall-mounted want
+warehouse was way waypoint ways we weight weighted weighting weights welded welding well were what wheel wheels when whence whenever where whereas
+wherein which while whiteboard whole whom whose why wide widely width will window with within word words work workpiece works workshop workspace world
+worth wrap wrapped wrench wrenches wrist write writes writing written wrt xy yaw yawing yet yield yielding yields yoshikawa you your zero zeros zyx
+zyz
 """
 FRENCH = """
 a abord abordé aboutissons abrégée abréviation abscisse absolue accorde accélère accélération achève addition adjointe affecte affichage ai aide

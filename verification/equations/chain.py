@@ -26,6 +26,7 @@ from armproof.verification.equations.given_values import adopts_letters, keys_al
 from armproof.verification.equations.jacobian_rows import RowsOfJacobians
 from armproof.verification.equations.letter_matrices import (
     FEWEST_LETTERS,
+    are_shown_of_tool,
     await_value,
     awaited,
     entries_before,
@@ -34,8 +35,10 @@ from armproof.verification.equations.letter_matrices import (
     forget_letters_of,
     hold_as_defined,
     hold_entries,
+    is_of_pose,
     is_shown_as_defined,
     is_shown_to_be,
+    name_of_tool,
     of_defined_rotation,
     stale,
     take_entries,
@@ -62,7 +65,7 @@ from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key, has_branches
-from armproof.verification.naming.conventions import ENTRY
+from armproof.verification.naming.conventions import ENTRY, WRIST
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Definition
 from armproof.verification.verdict import DECIDED, HOLDS, Verdict
@@ -429,14 +432,34 @@ class ChainChecker:
         take_entries(self.names, entries)
 
     def _of_awaited(self, now: _Pass, first: list[Outcome]) -> list[Outcome]:
-        """Return the outcomes where the letters of U_0 = [s n a P], which never gets a value, mean what they usually do, if all hold."""
+        """Return the outcomes where the letters of a matrix whose name has no value are of the tool's pose, if all hold.
+
+        Those of U_0 = [s n a P], as Paul and Khalil say, may mean what they usually do as well.
+        """
         awaited_now = self.names.state.awaited if now.is_open else {}
-        matrices = [matrix for key, (matrix, _) in awaited_now.items() if key.startswith("U")]  # as Paul and Khalil say
-        letters = {name.key for matrix in matrices for name in names_alone(matrix)}
-        if not any(isinstance(b, n.Name) and b.key in letters for m in now.chain.members for b in n.walk(m)):
-            return first
-        tried = self._aside(now.chain, now.first, now.line, partial(forget_letters_of, self.names, matrices))
-        return tried if all(outcome.verdict in HOLDS for outcome in tried) else first
+        spoken = (
+            {b.key for m in now.chain.members for b in n.walk(m) if isinstance(b, n.Name)} if awaited_now else set()
+        )
+        open_ = ((key, matrix) for key, (matrix, _) in awaited_now.items() if key.rpartition("_")[2] not in WRIST)
+        met = {key: matrix for key, matrix in open_ if spoken & keys_alone(matrix)}
+        poses = {key: matrix for key, matrix in met.items() if is_of_pose(matrix)}
+        of_tool = partial(self._mean_tool, now, poses)
+        usual = [matrix for key, matrix in met.items() if key.startswith("U")]
+        as_usual = partial(forget_letters_of, self.names, usual)
+        for meaning in (*([of_tool] if poses else []), *([as_usual] if usual else [])):
+            tried = self._aside(now.chain, now.first, now.line, meaning)
+            if all(outcome.verdict in HOLDS for outcome in tried):
+                if now.define and meaning is of_tool and are_shown_of_tool(self.names, poses, now.line):
+                    of_tool()
+                return tried
+        return first
+
+    def _mean_tool(self, now: _Pass, met: Mapping[str, n.Node]) -> None:
+        """Let the letters of matrices be the entries of the tool's pose."""
+        for matrix in met.values():
+            forget_letters(self.names, matrix)
+            tool = self.member(name_of_tool(self.names))
+            now.definitions.define_entries(tool, Member(matrix), 1, True)
 
     def _of_defined_rotation(self, now: _Pass) -> list[Outcome] | None:
         """Return the outcomes where r_{ij} are of the rotation that a document without an arm gave last, if all hold."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from armproof.verification.latex import nodes as n
@@ -12,8 +12,9 @@ from armproof.verification.latex.nodes import bare
 
 _TRANSFORMS = "TAHR"
 _POINTS = ("P", "p")
+_WHOLE = n.Name("R")
 FEWEST = 3  # steps of a product that tell which index is the reference
-_INDEX = re.compile(r"(?:(?P<digit>\d)|(?P<letter>[ijkn]))(?:(?P<sign>[+-])(?P<step>\d))?")
+_INDEX = re.compile(r"(?:(?P<digit>\d)|(?P<letter>[ijknN]))(?:(?P<sign>[+-])(?P<step>\d))?")
 _FAR = 100  # ranks: of frame i, which is behind numbered ones,
 _LAST = 2000  # of a tool,
 _UNKNOWN = 10_000  # of what nothing tells
@@ -38,13 +39,26 @@ def is_composition(chain: n.Chain, frames: Collection[str]) -> bool:
     if len(chain.members) < 2 or set(chain.relations) != {"="} or _are_frames(chain, frames):
         return False
     for reference in ("upper", "lower"):
-        if not all(arguments_fit(member, reference) for member in chain.members):
+        members = _with_whole(chain, reference)
+        if not all(arguments_fit(member, reference) for member in members):
             continue
-        ends = [_ends(member, reference) for member in chain.members]
+        ends = [_ends(member, reference) for member in members]
         tells = any(isinstance(bare(m), n.Product | n.Postfix) for m in chain.members)  # {}^B_AR = {}^A_BR^T
         if None not in ends and len(set(ends)) == 1 and tells:
             return True
     return False
+
+
+def _with_whole(chain: n.Chain, reference: str) -> Sequence[n.Node]:
+    """Return the members with R, the whole rotation that R_6^3 = (R_3^0)^T R is about, from the first frame named to the last."""
+    named = [each for member in chain.members for each in n.walk(member) if isinstance(each, n.Name)]
+    scripts = {script for each in named for script in each.scripts if script.isdigit()}
+    if _WHOLE not in named or len(scripts) < FEWEST:
+        return chain.members
+    first, last = min(scripts, key=int), max(scripts, key=int)
+    sup, sub = (first, last) if reference == "upper" else (last, first)
+    whole: dict[int, n.Node] = {id(each): replace(each, sup=sup, sub=sub) for each in named if each == _WHOLE}
+    return [n.substitute_each(member, whole) for member in chain.members]
 
 
 def is_product_of_links(chain: n.Chain) -> bool:
@@ -184,5 +198,5 @@ def _rank(index: str) -> int:
     found = _INDEX.fullmatch(index)
     if found is None:
         return _UNKNOWN
-    first = int(found["digit"]) if found["digit"] else _FAR * " ijkn".index(found["letter"])
+    first = int(found["digit"]) if found["digit"] else _FAR * " ijkn".index(found["letter"].lower())
     return first + int(f"{found['sign'] or '+'}{found['step'] or 0}")

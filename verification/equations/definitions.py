@@ -325,7 +325,9 @@ def _by_both(names: Names, second: tuple[str, int], meaning: Callable[[Any], Val
 
 
 def _solved(member: Member, true: n.Node) -> tuple[str, n.Node] | None:
-    """Return a name with what an equation says that it is: r of r² = x² + y², an angle of a triangle by its cosine."""
+    """Return a name with what an equation says that it is: r of r² = x² + y², an angle by its tangent, one of a triangle by its cosine."""
+    if (turned := angle_of_tangent(member.node, true)) is not None and _is_angle(turned[0]):
+        return turned[0].key, turned[1]
     if (root := squared_name(member.node)) is not None:
         return root, n.Call("sqrt", (true,), "\\sqrt", span=true.span)
     key = member.problem.name if isinstance(member.problem, UnboundName) else ""
@@ -361,6 +363,14 @@ def squared_name(node: n.Node) -> str | None:
     if isinstance(node, n.Power) and isinstance(node.exponent, n.Number) and node.exponent.value == 2:
         return bare_key(node.base)
     return None
+
+
+def angle_of_tangent(node: n.Node, value: n.Node) -> tuple[n.Name, n.Node] | None:
+    """Return the β of tan β = y/x, and what it is: that of the arctangent, or half a turn beside it."""
+    angle = bare(node.arguments[0]) if isinstance(node, n.Call) and node.function == "tan" else None
+    if not isinstance(angle, n.Name) or angle.dots or any(isinstance(below, n.Matrix) for below in n.walk(value)):
+        return None
+    return angle, n.placed(n.Call("atan", (value,), "arctan"), value.span)
 
 
 def _has_dots(node: n.Node) -> bool:

@@ -249,6 +249,8 @@ def of_link_i(chain: n.Chain) -> n.Chain:
     own = {name.sub for name in names if name.base in ("theta", "alpha", "a", "d")}
     next_one = next((letter for letter in "ijkn" if {letter, f"{letter}+1"} <= scripts), "")
     letter = next((letter for letter in "jkn" if {letter, f"{letter}-1"} <= scripts or own == {letter}), "")
+    if next_one and own == {next_one} and any((name.sub, name.sup) == (next_one, f"{next_one}+1") for name in names):
+        return chain  # A_i^{i+1} of θ_i is A_i^{i-1} with a slip, or counts from 0
     if next_one and f"{next_one}-1" not in scripts:
         spelt = {next_one: "i-1", f"{next_one}+1": "i"}
         inner = {next_one: "i"} if own == {next_one} else spelt

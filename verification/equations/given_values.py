@@ -288,10 +288,14 @@ def new_letters(names: Names, chain: n.Chain) -> frozenset[str]:
 
 
 def adopts_letters(sides: Members, members: list[Member]) -> bool:
-    """The letters of the transform to a frame that the document adds (a tool of length L_3), and of a point in one of the arm's, become free symbols."""
+    """The letters of the transform to a frame that the document adds (a tool of length L_3), and of a point in one of the arm's, become free symbols.
+
+    So do those of the transform from a frame that it adds to the arm's base, where that stands: any letter is a length there.
+    """
     names = sides.names
     alone = [m.node for m in members if isinstance(m.node, n.Name)]
-    if not any(names.adds_frame(each) or _is_point_beyond(each, names) for each in alone):
+    stands = any(map(names.adds_base, alone))
+    if not stands and not any(names.adds_frame(each) or _is_point_beyond(each, names) for each in alone):
         return False
     new: set[str] = set()
     for member in members:
@@ -300,7 +304,7 @@ def adopts_letters(sides: Members, members: list[Member]) -> bool:
                 if (
                     isinstance(below, n.Name)
                     and not sides.evaluate(below).known
-                    and below.base[:1] in "aldhLDrRkGge"
+                    and (below.base[:1] in "aldhLDrRkGge" or (stands and len(below.base) == 1))
                     and not below.dots
                 ):
                     new.add(below.key)

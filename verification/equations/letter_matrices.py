@@ -18,6 +18,7 @@ from armproof.verification.equations.given_values import keys_alone, names_alone
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
 from armproof.verification.errors import EvaluationError, UnboundName
+from armproof.verification.evaluation.blocks import written_rows
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key
@@ -29,6 +30,7 @@ from armproof.verification.verdict import Verdict
 _ROTATION = re.compile(r"(?:\{\}(?:\^\w+)?(?:_\w+)?)?R(?![a-z])")
 _TARGETS = frozenset(["d", "D", "des", "desired", "target", "goal", "ref"])
 FEWEST_SHOWN = 2  # equations that show of which rotation r_{ij} are
+POSE = 4  # rows and columns
 FEWEST_LETTERS = 4  # of a matrix of letters: those of a rotation, and no column of lengths
 
 
@@ -207,6 +209,28 @@ def await_value(names: Names, key: str, letters: n.Node, line: int) -> Outcome:
     names.leave_unknown(keys, line)
     names.state.awaited[key] = letters, line
     return Outcome(Verdict.DEFINED, (say(Kind.DEFINES_ENTRIES, names=sorted(keys)),), defines=tuple(sorted(keys)))
+
+
+def are_shown_of_tool(names: Names, met: Mapping[str, n.Node], line: int) -> bool:
+    """Remember that an equation holds with the letters of matrices as entries of the tool's pose; say whether two do now."""
+    shown = names.state.of_tool
+    for key in met:
+        shown[key] = shown.get(key, frozenset()) | {line}
+    are_shown = all(len(shown[key]) >= FEWEST_SHOWN for key in met)
+    for key in met if are_shown else ():
+        del names.state.awaited[key]
+    return are_shown
+
+
+def is_of_pose(letters: n.Node) -> bool:
+    """Whether a matrix of letters is a whole pose: a rotation alone may be that of any frame."""
+    return [len(row) for row in written_rows(letters) or ()] == [POSE] * POSE
+
+
+def name_of_tool(names: Names) -> n.Name:
+    """Return a name of the tool's pose."""
+    assert names.arm is not None
+    return n.Name("T", names.arm.frames[-1], pre_sup=names.arm.frames[0])
 
 
 def forget_letters_of(names: Names, matrices: Iterable[n.Node]) -> None:

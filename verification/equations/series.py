@@ -25,6 +25,7 @@ _SIGNS = {"\\sum": "+", "\\prod": ""}
 _LIMIT = re.compile(r"\s*(?:\\limits(?![A-Za-z]))?\s*(?P<mark>[_^])\s*(?:\{(?P<braced>[^{}]*)\}|(?P<single>[^\\{}\s]))")
 _FROM = re.compile(r"\s*([ijkm])\s*=\s*(\d)\s*")
 _TO = re.compile(r"\s*(?:(\d{1,2})|([nN])\s*(?:([+-])\s*(\d))?)\s*")
+_PRODUCT = re.compile(r"\\prod\s*_\{\s*(?P<index>[ijk])\s*=\s*1\s*\}\s*\^\{?\s*(?P<last>[nN])\s*\}?")
 _SCRIPT = re.compile(r"[_^]\s*(?:\{(?P<braced>(?:[^{}]|\{[^{}]*\})*)\}|(?P<single>[A-Za-z0-9]))")
 
 
@@ -81,6 +82,8 @@ class _Terms:
         """Return l \\sum a_i b_i as l (a_1 b_1 + …); None where no sign stands open to its end, or it is not clear."""
         before, sign = _open_sign(node)
         limits = self._limits(sign) if sign is not None else None
+        if sign is not None and limits is None and self.names.arm is None and not before:
+            return self._of_any_length(sign, node)
         if sign is None or limits is None or limits.end >= node.span[1]:
             return None
         terms = self._instances(limits, node.span[1])
@@ -108,6 +111,16 @@ class _Terms:
         numbers = range(int(first[2]), last + 1)
         return _Limits(first[1], numbers, end) if 0 < len(numbers) <= MOST_TERMS else None
 
+    def _of_any_length(self, sign: n.Dots, node: n.Node) -> n.Node | None:
+        """Return Π A_i^{i-1} from 1 to n as A_1^0 A_2^1 ⋯ A_n^{n-1}, as a document without an arm writes it out."""
+        found = _PRODUCT.match(self.text, sign.span[0])
+        text = self.text[found.end() : node.span[1]] if found is not None else ""
+        terms = [self._instance(text, found["index"], number) for number in (1, 2)] if found is not None else []
+        last = self._read(_letter(found["index"]).sub(found["last"], text)) if found is not None else None
+        if found is None or last is None or None in terms or not isinstance(last, n.Name | n.Call):
+            return None
+        return _product([*terms, n.Dots(span=sign.span), last], (sign.span[0], node.span[1]))  # type: ignore[list-item]
+
     def _last(self, text: str) -> int | None:
         """Return the number that an upper limit is, n being the number of joints."""
         found = _TO.fullmatch(text)
@@ -129,6 +142,9 @@ class _Terms:
         spelt = _with_number(text, index, number)
         if spelt is None or len(self.read) >= MOST_READ:
             return None
+        return self._read(spelt)
+
+    def _read(self, spelt: str) -> n.Node | None:
         self.read.append(spelt)
         try:
             return _Terms(spelt, self.names, self.read).of(self.names.reader.read_expression(spelt))

@@ -7,7 +7,7 @@ from functools import lru_cache
 
 from armproof.verification.latex.greek import GREEK
 
-LETTERS = {**GREEK, "ell": "ℓ", "varnothing": "∅", "infty": "∞", "top": "⊤"}
+LETTERS = {**GREEK, "ell": "ℓ", "varnothing": "∅", "nabla": "∇", "infty": "∞", "top": "⊤"}
 _SIGNS = {
     "cdot": "·", "times": "×", "pm": "±", "mp": "∓", "leq": "≤", "le": "≤", "geq": "≥", "ge": "≥", "neq": "≠", "ne": "≠",
     "approx": "≈", "equiv": "≡", "in": "∈", "forall": "∀", "exists": "∃", "because": "∵", "Rightarrow": "⇒", "implies": "⇒",

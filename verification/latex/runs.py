@@ -25,7 +25,7 @@ class RunReader(CallReader):
 
     def read(self, items: list[Item]) -> list[n.Node]:
         """Return the factors of a run."""
-        items = reassociate(attach_trailing(items))
+        items = reassociate([_named(item, self.text) for item in attach_trailing(items)])
         factors: list[n.Node] = []
         index = 0
         while index < len(items):
@@ -148,6 +148,21 @@ class RunReader(CallReader):
 
 def _is_angle(node: n.Node) -> bool:
     return isinstance(node, n.Name) and node.base in ANGLES
+
+
+def _named(item: Item, text: str) -> Item:
+    """Return {}^0_3[T] as the name {}^0_3T: brackets around a bare letter are style where frames stand beside them.
+
+    Of what else has a frame before it, {}^1(A_1 A_2), nobody knows the value; seen from the base is what all is.
+    """
+    inner = item.node.inner if isinstance(item.node, n.Group) and item.node.brackets == "[]" else None
+    has_frames = bool(item.pre) or any(kind == "SUB" for kind, *_ in item.scripts)
+    if item.kind == "list" and has_frames and isinstance(inner, n.Name) and inner == n.Name(inner.base):
+        return Item("letter", None, item.start, item.end, inner.base, item.scripts, item.pre)
+    is_seen_from_base = [(kind, canonical_script(frame)) for kind, frame, _ in item.pre] == [("SUP", "0")]
+    if item.kind not in ("list", "node", "braces") or not item.pre or is_seen_from_base:
+        return item
+    return node_item(n.Name("words", text=text[item.start : item.end], span=(item.start, item.end)))
 
 
 def _between_frames(item: Item, following: Item | None) -> Item | None:

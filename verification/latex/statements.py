@@ -252,8 +252,7 @@ def _matrix_cell(cell: Cell, span: tuple[int, int]) -> n.Node:
         return parts[0]
     words = [part for part in parts if isinstance(part, Token) and part.type == "TEXT"]
     if words:
-        text = " ".join(str(part.value) for part in words)
-        return n.Name("words", text=text, span=(span_of_token(words[0])[0], span_of_token(words[-1])[1]))
+        return _in_words(words)
     if not parts:
         raise ReadError(say(Kind.EMPTY_CELL), span[0])
     if all(isinstance(part, n.Number) for part in parts):  # 0 \\quad 0 \\quad 0: a row of a block of three columns
@@ -263,13 +262,22 @@ def _matrix_cell(cell: Cell, span: tuple[int, int]) -> n.Node:
     raise ReadError(say(Kind.SEVERAL_IN_CELL), where)
 
 
+def _in_words(words: list[Token]) -> n.Node:
+    """Return words where a value belongs."""
+    text = " ".join(str(word.value) for word in words)
+    return n.Name("words", text=text, span=(span_of_token(words[0])[0], span_of_token(words[-1])[1]))
+
+
 def _cases(rows: list[list[Cell]], span: tuple[int, int], text: str) -> n.Node:
     branches: list[tuple[n.Node, str]] = []
     for row in rows:
         value = next((part for part in row[0] if isinstance(part, n.Node)), None)
+        words = [part for part in row[0] if isinstance(part, Token) and part.type == "TEXT"] if value is None else []
+        if words:  # \text{geometric} \\ \text{algebraic}: a list
+            value = _in_words(words)
         if value is None:
             raise ReadError(say(Kind.CASE_WITHOUT_VALUE), span[0])
-        rest = [part for cell in row for part in cell if part is not value]
+        rest = [part for cell in row for part in cell if part is not value and part not in words]
         ends = [span_of_token(p) if isinstance(p, Token) else p.span for p in rest]
         condition = text[min(e[0] for e in ends) : max(e[1] for e in ends)] if ends else ""
         branches.append((value, condition.strip(" ,&")))

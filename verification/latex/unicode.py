@@ -23,7 +23,7 @@ COMMANDS |= {
     for styled in _STYLED
     if (letter := unicodedata.normalize("NFKC", styled)) != styled
 }
-COMMANDS |= {"∅": r"\varnothing ", "⌀": r"\varnothing ", "⊖": r"\ominus ", "⊕": r"\oplus "}
+COMMANDS |= {"∅": r"\varnothing ", "∇": r"\nabla ", "⌀": r"\varnothing ", "⊖": r"\ominus ", "⊕": r"\oplus "}
 _BELOW = dict(zip("₀₁₂₃₄₅₆₇₈₉₊₋ₐₑᵢⱼₖₗₘₙₚᵣₛₜₓ", "0123456789+-aeijklmnprstx", strict=True))
 _ABOVE = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁱⁿᵀᵗ", "0123456789+-inTt", strict=True))
 _SCRIPTS = re.compile(f"(?P<below>[{''.join(_BELOW)}]+)|(?P<above>[{''.join(_ABOVE)}]+)")

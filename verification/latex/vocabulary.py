@@ -5,7 +5,7 @@ from __future__ import annotations
 from armproof.verification.latex import greek
 
 VARIANTS = {**greek.VARIANTS, "ell": "l", "emptyset": "varnothing"}
-LETTERS = frozenset([*greek.GREEK, "ell", "varnothing", "emptyset"])  # commands that are letters
+LETTERS = frozenset([*greek.GREEK, "ell", "varnothing", "emptyset", "nabla"])  # commands that are letters
 
 # how the functions of kinematics are spelt: the spelling → the function
 FUNCTIONS = {

@@ -216,6 +216,12 @@ class Names:
             pair is not None and self.arm is not None and pair[0] in self.arm.frames and pair[1] not in self.arm.frames
         )
 
+    def adds_base(self, name: n.Name) -> bool:
+        """Whether a transform leads from a frame that is not the arm's to its base: {}^B_0T, {}^WT_0."""
+        arm = self.arm if name.base in ("T", "A", "H") else None
+        pair = transform_pair(name, arm, self.transforms) if arm is not None else None
+        return pair is not None and arm is not None and pair[0] not in arm.frames and pair[1] == arm.frames[0]
+
     def add_frame(self, name: n.Name) -> None:
         """Remember that a defined transform leads from a frame of the arm to one that is not the arm's."""
         pair = transform_pair(name, self.arm, self.transforms) if self.arm is not None else None

@@ -114,6 +114,24 @@ def _told(body: str) -> tuple[Verdict, list[Kind]]:
     return found.verdict, [each.kind for each in found.outcomes[0].findings]
 
 
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "일반식은 다음과 같다.",
+        "其中各参数如下：",
+        "Матрица перехода записывается так.",
+        "최종 end-effector의 위치벡터는",
+    ],
+)
+def test_a_sentence_in_another_script_is_not_strange_in_a_short_document(sentence: str) -> None:
+    for side in (f"{sentence}\n\n$$ {RIGHT} $$", f"$$ {RIGHT} $$\n\n{sentence}"):
+        assert _told(side)[0] is Verdict.PROVED
+
+
+def test_a_sentence_with_one_word_in_another_script_is_judged_by_the_others() -> None:
+    assert _told(f"$$ {RIGHT} $$\n\nThis was my cousin 王's idea of a joke.")[0] is Verdict.UNCHECKED
+
+
 def test_a_comment_is_no_sentence() -> None:
     for path, text in (
         ("page.rst", f".. arm: planar_2r\n\n.. My cousin swears by this joke.\n\n.. math:: {RIGHT}\n"),

@@ -41,14 +41,17 @@ SECONDS = 0.3
 def candidates_of_closed_form(document: Document, names: Names, has_table: bool = False) -> list[Candidate]:
     """Return the arm whose tool has the coordinates that a document gives first, or the pose; else that whose wrist has them.
 
-    Beside a table, which gives another arm or none, a pose may be what is wrong.
+    Beside a table, which gives another arm or none, a pose may be what is wrong. The coordinates in a pose tell nothing of a
+    joint that turns the tool about its own origin: the pose of a frame beyond theirs does.
     """
-    if found := _of_point(document, names, _COORDINATE):
-        return found
+    found = _of_point(document, names, _COORDINATE)
+    beyond = len(found[0].joints) if found else 0
     algebra = ExactAlgebra(Ring(), None)
     with algebra.budget.of(SECONDS):
-        of_pose = candidate_of_pose(document, names, algebra) if not has_table else None
-    return [of_pose] if of_pose is not None else _of_point(document, names, _OF_WRIST)
+        of_pose = candidate_of_pose(document, names, algebra, beyond) if not has_table else None
+    if of_pose is not None and all({*each.more_lines} == {*of_pose.more_lines} for each in found):
+        return [of_pose]
+    return found or _of_point(document, names, _OF_WRIST)
 
 
 def _of_point(document: Document, names: Names, spelt: re.Pattern[str]) -> list[Candidate]:

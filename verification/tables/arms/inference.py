@@ -36,6 +36,8 @@ from armproof.verification.tables.check import read_array, turned
 from armproof.verification.tables.columns import CONVENTIONS, read_columns
 from armproof.verification.verdict import TakenArm
 
+_IN_A_METRE = {"mm": 1000, "cm": 100}
+_LENGTH_UNIT = re.compile(r"(?<![A-Za-z])[mc]m(?![A-Za-z])")
 _NUMBER = re.compile(r"(?<![\d._{])[1-9]\d*(?:\.\d+)?(?![\d.])")
 _AT_REST = re.compile(r"\\dot\s*\{?\s*\\?(?:theta|q)\s*_\s*\{?\d+[\s}]*=\s*0(?![\d.])")  # of what does not move
 _RATE = re.compile(r"\\d{1,2}ot\s*\{?\s*([A-Za-z])\s*\}?\s*_\s*\{?\s*(\w+)")
@@ -122,10 +124,22 @@ def arms_of(document: Document, table: Table) -> list[Candidate] | Finding:
 
 
 def in_metres(document: Document, table: Table) -> bool:
-    """Whether a document calculates in metres, whatever the unit of its table: else a number of it stands in a display."""
+    """Whether a document calculates in metres, whatever the unit of its table: else a number of it stands in a display, or one that no such arm reaches."""
     numbers = {number for row in table.rows for cell in row for number in _NUMBER.findall(cell) if len(number) > 1}
     numbers -= {"90", "180", "45", "60", "30", "120", "135", "270", "360"}
-    return not any(numbers & set(_NUMBER.findall(display.latex)) for display in document.displays)
+    printed = [set(_NUMBER.findall(display.latex)) for display in document.displays]
+    return not any(numbers & each for each in printed) and not _is_beyond_reach(document, table)
+
+
+def _is_beyond_reach(document: Document, table: Table) -> bool:
+    """Whether a matrix prints a number that an arm of a table's lengths reaches in their unit, and not in metres."""
+    units = [_LENGTH_UNIT.search(header) for header in table.header]
+    cells = [(unit[0], cell) for row in table.rows for unit, cell in zip(units, row, strict=False) if unit is not None]
+    lengths = [(unit, float(number)) for unit, cell in cells for number in _NUMBER.findall(cell)]
+    in_unit, metres = sum(each for _, each in lengths), sum(each / _IN_A_METRE[unit] for unit, each in lengths)
+    matrices = (display.latex for display in document.displays if "matrix" in display.latex)
+    decimals = [float(number) for latex in matrices for number in _NUMBER.findall(latex) if "." in number]
+    return metres < max(decimals, default=0.0) <= in_unit
 
 
 def plain_names(document: Document) -> Names:

@@ -33,14 +33,15 @@ Place3 = tuple[Scalar, Scalar, Scalar]
 Turn = tuple[Axis, Axis, Axis]  # the columns of a rotation by right angles
 
 
-def candidate_of_pose(document: Document, names: Names, algebra: ExactAlgebra) -> Candidate | None:
-    """Return the arm of the first pose of a tool that a document prints, or None."""
+def candidate_of_pose(document: Document, names: Names, algebra: ExactAlgebra, beyond: int = 0) -> Candidate | None:
+    """Return the arm of the first pose of a tool that a document prints, of a frame beyond one of that number, or None."""
     for display in document.displays:
         for chain in equations_of(display, names) if "=" in display.latex else ():
             name = unapplied(chain.members[0])
             frame = frame_of_tool(name) if isinstance(name, n.Name) else ""
             if (
                 frame.isdigit()
+                and int(frame) > beyond
                 and (found := _of_matrix(chain.members[-1], int(frame), display, names, algebra)) is not None
             ):
                 return found
