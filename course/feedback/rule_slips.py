@@ -36,6 +36,14 @@ def roots_astray(cell: n.Node) -> Iterator[Edit]:
         yield from on_all(cell, rule)
 
 
+def arguments_exchanged(cell: n.Node) -> Iterator[Edit]:
+    """Yield the tree with the arguments of every atan2 exchanged, where there are several: in values that looks like a wrong sign."""
+    calls = [node for node in n.walk(cell) if n.is_call(node, "atan2") and len(node.arguments) == 2]
+    if len(calls) > 1:
+        turned: dict[int, n.Node] = {id(call): replace(call, arguments=call.arguments[::-1]) for call in calls}
+        yield Edit(n.substitute_each(cell, turned), "function", say(Kind.ARGUMENTS_EXCHANGED))
+
+
 def _short_arguments(node: n.Node) -> Iterator[Change]:
     """cos θ_1 + θ_2 as cos(θ_1 + θ_2), and sin a / 2 as sin(a / 2): an argument without its brackets."""
     if isinstance(node, n.Quotient) and _is_of_one_argument(call := bare(node.numerator)):
