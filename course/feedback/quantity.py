@@ -153,7 +153,8 @@ class Quantity:
             asked, given = partial(self.claim.values_over, ASKED), partial(self._values_over, answer)
             if (true := asked(at)).shape != (obtained := given(at)).shape:
                 return part_astray(true, obtained)
-            if words := degrees_astray(self.claim, self._written(answer), at):
+            lengths = {name: np.full(MANY, value) for name, value in self.loaded.lengths.items()}  # in numbers, perhaps
+            if words := degrees_astray(self.claim, self._written(answer), {**at, **lengths}):
                 return words
             is_of_sums = any(found.kind in _OF_SUMS for found in feedback.findings)
             if (feedback.is_piecemeal or is_of_sums) and (words := planar_astray(self.loaded, asked, given, at)):

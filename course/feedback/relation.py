@@ -408,7 +408,7 @@ def _plain(true: np.ndarray, obtained: np.ndarray) -> Iterator[str]:
         (np.cos(true), look_up("cosine")),
     ):
         if same(of, obtained) and np.abs(true).max() > _SMALL:
-            yield written("your answer is the {function} of the angle: the angle itself is asked", function=name)
+            yield written("your answer is the {function} of what is asked", function=name)
     if same(np.exp(1j * (obtained + true)), np.ones(len(true))) and not same(obtained, -true):
         yield look_up("the sign of the angle is wrong")
     if same(np.exp(1j * (obtained + true)), np.full(len(true), 1j)):

@@ -134,16 +134,25 @@ def _is_square(node: n.Node) -> bool:
 
 
 def _squares_lost(node: n.Node) -> Iterator[Change]:
-    """x + y as x² + y², of all letters of a sum; and a sum in brackets as its square."""
+    """x + y, or 2 x + 2 y, as x² + y², of all letters of a sum; and a sum in brackets as its square."""
     if not isinstance(node, n.Sum) or len(node.terms) < 2:
         return
-    squared = tuple((sign, n.Power(term, _TWO) if isinstance(term, n.Name) else term) for sign, term in node.terms)
-    if sum(isinstance(term, n.Name) for _, term in node.terms) > 1:
+    letters = [_to_be_squared(term) for _, term in node.terms]
+    if sum(letter is not None for letter in letters) > 1:
+        pairs = zip(node.terms, letters, strict=True)
+        squared = tuple((sign, term if letter is None else n.Power(letter, _TWO)) for (sign, term), letter in pairs)
         yield replace(node, terms=squared), "number", say(Kind.MISSING_SQUARES)
     for k, (sign, term) in enumerate(node.terms):
         if isinstance(term, n.Group) and isinstance(bare(term), n.Sum):
             terms = with_items(node.terms, k, (sign, n.Power(term, _TWO)))
             yield replace(node, terms=terms), "number", say(Kind.MISSING_SQUARE)
+
+
+def _to_be_squared(term: n.Node) -> n.Name | None:
+    """Return the letter of a term that may be its square: x, and 2 x, which x*2 is for x**2; None of any other term."""
+    if is_scalar_product(term) and len(term.factors) == 2 and _TWO in term.factors:
+        term = next(factor for factor in term.factors if factor != _TWO)
+    return term if isinstance(term, n.Name) else None
 
 
 def _groups_squared(cell: n.Node) -> Iterator[Edit]:

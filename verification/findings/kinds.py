@@ -556,6 +556,7 @@ class Kind(MessageKind):
     LINKS_REVERSED = "links_reversed", "the link matrices are multiplied in the wrong order, from the last to the first"
     LINKS_SWAPPED = "links_swapped", "the link matrices `{one}` and `{other}` are multiplied in the wrong order"
     LINK_LEFT_OUT = "link_left_out", "the link matrix `{link}` is missing from the product"
+    LINKS_ADDED = "links_added", "the link matrices are added: they are to be multiplied"
     LINKS_ENTRY_BY_ENTRY = "links_entry_by_entry", "the link matrices are multiplied entry by entry, as `*` does: `@` multiplies matrices"
     LINK_TWICE = "link_twice", "the link matrix `{link}` stands in the product twice"
     WRONG_LINK = "wrong_link", "the link matrix `{link}` is wrong: {slip}"
