@@ -69,6 +69,8 @@ class Choice:
                 "there is no option '{key:.30}'; the options are {keys}", key=unknown[0], keys=self._keys()
             )
             return Feedback(Outcome.ERROR, no_such)
+        if not chosen:  # words alone that stand beside keys: "axis"
+            return Feedback(Outcome.ERROR, written("the answer is one of {keys}, or a list of them", keys=self._keys()))
         if chosen == right:
             return Feedback(Outcome.PROVED, "")
         if isinstance(self.right, str) and len(chosen) > 1:

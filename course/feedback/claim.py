@@ -40,7 +40,7 @@ _FILE = Path("answer")
 _LETTER = re.compile(r"\\?[A-Za-z]+(_(\w|\{\w+\}))?")
 ANGLE = re.compile(rf"{one_of(ANGLES)}|q(_|$)")  # letters of angles
 _WORD = re.compile(r"\\?[A-Za-z]+(?:_\w+)?")
-_PARAMETER = re.compile(r"(?:[adlrq]|alpha|theta)_\d+")  # of a link or a joint
+_PARAMETER = re.compile(r"(?:[adlrqt]|alpha|theta)_?\d+")  # of a link or a joint
 _READ = (Verdict.DEFINED, Verdict.PROVED, Verdict.CONFIRMED)
 _DECIMAL = re.compile(r"\d\.\d|\\frac\{\d+\}\{\d+\}")
 _NEAR = 1e-9
@@ -97,7 +97,7 @@ class Claim:
             findings = told([each for each in record.findings if not self._names_hidden(each)], record.entries)
             rows, at = self._imagined(latex) or (self._rows(record), record.counterexample)
             outcome = Outcome.LETTERS if self._is_measured(latex) else Outcome.WRONG
-            words = said_of(findings)
+            words = self._two_readings(latex) or said_of(findings)
             picture = self._picture(record) if at is record.counterexample else None
             return Feedback(outcome, words, rows, at, picture, findings=findings)
         if record.says(Kind.NUMBERS_FOR_LENGTHS) and self.arm is None and self._has_its_letters(latex):
@@ -112,6 +112,11 @@ class Claim:
             )
         words = self.unbound(latex) or self._with_letters(write_all(without_asked(record.findings)))
         return Feedback(Outcome.ERROR, words)
+
+    def _two_readings(self, latex: str) -> str:
+        """Return what is said of a quotient that can be read in two ways, both of them wrong; empty where there is none."""
+        quotient = next((node for node in n.walk(self.read(latex)) if isinstance(node, n.Ambiguous)), None)
+        return str(say(Kind.TWO_READINGS, text=quotient.text)) if quotient is not None else ""
 
     def upright(self, latex: str) -> str:
         """Return a row of entries as the column that is asked, as everybody means it; any other formula as it is."""
@@ -140,8 +145,9 @@ class Claim:
         return r"\begin{bmatrix} " + r" \\ ".join(rows) + r" \end{bmatrix}"
 
     def _has_its_letters(self, latex: str) -> bool:
-        """Whether all letters of the task stand in an answer, so that its numbers stand for none of them."""
-        return {*self.letters} <= {name.key for name in _names_in(self.read(latex))}
+        """Whether letters of the task that are no angles stand in an answer: its numbers do not stand for all of them then."""
+        names = {name.key for name in _names_in(self.read(latex))}
+        return {*self.letters} <= names or any(not ANGLE.match(letter) for letter in {*self.letters} & names)
 
     @property
     def letters(self) -> tuple[str, ...]:
@@ -359,7 +365,10 @@ class Claim:
     def _imagined(self, latex: str) -> tuple[tuple[Row, ...], Mapping[str, float]] | None:
         """Return the entries that are wrong at the first case that tells them, and that case."""
         for case in self.cases:
-            true, obtained = (self.values_at(each, case) for each in (ASKED, latex))
+            try:
+                true, obtained = (self.values_at(each, case) for each in (ASKED, latex))
+            except ArmproofError:  # a/2b is refuted in either reading, and has a value in none
+                return None
             if true.shape != obtained.shape:
                 continue
             if wrong := np.argwhere(~(np.abs(true - obtained) < _NEAR)).tolist():

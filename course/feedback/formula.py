@@ -15,10 +15,15 @@ import numpy as np
 from armproof.course.errors import AnswerError, LessonError
 from armproof.course.feedback.answer import as_latex, is_function
 from armproof.course.feedback.claim import ANGLE, Claim, as_column, judge_formula
+from armproof.course.feedback.degrees import degrees_astray
 from armproof.course.feedback.outcome import ASKED, Feedback, Outcome, Row, nothing, place
 from armproof.course.feedback.rearranged import rearranged
 from armproof.course.feedback.relation import (
+    COSINE_SIGN,
+    HALF_TURN,
+    NO_QUADRANT,
     NUMBER_UPSIDE_DOWN,
+    SINE_ALONE,
     Letters,
     Said,
     Values,
@@ -27,6 +32,7 @@ from armproof.course.feedback.relation import (
     but_there,
     factors_astray,
     first_said,
+    inverse_astray,
     letter_at_fault,
     letters_astray,
     letters_astray_in_each,
@@ -35,12 +41,13 @@ from armproof.course.feedback.relation import (
     relation,
     remembered,
     same,
+    squares_astray,
     transform_astray,
     units_astray,
     wrong_entries,
 )
-from armproof.course.feedback.rest import told_of_the_rest
-from armproof.course.feedback.rule_slips import roots_astray
+from armproof.course.feedback.rest import has_place, told_of_the_rest
+from armproof.course.feedback.rule_slips import arguments_exchanged, roots_astray
 from armproof.course.feedback.slips_by_value import slips_by_value
 from armproof.course.feedback.terms import terms_astray
 from armproof.course.feedback.wholes import part_astray
@@ -58,6 +65,10 @@ SECONDS = 2.0  # that a function may run
 FEW = 8  # samples by which two answers are told apart
 _LONG = 400  # characters of a formula
 _TOLERANCE = 1e-9
+_OF_ARCS = (  # what is said of an arc function whatever quadrant the samples are in, for what is true of them
+    (r"\\arcsin|asin", COSINE_SIGN, SINE_ALONE),
+    (r"\\arctan(?!2)|atan(?!2)", HALF_TURN, NO_QUADRANT),
+)
 _TIME = re.compile(r"t(_|$)")
 
 
@@ -138,9 +149,15 @@ class Formula:
 
     def _related(self, answer: Any, feedback: Feedback) -> Feedback:
         """Return feedback that says how a wrong answer relates to what is asked, where no one mistake explains it."""
-        if words := self._as_part(answer) or self._of_inverse(answer, feedback.is_general):
+        if (
+            words := self._as_part(answer)
+            or self._in_degrees_within(answer)
+            or self._of_inverse(answer, feedback.is_general)
+        ):
             feedback = replace(feedback, message=words, findings=())
-        if feedback.is_piecemeal and (words := self._rearranged(answer) or self._exchanged(answer)):
+        if feedback.is_piecemeal and (
+            words := self._rearranged(answer) or self._exchanged(answer) or self._multiplied(answer, feedback)
+        ):
             feedback = replace(feedback, message=words, findings=())
         if any(found.kind is Kind.WRONG_NUMBER for found in feedback.findings) and (words := self._of_a_number(answer)):
             feedback = replace(feedback, message=words, findings=())
@@ -225,14 +242,28 @@ class Formula:
         except ArmproofError:
             return ""
 
+    def _in_degrees_within(self, answer: Any) -> str:
+        """Return that a number of degrees stands in a sine or cosine."""
+        try:
+            return degrees_astray(self.claim, self._written(answer), random_values(self.arguments))
+        except ArmproofError:
+            return ""
+
     def _of_inverse(self, answer: Any, origin_alone: bool) -> str:
         """Return about which axis a rotation turns, or which parts of a transform are those of its inverse: what entry by entry is many slips."""
         try:
-            true, obtained = self._true[:FEW], self._values_of(answer) if self._true[0].size in (9, 16) else np.zeros(0)
+            true, obtained = (
+                self._true[:FEW],
+                self._values_of(answer) if self._true[0].size in (4, 9, 16) else np.zeros(0),
+            )
             if obtained.size != true.size:
                 return ""
             obtained = obtained.reshape(true.shape)
-            return transform_astray(true, obtained, origin_alone) or axis_astray(true, obtained)
+            return (
+                transform_astray(true, obtained, origin_alone)
+                or axis_astray(true, obtained)
+                or inverse_astray(true, obtained)
+            )
         except ArmproofError:
             return ""
 
@@ -259,6 +290,19 @@ class Formula:
         except (ArmproofError, ValueError):
             return ""
 
+    def _multiplied(self, answer: Any, feedback: Feedback) -> str:
+        """Return what all entries are too large or too small by, where that is one factor for all: entry by entry it looks like several slips."""
+        if len({found.kind for found in feedback.findings}) < 2:
+            return ""
+        try:
+            at = random_values(self.arguments)
+            given = self._called(answer) if is_function(answer) else partial(self.claim.values_over, self._as_latex(answer))  # fmt: skip
+            true, obtained = self.claim.values_over(ASKED, at), given(at)
+        except (ArmproofError, ValueError):
+            return ""
+        words = relation(true, obtained, self._factors(at)) if true.shape == obtained.shape and true[0].size > 1 else ""
+        return "" if has_place(words) else words
+
     def _of_a_number(self, answer: Any) -> str:
         """Return what may be behind a wrong number: a root that is missing, too many or on the wrong side of the line; its reciprocal."""
         try:
@@ -271,13 +315,23 @@ class Formula:
     def _relation(self, answer: Any, only: np.ndarray | None = None) -> str:
         """Return how an answer with no known slip relates to what is asked, in values and in its letters; of some entries alone."""
         try:
-            bound = only is None and set(self.arguments) & set(self.given)
-            words = relation(self._true[:FEW], self._values_of(answer), {}) if bound else ""
+            words = self._as_bound(answer) if only is None and set(self.arguments) & set(self.given) else ""
             return words or first_said(self._unbound._relations(answer, self._drawn, only))
         except ShapeError as problem:  # c_{23} of an arm without an angle 3
             return str(problem)
         except ArmproofError:
             return ""
+
+    def _as_bound(self, answer: Any) -> str:
+        """Return how an answer relates to what is asked where the arguments are what the task gives."""
+        latex = self._written(answer)
+        if words := slips_by_value(self._unbound.claim, latex, self._drawn, with_turns=self._has_angles, edits=arguments_exchanged):  # fmt: skip
+            return words
+        words = relation(self._true[:FEW], self._values_of(answer), {})
+        for arc, of_samples, always in _OF_ARCS:
+            if look_up(of_samples) in words and re.search(arc, latex):
+                words = words.replace(look_up(of_samples), look_up(always))
+        return words
 
     @cached_property
     def _unbound(self) -> Formula:
@@ -313,6 +367,7 @@ class Formula:
             if only is None or len(latex()) <= _LONG:  # of the rest of a long answer no slip is sought as well
                 yield lambda: slips_by_value(self.claim, latex(), at, drawn, only=wrong, with_turns=self._has_angles)
                 yield lambda: terms_astray(self.claim, latex(), at, wrong)
+            yield partial(squares_astray, true[:half], obtained[:half], positive)
             yield partial(letter_at_fault, asked, given, at)
 
     def _wrong(self, asked: Values, given: Values, bound: Letters) -> np.ndarray:

@@ -270,9 +270,9 @@ def _aligned(cells: list[tuple[str, ...]]) -> list[str]:
 
 def told(findings: Sequence[Finding], entries: Sequence[WrongEntry]) -> tuple[Finding, ...]:
     """Return what is wrong, without the right term and without our proof's own concerns; else where it is wrong."""
-    if said := [finding for finding in findings if finding.is_told]:
-        return without_asked(said)
     places = [(entry.row, entry.column) for entry in entries]
+    if said := [finding for finding in findings if finding.is_told and not _is_copy(finding, places)]:
+        return without_asked(said)
     if not places or places == [(None, None)]:
         return (say(Kind.UNEQUAL),)
     if len(places) == 1:
@@ -280,6 +280,13 @@ def told(findings: Sequence[Finding], entries: Sequence[WrongEntry]) -> tuple[Fi
     if len(places) <= MOST_PLACES:
         return (say(Kind.FEW_WRONG_ENTRIES, places=[place(row, column) for row, column in places]),)
     return (say(Kind.WRONG_ENTRIES, count=len(places)),)
+
+
+def _is_copy(finding: Finding, wrong: Sequence[tuple[int | None, int | None]]) -> bool:
+    """Whether a finding says that an entry belongs where it stands already: a student wonders at that."""
+    if finding.kind is not Kind.OF_ANOTHER_ENTRY:
+        return False
+    return (finding.terms["other_row"], finding.terms["other_column"]) not in wrong
 
 
 def said_of(findings: Sequence[Finding]) -> str:

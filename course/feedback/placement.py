@@ -317,9 +317,8 @@ def _of_row(number: int, row: Mapping[str, LinearForm], right: LinkRow, wrong: S
     if astray and not row[variable].coefficient(right.joint):
         return written("row {row}: {joint} stands in the column of {name}; joint {row} {moves}, so its variable is {variable}",
             row=number, joint=right.joint, name=astray[0], variable=variable, moves=look_up("slides") if slides else look_up("turns"))  # fmt: skip
-    if mixed := [
-        symbol for symbol, _ in row[variable].symbols if symbol.startswith(("theta", "q")) and symbol != right.joint
-    ]:
+    letters = [symbol for column in dict.fromkeys((variable, "theta")) for symbol, _ in row[column].symbols]
+    if mixed := [symbol for symbol in letters if symbol.startswith(("theta", "q")) and symbol != right.joint]:
         return written("row {row}: {printed} is the variable of another joint; joint {row} has {joint}", row=number, printed=mixed[0], joint=right.joint)  # fmt: skip
     name = wrong[0]
     form, wanted = row[name], getattr(right, name)
@@ -332,8 +331,16 @@ def _of_row(number: int, row: Mapping[str, LinearForm], right: LinkRow, wrong: S
         return written("row {row}: {letter} is a length, and stands in the column of {name}", row=number, letter=length, name=name)  # fmt: skip
     if name == variable and form.coefficient(right.joint) == 1:
         form, wanted = form.without(right.joint), wanted.without(right.joint)
+        if wanted == LinearForm() != form:
+            return f"{told} ({_beside_variable(form)})"
     change = _change(form, wanted, is_angle=name in ("alpha", "theta"))
     return f"{told} ({change})" if change else told
+
+
+def _beside_variable(form: LinearForm) -> str:
+    """Return what stands beside a variable that is to stand alone."""
+    letters = [symbol for symbol, _ in form.symbols]
+    return written("{name} does not belong", name=letters[0]) if letters else look_up("the constant offset")
 
 
 def _change(form: LinearForm, wanted: LinearForm, is_angle: bool) -> str:

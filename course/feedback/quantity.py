@@ -12,6 +12,7 @@ import numpy as np
 from armproof.course.errors import AnswerError
 from armproof.course.feedback.answer import as_latex, is_function
 from armproof.course.feedback.claim import Claim, as_column, judge_formula
+from armproof.course.feedback.degrees import degrees_astray
 from armproof.course.feedback.hands_on import HandsOn
 from armproof.course.feedback.notebook import Portrait, Shown
 from armproof.course.feedback.outcome import ASKED, OF_FUNCTION, Feedback, Outcome, Row, place, said_of, told
@@ -29,6 +30,7 @@ from armproof.course.feedback.relation import (
     random_values,
     relation,
     remembered,
+    squares_astray,
 )
 from armproof.course.feedback.rest import told_of_the_rest
 from armproof.course.feedback.slips_by_value import slips_by_value
@@ -59,6 +61,7 @@ NOT_DRAWN = noted("`{task}`: only a function that gives a pose, an origin or a J
 NOTHING_YET = noted("`{task}`: no answer yet, nothing to draw.")
 _LONGEST = 1500  # characters of an answer in which slips and terms are sought
 _OF_PRODUCTS = {Kind.LINKS_SWAPPED, Kind.LINKS_OF_ROW_BELOW, Kind.LINKS_OF_ROW_ABOVE}
+_OF_SUMS = {Kind.WRONG_LINK, Kind.FIRST_WRONG_LINK, Kind.ANGLES_SUMMED_TWICE, Kind.JOINT_SUMMED}  # of skew axes, too
 _FEW_ENTRIES = 3
 _USUAL = (0.5, -0.9, 1.1, 0.7, -0.6, 0.8)  # rad; of a slide a third of it, in metres
 
@@ -150,8 +153,11 @@ class Quantity:
             asked, given = partial(self.claim.values_over, ASKED), partial(self._values_over, answer)
             if (true := asked(at)).shape != (obtained := given(at)).shape:
                 return part_astray(true, obtained)
-            of_a_link = any(found.kind in (Kind.WRONG_LINK, Kind.FIRST_WRONG_LINK) for found in feedback.findings)
-            if (feedback.is_piecemeal or of_a_link) and (words := planar_astray(self.loaded, asked, given, at)):
+            lengths = {name: np.full(MANY, value) for name, value in self.loaded.lengths.items()}  # in numbers, perhaps
+            if words := degrees_astray(self.claim, self._written(answer), {**at, **lengths}):
+                return words
+            is_of_sums = any(found.kind in _OF_SUMS for found in feedback.findings)
+            if (feedback.is_piecemeal or is_of_sums) and (words := planar_astray(self.loaded, asked, given, at)):
                 return words
             return no_rotation(true, obtained) if feedback.is_general else ""
         except ArmproofError:
@@ -221,6 +227,7 @@ class Quantity:
             if len(latex()) <= _LONGEST:
                 yield lambda: slips_by_value(self.claim, latex(), at, only=only)
                 yield lambda: terms_astray(self.claim, latex(), at, only)
+            yield partial(squares_astray, true, obtained, self._factors(at))
             yield partial(letter_at_fault, asked, given, at)
 
     def _factors(self, at: Letters) -> Letters:

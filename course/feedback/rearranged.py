@@ -64,7 +64,7 @@ def rearranged(
     """
     if _is_unturned(true, obtained):
         return look_up("the rotation is the identity: the axes of the two frames are not the same")
-    if words := _functions_exchanged(claim, latex):
+    if words := _functions_exchanged(claim, latex) or _exchanged_with_a_sign(true, obtained):
         return words
     found = _best(true, obtained)
     if found is None:
@@ -79,6 +79,27 @@ def rearranged(
     if rest.is_right or not rest.message:
         return found.words
     return written("{words}; once that is put right: {rest}", words=found.words, rest=rest.message)
+
+
+def _exchanged_with_a_sign(true: np.ndarray, obtained: np.ndarray) -> str:
+    """Say that two rows are exchanged in the columns that are wrong, and that a sign is wrong there: a quarter turn. Empty where that is not all."""
+    wrong = wrong_entries(true, obtained)
+    rows, columns = (np.flatnonzero(wrong.any(axis=axis)).tolist() for axis in (1, 0))
+    if len(rows) != 2 or wrong.sum() != 2 * len(columns) or 1 < true.shape[2] == len(columns):
+        return ""  # of whole rows the exchange is told, and what is left
+    one, other = rows
+    signs = [[_sign(obtained[:, here, column], true[:, there, column]) for here, there in ((one, other), (other, one))] for column in columns]  # fmt: skip
+    if not all(all(pair) for pair in signs) or not any(pair in ([1, -1], [-1, 1]) for pair in signs):
+        return ""
+    if len(columns) == 1:
+        (column,) = columns
+        return written("entries ({row}, {column}) and ({other}, {column}) are exchanged, and the sign of one is wrong", row=one + 1, other=other + 1, column=column + 1)  # fmt: skip
+    return written("in the columns {columns} the rows {one} and {other} are exchanged, and signs are wrong", columns=[column + 1 for column in columns], one=one + 1, other=other + 1)  # fmt: skip
+
+
+def _sign(obtained: np.ndarray, true: np.ndarray) -> int:
+    """Return 1 where values are the same, -1 where they have the other sign, else 0."""
+    return 1 if same(obtained, true) else -1 if same(obtained, -true) else 0
 
 
 def _is_unturned(true: np.ndarray, obtained: np.ndarray) -> bool:
@@ -99,7 +120,7 @@ def _best(true: np.ndarray, obtained: np.ndarray) -> Rearranged | None:
     best = min(left, key=lambda each: left[each], default=None)
     if best is not None and (not left[best] or (before - left[best] >= _MENDED and 2 * left[best] <= before)):
         return best
-    return _in_another_order(true, obtained) or _both_ways(true, obtained)
+    return _in_another_order(true, obtained) or _both_ways(true, obtained) or _from_the_end(true, obtained)
 
 
 def _both_ways(true: np.ndarray, obtained: np.ndarray) -> Rearranged | None:
@@ -148,6 +169,17 @@ def _in_another_order(true: np.ndarray, obtained: np.ndarray) -> Rearranged | No
         left.remove(found)
         order.append(found)
     return Rearranged(look_up("the rows are right, their order is not"), tuple(order), tuple(range(true.shape[2])))
+
+
+def _from_the_end(true: np.ndarray, obtained: np.ndarray) -> Rearranged | None:
+    """Return that the columns are those of what is asked in the reverse order, and the rows in that or in another one."""
+    columns, words = tuple(range(true.shape[2]))[::-1], look_up("the columns stand in the reverse order")
+    if len(columns) < 3:
+        return None
+    if not wrong_entries(true, obtained[..., columns]).any():
+        return Rearranged(words, tuple(range(true.shape[1])), columns)
+    ordered = _in_another_order(true, obtained[..., columns])
+    return ordered and Rearranged(words + look_up("; ") + ordered.words, ordered.rows, columns)
 
 
 def _cells(claim: Claim, latex: str) -> np.ndarray | None:

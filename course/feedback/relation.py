@@ -15,6 +15,8 @@ from armproof.course.feedback.claim import ANGLE
 from armproof.course.feedback.outcome import MOST_PLACES, place
 from armproof.models.errors import ArmproofError, counted, written
 from armproof.models.language import look_up, noted, number_text, separator
+from armproof.verification.findings import Kind, say
+from armproof.verification.findings.finding import Audience, write
 from armproof.verification.latex.writer import symbol_as_latex
 
 Letters = Mapping[str, np.ndarray]  # each letter's values at the samples
@@ -22,6 +24,11 @@ Values = Callable[[Letters], np.ndarray]  # what letters give, (samples, rows, c
 Said = Callable[[], str]  # looks for one relation; empty where it does not hold
 
 NUMBER_UPSIDE_DOWN = noted("the number in front is upside down: its reciprocal belongs there")
+ENTRY_BY_ENTRY = noted("the matrices are multiplied entry by entry, as `*` does: `@` multiplies matrices")
+HALF_TURN = noted("half a turn off everywhere: of `atan2` both arguments have the wrong sign, or π does not belong")
+NO_QUADRANT = noted("right up to half a turn: `atan2` keeps the quadrant, `arctan` does not")
+SINE_ALONE = noted("the sine is right, the angle is not: `arcsin` gives no angle beyond a quarter turn")
+COSINE_SIGN = noted("the sine of the angle is right, its cosine has the wrong sign")
 _JOINT_ANGLE = re.compile(r"theta_\d$")
 ENOUGH = 5  # samples at which both sides have a value, so that a chance agreement is none
 _TOLERANCE = 1e-8
@@ -192,7 +199,8 @@ def transform_astray(true: np.ndarray, obtained: np.ndarray, origin_alone: bool)
     if same(R, R_right):
         rotation = ""
         if not origin_alone:
-            return ""
+            is_inverse = same(p, p_other) and wrong_entries(p[..., None], p_right[..., None]).sum() > 1
+            return look_up("the origin is that of the inverse") if is_inverse else ""
     elif not same(R, R_other):
         return ""
     origins = {
@@ -225,6 +233,8 @@ def factors_astray(asked: Values, given: Values, at: Letters) -> str:
         return ""
     if same(np.sum(list(factors.values()), axis=0), obtained):
         return look_up("the factors are added: they are to be multiplied")
+    if same(np.prod(list(factors.values()), axis=0), obtained):
+        return look_up(ENTRY_BY_ENTRY)
     for order in permutations(names):
         if order not in orders and same(reduce(np.matmul, map(factors.__getitem__, order)), obtained):
             right, wrong = (", ".join(map(symbol_as_latex, each)) for each in (orders[0], order))
@@ -245,6 +255,20 @@ def axis_astray(true: np.ndarray, obtained: np.ndarray) -> str:
     if not asked or not given or asked == given or not same(*(np.trace(R, axis1=1, axis2=2) for R in sides)):
         return ""
     return written("this turns about {given}, not about {asked}", given=given, asked=asked)
+
+
+def inverse_astray(true: np.ndarray, obtained: np.ndarray) -> str:
+    """Say that each entry of a matrix is inverted by itself where the inverse of the matrix is asked; empty where it is not."""
+    if true.shape != obtained.shape or true.shape[1] != true.shape[2] or true.shape[1] < 2:
+        return ""
+    good = np.isfinite(obtained).all(axis=(1, 2)) & (np.abs(np.nan_to_num(np.linalg.det(true))) > _TOLERANCE)
+    if good.sum() < ENOUGH:
+        return ""
+    matrix = np.linalg.inv(true[good])
+    filled = np.abs(matrix).max(axis=0) > _TOLERANCE
+    if filled.sum() < 2 or not same((obtained[good] * matrix)[:, filled], np.ones_like(matrix[:, filled])):
+        return ""
+    return look_up("each entry is inverted by itself: that is not the inverse of the matrix")
 
 
 def _axis_of(R: np.ndarray) -> str:
@@ -376,15 +400,15 @@ def _plain(true: np.ndarray, obtained: np.ndarray) -> Iterator[str]:
         yield look_up("the tangent of the angle is known: `atan2` belongs there, not `arcsin` or `arccos`")
     if same(np.sin(obtained), np.sin(true)):
         if same(np.cos(obtained), -np.cos(true)):
-            yield look_up("the sine of the angle is right, its cosine has the wrong sign")
-        yield look_up("the sine is right, the angle is not: `arcsin` gives no angle beyond a quarter turn")
+            yield look_up(COSINE_SIGN)
+        yield look_up(SINE_ALONE)
     for of, name in (
         (np.tan(true), look_up("tangent")),
         (np.sin(true), look_up("sine")),
         (np.cos(true), look_up("cosine")),
     ):
         if same(of, obtained) and np.abs(true).max() > _SMALL:
-            yield written("your answer is the {function} of the angle: the angle itself is asked", function=name)
+            yield written("your answer is the {function} of what is asked", function=name)
     if same(np.exp(1j * (obtained + true)), np.ones(len(true))) and not same(obtained, -true):
         yield look_up("the sign of the angle is wrong")
     if same(np.exp(1j * (obtained + true)), np.full(len(true), 1j)):
@@ -395,9 +419,9 @@ def _plain(true: np.ndarray, obtained: np.ndarray) -> Iterator[str]:
         yield look_up("right up to a quarter turn: the angle is counted from another direction")
     turns = (obtained - true) / np.pi
     if same(turns, np.round(turns)) and (np.round(turns) % 2 == 1).all():
-        yield look_up("half a turn off everywhere: of `atan2` both arguments have the wrong sign, or π does not belong")
+        yield look_up(HALF_TURN)
     if same(turns, np.round(turns)) and (np.round(turns) % 2 == 1).any():
-        yield look_up("right up to half a turn: `atan2` keeps the quadrant, `arctan` does not")
+        yield look_up(NO_QUADRANT)
     if same(np.exp(2j * (obtained + true)), np.full(len(true), -1 + 0j)):
         yield look_up(
             "the quotient in the arctangent is upside down: the side across stands above; and `atan2` keeps the quadrant"
@@ -422,9 +446,24 @@ def _multiple(true: np.ndarray, obtained: np.ndarray, factors: Letters) -> str:
         return written("your answer is what is asked minus {product}", product=more[1:])
     if more:
         return written("your answer is what is asked plus {product}", product=more)
-    if more := _product(obtained[good] ** 2 - true[good] ** 2, known):
-        return written("the square of your answer differs from that of what is asked by {product}", product=more)
     return ""
+
+
+def squares_astray(true: np.ndarray, obtained: np.ndarray, factors: Letters) -> str:
+    """Say by which product the squares of an answer and of what is asked differ; empty where they differ by none."""
+
+    def words_of(asked: np.ndarray, given: np.ndarray) -> str:
+        good = np.isfinite(asked) & np.isfinite(given) & (np.abs(asked) > _TOLERANCE) & (np.abs(given) > _TOLERANCE)
+        more = (
+            _product(given[good] ** 2 - asked[good] ** 2, {name: values[good] for name, values in factors.items()})
+            if good.sum() >= ENOUGH
+            else ""
+        )
+        return more and written(
+            "the square of your answer differs from that of what is asked by {product}", product=more
+        )
+
+    return _told(true, obtained, words_of)
 
 
 def _by_product(times: str, missing: str, ratio: np.ndarray, factors: Letters) -> str:
@@ -433,6 +472,8 @@ def _by_product(times: str, missing: str, ratio: np.ndarray, factors: Letters) -
         return written("a factor {product} is missing", product=missing)
     words = written("your answer is {product} times what is asked", product=times)
     powers, number = _powers(ratio, factors) or ({}, 0.0)
+    if _is_sum_for_product(powers, number):
+        return write(say(Kind.SUM_FOR_PRODUCT), Audience.STUDENT)
     if exchanged := _exchanged_functions(powers):
         sign = look_up(", and the sign is wrong") if number < 0 else ""
         return written("sine and cosine of {angles} are exchanged", angles=separator(exchanged).join(exchanged)) + sign
@@ -440,6 +481,18 @@ def _by_product(times: str, missing: str, ratio: np.ndarray, factors: Letters) -
         return words
     root = " ".join(_power(name, power // 2) for name, power in powers.items())
     return words + look_up("; ") + written("does {product} stand above the line where it belongs below?", product=root)
+
+
+def _is_sum_for_product(powers: Mapping[str, int], number: float) -> bool:
+    """Whether a ratio is (a + b) / (a b), or that upside down: a sum of two letters in the place of their product."""
+    if len(powers) != 3 or abs(number - 1) > _TOLERANCE:
+        return False
+    total, *letters = sorted(powers, key=len, reverse=True)
+    return (
+        {*total.split(" + ")} == {*letters}
+        and abs(powers[total]) == 1
+        and all(powers[each] == -powers[total] for each in letters)
+    )
 
 
 def _exchanged_functions(powers: Mapping[str, int]) -> list[str]:

@@ -18,6 +18,11 @@ _CLAUSES = re.compile(r"\s*;\s")
 _MORE = "), …"  # behind places that are not all of them
 
 
+def has_place(words: str) -> bool:
+    """Whether a sentence names an entry by its place."""
+    return _PLACE.search(words) is not None
+
+
 def told_of_the_rest(feedback: Feedback, shape: tuple[int, ...], relation: Callable[[np.ndarray], str]) -> Feedback:
     """Return feedback that says of the wrong entries too of which it says nothing yet how they relate to what is asked.
 
@@ -30,7 +35,7 @@ def told_of_the_rest(feedback: Feedback, shape: tuple[int, ...], relation: Calla
         return feedback
     places = [(row + 1, column + 1) for row in range(shape[0]) for column in range(shape[1])]
     words = relation(np.array([place(*at) in left for at in places]).reshape(shape))
-    if words and not _PLACE.search(words):
+    if words and not has_place(words):
         words = by_places({(row - 1, column - 1): words for row, column in places if place(row, column) in left})
     return replace(feedback, message=feedback.message + look_up("; ") + words) if words else feedback
 

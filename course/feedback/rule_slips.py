@@ -36,6 +36,14 @@ def roots_astray(cell: n.Node) -> Iterator[Edit]:
         yield from on_all(cell, rule)
 
 
+def arguments_exchanged(cell: n.Node) -> Iterator[Edit]:
+    """Yield the tree with the arguments of every atan2 exchanged, where there are several: in values that looks like a wrong sign."""
+    calls = [node for node in n.walk(cell) if n.is_call(node, "atan2") and len(node.arguments) == 2]
+    if len(calls) > 1:
+        turned: dict[int, n.Node] = {id(call): replace(call, arguments=call.arguments[::-1]) for call in calls}
+        yield Edit(n.substitute_each(cell, turned), "function", say(Kind.ARGUMENTS_EXCHANGED))
+
+
 def _short_arguments(node: n.Node) -> Iterator[Change]:
     """cos θ_1 + θ_2 as cos(θ_1 + θ_2), and sin a / 2 as sin(a / 2): an argument without its brackets."""
     if isinstance(node, n.Quotient) and _is_of_one_argument(call := bare(node.numerator)):
@@ -126,16 +134,25 @@ def _is_square(node: n.Node) -> bool:
 
 
 def _squares_lost(node: n.Node) -> Iterator[Change]:
-    """x + y as x² + y², of all letters of a sum; and a sum in brackets as its square."""
+    """x + y, or 2 x + 2 y, as x² + y², of all letters of a sum; and a sum in brackets as its square."""
     if not isinstance(node, n.Sum) or len(node.terms) < 2:
         return
-    squared = tuple((sign, n.Power(term, _TWO) if isinstance(term, n.Name) else term) for sign, term in node.terms)
-    if sum(isinstance(term, n.Name) for _, term in node.terms) > 1:
+    letters = [_to_be_squared(term) for _, term in node.terms]
+    if sum(letter is not None for letter in letters) > 1:
+        pairs = zip(node.terms, letters, strict=True)
+        squared = tuple((sign, term if letter is None else n.Power(letter, _TWO)) for (sign, term), letter in pairs)
         yield replace(node, terms=squared), "number", say(Kind.MISSING_SQUARES)
     for k, (sign, term) in enumerate(node.terms):
         if isinstance(term, n.Group) and isinstance(bare(term), n.Sum):
             terms = with_items(node.terms, k, (sign, n.Power(term, _TWO)))
             yield replace(node, terms=terms), "number", say(Kind.MISSING_SQUARE)
+
+
+def _to_be_squared(term: n.Node) -> n.Name | None:
+    """Return the letter of a term that may be its square: x, and 2 x, which x*2 is for x**2; None of any other term."""
+    if is_scalar_product(term) and len(term.factors) == 2 and _TWO in term.factors:
+        term = next(factor for factor in term.factors if factor != _TWO)
+    return term if isinstance(term, n.Name) else None
 
 
 def _groups_squared(cell: n.Node) -> Iterator[Edit]:

@@ -141,8 +141,14 @@ def _one_slip(
         changes = chain(_edits(tree, letters), _added_terms(tree, letters)) if edits is None else edits(tree)
         for edit in budget.spent_on(tree, changes, _SINGLE):
             if not _is_bare(edit.node) and target.is_met(edit):
-                return [edit.finding]
+                return [_of_brackets(edit.finding, cell, tree)]
     return []
+
+
+def _of_brackets(finding: Finding, cell: n.Node, tree: n.Node) -> Finding:
+    """Return a finding on an entry's own tree; of one whose brackets are multiplied out, that a factor before them is not that of all terms."""
+    is_of_one_term = tree is not cell and finding.kind in (Kind.SINE_FOR_COSINE, Kind.COSINE_FOR_SINE)
+    return say(Kind.WIDE_BRACKETS) if is_of_one_term else finding
 
 
 def _two_slips(cell: n.Node, letters: Drawn, target: _Target, budget: _Budget) -> list[Finding]:
@@ -154,7 +160,7 @@ def _two_slips(cell: n.Node, letters: Drawn, target: _Target, budget: _Budget) -
             pairs = ((one, other) for one in first for other in edits(one.node, letters))
             for one, other in budget.spent_on(tree, pairs, _PAIRS):
                 if target.is_met(other):
-                    return [one.finding, other.finding]
+                    return [_of_brackets(each.finding, cell, tree) for each in (one, other)]
     return []
 
 

@@ -245,8 +245,7 @@ class Task:
                 if wrong.any() and (wrong <= left).all() and not (wrong & _differing(given, other)).any():
                     told.append(words)
                     left = left & ~wrong
-        is_of_counts = isinstance(self.asks, Number) and self.asks.is_of_counts and right.min() >= 0 and right.max() > 1
-        if told and left.any() and is_of_counts and not np.array_equal(np.sort(given), np.sort(right)):
+        if told and left.any() and isinstance(self.asks, Number) and not np.array_equal(np.sort(given), np.sort(right)):
             told.append(self.asks.judge(np.where(left, given, right)[0]).message)
             left &= False
         return look_up("; ").join(told) if told and not left.any() else ""

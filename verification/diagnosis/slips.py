@@ -23,6 +23,9 @@ Change = tuple[n.Node, str, Finding]
 Item = TypeVar("Item")
 
 _NEAR = 1e-9
+_TWO = n.Number(Fraction(2), "2")
+_FOUR = n.Number(Fraction(4), "4")
+_ARCS = ("asin", "acos", "atan", "atan2")  # an angle is worked out of a formula: slips are made in that, too
 _FLIPPED = {"+": "-", "-": "+", "±": "∓", "∓": "±"}
 
 
@@ -52,7 +55,7 @@ _MOST_CALLS = 6  # sines and cosines of which two may be exchanged
 def single_edits(root: n.Node, letters: Letters) -> Iterator[Edit]:
     """Yield every tree that one small change makes of `root`, the most likely slips first."""
     yield from plain_edits(root, letters)
-    yield from on_all(root, lambda node: _names(node, letters))
+    yield from (edit for edit in on_all(root, lambda node: _names(node, letters)) if not _vanishes(edit.node))
     yield from swapped_lengths(root, letters)
     yield from on_all(root, _dropped_factors)
     yield from on_all(root, products_of_functions)
@@ -124,7 +127,8 @@ def with_items(items: tuple[Item, ...], place: int, *new: Item) -> tuple[Item, .
 def _signs(node: n.Node) -> Iterator[Change]:
     if not isinstance(node, n.Sum) or len(node.terms) == 1:
         return
-    for k, (sign, term) in enumerate(node.terms):
+    for k in (*range(1, len(node.terms)), 0):  # (h - x)² for (x - h)² last: the first term is seldom the wrong one
+        sign, term = node.terms[k]
         terms = with_items(node.terms, k, (_FLIPPED[sign], term))
         yield replace(node, terms=terms), "sign", say(Kind.WRONG_SIGN_OF_TERM, term=k + 1)
 
@@ -269,6 +273,15 @@ def _names(node: n.Node, letters: Letters) -> Iterator[Change]:
                     yield changed, kind, say(slip, printed=_show(node), correct=_show(changed))
 
 
+def _vanishes(root: n.Node) -> bool:
+    """Whether a sum in a tree takes away what it adds, x - x: then a letter mends nothing, its factor is too many."""
+    return any(
+        (_FLIPPED[sign], term) in node.terms
+        for node in n.walk(root) if isinstance(node, n.Sum)
+        for sign, term in node.terms if isinstance(term, n.Name)
+    )  # fmt: skip
+
+
 def _with_dots(name: n.Name, dots: int) -> n.Name:
     """Return the rate, or the acceleration, of what a name stands for."""
     command = {0: "", 1: r"\dot", 2: r"\ddot"}.get(dots, "")
@@ -332,11 +345,20 @@ def _number_of(node: n.Node) -> float:
 
 
 def _dropped_terms(node: n.Node) -> Iterator[Change]:
+    if isinstance(node, n.Quotient) and _is_one_and_more(n.bare(node.denominator)):
+        yield node.numerator, "factor", say(Kind.EXTRA_DIVISOR)
     if not isinstance(node, n.Sum) or len(node.terms) < 2:
         return
     for k in range(len(node.terms)):
         terms = with_items(node.terms, k)
         yield replace(node, terms=terms), "term", say(Kind.EXTRA_TERM, term=k + 1)
+
+
+def _is_one_and_more(node: n.Node) -> bool:
+    """Whether a sum is 1 + x, of which 1 alone divides by nothing."""
+    return isinstance(node, n.Sum) and ("+", n.Number(Fraction(1), "1")) in [
+        (sign, n.bare(term)) for sign, term in node.terms
+    ]
 
 
 def _numbers(root: n.Node) -> Iterator[Edit]:
@@ -347,7 +369,7 @@ def _numbers(root: n.Node) -> Iterator[Edit]:
     below = {id(part) for quotient in quotients for part in n.walk(quotient.denominator)}
     ones = {id(quotient.numerator) for quotient in quotients if quotient.numerator == n.Number(Fraction(1), "1")}
     for quotient in quotients:
-        if quotient.denominator == n.Number(Fraction(2), "2") and id(quotient.numerator) not in ones:
+        if quotient.denominator == _TWO and id(quotient.numerator) not in ones:
             above = quotient.numerator
             whole = n.Group(above) if isinstance(above, n.Sum) else above
             yield Edit(n.substitute(root, quotient, whole), "number", say(Kind.EXTRA_DIVISOR))
@@ -375,7 +397,7 @@ def _squares(root: n.Node, letters: Letters) -> Iterator[Edit]:
     lengths = {length.key for length in letters.lengths}
     for node in _formulas(root):
         if (isinstance(node, n.Name) and node.key in lengths) or is_trigonometric(node):
-            square = n.Power(node, n.Number(Fraction(2), "2"), span=node.span)
+            square = n.Power(node, _TWO, span=node.span)
             yield Edit(n.substitute(root, node, square), "number", say(Kind.MISSING_SQUARE))
 
 
@@ -392,6 +414,7 @@ def _formulas(node: n.Node) -> Iterator[n.Node]:
         "com",
         "tr",
         "rank",
+        *_ARCS,
     ):
         return
     if isinstance(node, n.Power | n.Postfix):
@@ -414,14 +437,15 @@ def _added_factors(root: n.Node, letters: Letters) -> Iterator[Edit]:
     ]
     style = next((b for b in n.walk(root) if is_trigonometric(b)), None)
     factors += _functions_of(style, letters) if style is not None else []
-    factors.append((n.Number(Fraction(2), "2"), say(Kind.MISSING_FACTOR, factor="2")))
-    targets = [term for node in _formulas(root) if isinstance(node, n.Sum) for _, term in node.terms]
-    if not isinstance(root, n.Sum):
-        targets.append(root)
+    factors += [(number, say(Kind.MISSING_FACTOR, factor=number.text)) for number in (_TWO, _FOUR)]
+    terms = [term for node in _formulas(root) if isinstance(node, n.Sum) for _, term in node.terms]
+    targets = terms if isinstance(root, n.Sum) else [*terms, root]
     targets += [node.denominator for node in _formulas(root) if isinstance(node, n.Quotient)]
     for target in targets:
         for factor, missing in factors:
             before = target.factors if is_scalar_product(target) else (target,)
+            if factor is _FOUR and (target not in terms or any(isinstance(n.bare(each), n.Number) for each in before)):
+                continue  # there another number is wrong
             operators = target.operators if is_scalar_product(target) else ()
             grown = n.Product((factor, *before), ("", *operators), span=target.span)
             yield Edit(n.substitute(root, target, grown), "factor", missing)

@@ -17,6 +17,16 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.naming.quantities import numbered_frames
 
 TOLERANCE = 1e-7
+_NEVER_ALONE = {  # by the kind of the matrix: mistakes that nobody makes in some of its blocks and not in the others
+    "pose": (Kind.LINK_TWICE,),
+    "jacobian": (Kind.OTHER_ZERO, Kind.WRONG_LINK, Kind.OTHER_POINT),
+}
+_OF_TWO = (Kind.COLUMNS_SWAPPED, Kind.COLUMNS_REVERSED, Kind.COLUMNS_SHIFTED)  # that are made in two columns at once
+_OF_MANY_COLUMNS = (  # of a Jacobian: where one column alone is changed, a sign in it is wrong, and not the joint's
+    Kind.JOINT_THE_OTHER_WAY,
+    Kind.JOINTS_THE_OTHER_WAY,
+    Kind.WRONG_LINK,
+)
 Candidate = tuple[Finding, np.ndarray]  # what the result is instead, and the values it would have: (N, rows, columns)
 Place = tuple[Finding, np.ndarray]  # a block of the matrix, and its mask (rows, columns)
 
@@ -103,6 +113,12 @@ class Case:
         rows, columns = kind_of(self.quantity).block(self.quantity, whole.shape[2])
         return np.asarray(whole[:, rows][:, :, columns])
 
+    def column_of(self, joint: int) -> int:
+        """Return the column (from 1) of a joint in the Jacobian: its place in the result where other columns come first."""
+        asked = self.quantity.columns or ()
+        in_order = list(asked) == sorted(asked)
+        return joint if in_order or joint not in asked else list(asked).index(joint) + 1
+
     @cached_property
     def blocks(self) -> list[Place]:
         """The parts of the matrix that may be wrong by themselves: rotation and origin, v and ω of each column."""
@@ -113,7 +129,7 @@ class Case:
             number = np.array(self.quantity.columns or range(1, columns + 1))[column]
             parts = [("linear", place <= 3), ("angular", place > 3)]
             blocks = [
-                (say(Kind.THE_PART_OF_COLUMN, part=name, number=int(k)), part & (number == k))
+                (say(Kind.THE_PART_OF_COLUMN, part=name, number=self.column_of(int(k))), part & (number == k))
                 for k in np.unique(number)
                 for name, part in parts
             ]
@@ -156,12 +172,23 @@ class Case:
         if not self.fits:
             return Explanation(finding)
         differs = (np.abs(self.true - values) > TOLERANCE * self.size).any(axis=0)
+        if finding.kind in _OF_MANY_COLUMNS and self.quantity.kind == "jacobian" and differs.any(axis=0).sum() == 1 < differs.shape[1]:  # fmt: skip
+            return Explanation()
         concerned = [name for name, mask in self.blocks if (differs & mask).any()]
         wrong = [name for name, _ in self.wrong]
         if len(wrong) >= len(concerned):
             return Explanation(finding)
+        if finding.kind in _NEVER_ALONE.get(self.quantity.kind, ()) or (
+            finding.kind in _OF_TWO and _columns(wrong) != _columns(concerned)
+        ):
+            return Explanation()
         place = _together(wrong, concerned)
         return Explanation(say(Kind.ALONE, cause=finding, place=place), len(concerned) - len(wrong))
+
+
+def _columns(blocks: list[Finding]) -> set[int]:
+    """Return the columns of a Jacobian's blocks."""
+    return {block.terms["number"] for block in blocks if "number" in block.terms}
 
 
 def _together(blocks: list[Finding], concerned: list[Finding]) -> Finding:
@@ -171,7 +198,7 @@ def _together(blocks: list[Finding], concerned: list[Finding]) -> Finding:
         concerned: all blocks that the mistake would have changed.
     """
     parts = {block.terms["part"] for block in blocks if "part" in block.terms}
-    columns = sorted({block.terms["number"] for block in blocks if "number" in block.terms})
+    columns = sorted(_columns(blocks))
     if len(blocks) == 1:
         return blocks[0]
     if not columns:

@@ -93,8 +93,9 @@ def _columns(case: Case, J: np.ndarray) -> Iterator[Candidate]:
     for k, joint in enumerate(joints):
         place = np.s_[:, :, k]
         turned = changed(J, place, -J[place])
-        yield say(Kind.COLUMN_THE_OTHER_WAY, number=k + 1, joint=joint.symbol), case.selected(turned)
-        yield say(Kind.COLUMN_MISSING, number=k + 1), case.selected(changed(J, place, 0))
+        number = case.column_of(k + 1)
+        yield say(Kind.COLUMN_THE_OTHER_WAY, number=number, joint=joint.symbol), case.selected(turned)
+        yield say(Kind.COLUMN_MISSING, number=number), case.selected(changed(J, place, 0))
     if (asked := case.quantity.columns) is not None and len(asked) == 1:
         for k in range(n):
             if k + 1 != asked[0]:

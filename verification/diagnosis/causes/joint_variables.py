@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 import numpy as np
 
 from armproof.models.arm import Joint
 from armproof.verification.algebra.quantity_kinds import kind_of
-from armproof.verification.diagnosis.causes.case import Candidate, Case
+from armproof.verification.diagnosis.causes.case import TOLERANCE, Candidate, Case
 from armproof.verification.diagnosis.causes.varied import Values, evaluate_varied
 from armproof.verification.findings import Finding, Kind, say
 
 # the slip, the variables changed, the inner derivatives that go with it
 Named = tuple[Finding, Values, np.ndarray | None]
+_MOST_JOINTS = 6
 _TURNS = (("π/2", np.pi / 2), ("-π/2", -np.pi / 2), ("π", np.pi))
 
 
@@ -25,7 +26,9 @@ def joint_candidates(case: Case) -> Iterator[Candidate]:
 
 def offset_candidates(case: Case) -> Iterator[Candidate]:
     """Yield the quantity with a joint variable counted from another zero, twice, or in another's place."""
-    yield from _varied(case, [*_offsets(case), *_between_two(case)])
+    yield from _varied(
+        case, [*_counted_otherwise(case), *_offsets(case), *_between_two(case), *_several_the_other_way(case)]
+    )
 
 
 def _varied(case: Case, named: list[Named]) -> Iterator[Candidate]:
@@ -103,6 +106,32 @@ def _offsets(case: Case) -> Iterator[Named]:
             kind = Kind.OTHER_ZERO_OR_DERIVATIVE if is_derivative else Kind.OTHER_ZERO
             yield say(kind, joint=symbol, turn=name), {symbol: q + turn}, None
         yield say(Kind.JOINT_TWICE, joint=symbol), {symbol: 2 * q}, _rates(case, {joint.index: 2.0})
+
+
+def _counted_otherwise(case: Case) -> Iterator[Named]:
+    """q[1], q[2], … for q[0], q[1], …, in a program alone; and q[-1], q[0], … for them."""
+    joints = case.arm.joints
+    if case.is_printed or not case.fits or len(joints) < 3 or _joints_needed(case) < 2:  # one may stand for one other
+        return
+    q = [_of(case, joint) for joint in joints]
+    yield say(Kind.JOINTS_COUNTED_FROM_ONE), {joint.symbol: q[min(k + 1, len(q) - 1)] for k, joint in enumerate(joints)}, None  # fmt: skip
+    yield say(Kind.JOINTS_COUNTED_FROM_BEHIND), {joint.symbol: q[k - 1] for k, joint in enumerate(joints)}, None
+
+
+def _joints_needed(case: Case) -> int:
+    """Return on how many joints the quantity depends."""
+    at_zero = evaluate_varied(case, [{joint.symbol: 0 * _of(case, joint)} for joint in case.arm.joints])
+    return int((np.abs(at_zero - case.true) > TOLERANCE).any(axis=(1, 2, 3)).sum())
+
+
+def _several_the_other_way(case: Case) -> Iterator[Named]:
+    """Some joints whose axes were taken in the other sense, of an arm with more."""
+    joints = _revolute(case)
+    for count in range(2, len(joints)) if len(joints) <= _MOST_JOINTS else ():
+        for chosen in combinations(joints, count):
+            values = {joint.symbol: -_of(case, joint) for joint in chosen}
+            rates = _rates(case, {joint.index: -1.0 for joint in chosen})
+            yield say(Kind.JOINTS_THE_OTHER_WAY, joints=[*values]), values, rates
 
 
 def _between_neighbours(case: Case) -> Iterator[Named]:

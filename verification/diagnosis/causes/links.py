@@ -77,6 +77,8 @@ def product_candidates(case: Case) -> Iterator[Candidate]:
     if not matrices:
         return
     if len(matrices) > 1:
+        yield say(Kind.LINKS_ENTRY_BY_ENTRY), case.selected(np.prod(matrices, axis=0))
+        yield say(Kind.LINKS_ADDED), case.selected(np.sum(matrices, axis=0))
         for finding, changed in _rearranged(case, matrices):
             yield finding, case.selected(product(changed, count))
     kind = Kind.LINKS_OF_OTHER_CONVENTION if len(matrices) > 1 else Kind.OTHER_CONVENTION
