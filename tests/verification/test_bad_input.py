@@ -349,6 +349,34 @@ def test_no_display_takes_more_than_its_time(verify, tmp_path: Path, monkeypatch
     assert fine["verdict"] == "proved"
 
 
+REPEATED = {
+    "images in Markdown": ("page.md", "![" * 15_000),
+    "links": ("page.md", "[[" * 15_000),
+    "comments": ("page.md", "<!--" * 15_000),
+    "sections of HTML": ("page.md", "<![CDATA[" * 6_000),
+    "columns": ("page.md", f"$$\n{'&' * 15_000}\n$$"),
+    "rows": ("page.md", "$$\n" + r"a&b\\" * 2_000 + "\n$$"),
+    "images in LaTeX": ("page.tex", "![" * 15_000),
+    "displays": ("page.tex", r"\begin{align}" * 2_000),
+    "definitions": ("page.tex", r"\newcommand{\a}{" * 2_000),
+    "pictures": ("page.tex", r"\includegraphics{" * 2_000),
+}
+
+
+@pytest.mark.parametrize("what", REPEATED)
+def test_what_opens_again_and_again_is_read_in_time(verify, tmp_path: Path, what: str):
+    name, text = REPEATED[what]
+    path = tmp_path / name
+    path.write_text(f"{FINE}{text}\n", encoding="utf-8")
+    assert judge(verify, path)[0]["verdict"] == "proved"
+
+
+@pytest.mark.parametrize("opening", ["::: note\n", "```{note}\n"])
+def test_a_document_that_is_nested_without_end_is_refused(verify, tmp_path: Path, opening: str):
+    path = write(tmp_path, "arm: scara", f"{FINE}{opening * (40_000 // len(opening))}")
+    assert_refused(verify(path), path, ": nested too deeply")
+
+
 @pytest.mark.parametrize(
     ("depth", "text"),
     [(5_000, ">"), (5_000, "[" * 5_000), (1, "*a **b " * 5_000), (1, "$a " * 20_001), (1, "| a " * 5_000 + "\n")],

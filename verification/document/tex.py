@@ -314,7 +314,7 @@ class _Scanner:
         erratum = marked or any(region.erratum for region in self.regions)
         line = self.line(token.start())
         if end < 0:
-            rest = self.visible[begin : self.stop].split("\n\n")[0]
+            rest = self.visible[begin : self.stop].partition("\n\n")[0].partition(token.group())[0]
             return Display(
                 line, rest, erratum, section=self.section, closed=False, opening=opening, **self.where(begin)
             )
