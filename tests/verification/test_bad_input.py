@@ -358,7 +358,11 @@ REPEATED = {
     "rows": ("page.md", "$$\n" + r"a&b\\" * 2_000 + "\n$$"),
     "images in LaTeX": ("page.tex", "![" * 15_000),
     "displays": ("page.tex", r"\begin{align}" * 2_000),
+    "displays in brackets": ("page.tex", "\\[" * 5_000),
+    "dollars": ("page.tex", "$ " * 5_000),
+    "sections": ("page.tex", r"\section{" * 2_000),
     "definitions": ("page.tex", r"\newcommand{\a}{" * 2_000),
+    "macros": ("page.tex", r"\def\a{\a\a}\a" * 1_500),
     "pictures": ("page.tex", r"\includegraphics{" * 2_000),
 }
 
@@ -388,8 +392,9 @@ def test_markdown_without_end_is_read_in_time(verify, tmp_path: Path, depth: int
 
 @pytest.mark.parametrize(
     "text",
-    ["horizontal\n" + " \n" * 40_000, "horizontal" + f"\n{' ' * 50}" * 8_000, "horizontal \\begin{equation}" * 8_000, "as seen by not " * 9_000],
-    ids=["blank lines", "indented blank lines", "environments that never end", "words"],
+    ["horizontal\n" + " \n" * 40_000, "horizontal" + f"\n{' ' * 50}" * 8_000, "horizontal \\begin{equation}" * 8_000, "as seen by not " * 9_000,
+     "$a$, " * 40 + "$b$ are lengths and", r"\(a\) \(b\) " * 20 + "are lengths and"],
+    ids=["blank lines", "indented blank lines", "environments that never end", "words", "formulas", "formulas of LaTeX"],
 )  # fmt: skip
 def test_what_text_says_is_heard_in_time(verify, tmp_path: Path, text: str):
     *_, fine = judge(verify, write(tmp_path, "arm: scara", f"{text}\n\n{FINE}"))

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from functools import cache
+from functools import cache, lru_cache
 
 import armproof.verification.document.phrases as phrases
 from armproof.verification.document.model import INLINE, Display
@@ -30,8 +30,8 @@ _GENERAL = re.compile(
     r"|quel(?:le)?s? que soi(?:en)?t (?:la|les) (?:configuration|position|angles?|valeurs?))\b",
     re.IGNORECASE,
 )
-_ALTERNATIVES = re.compile(  # $s_3 = 0$ or
-    r"(?:\s*(?:\$[^$]+\$|\\\(.+?\\\)|:math:`[^`]+`)\s*,?\s*(?:or|and|ou|et|o|y|oder|und)?)+\s*\Z"
+_ALTERNATIVES = re.compile(  # $s_3 = 0$ or; a blank is of one part alone, or a list of twenty formulas has a million ways to be none
+    r"(?:\s*+(?>\$[^$]+\$|\\\(.+?\\\)|:math:`[^`]+`)(?:\s*+,)?+(?:\s*+(?:oder|or|ou|o|and|und|et|y))?+)+\s*\Z"
 )
 _FORMULA = re.compile(r"\$\$?[^$]*\$\$?|\\\(.*?\\\)|:math:`[^`]*`")
 AXIS = re.compile(
@@ -49,6 +49,7 @@ _ARGUMENTS = re.compile(  # \begin{frame}<2->[fragile]{Title}, \section{Inverse}
 _STOP = re.compile(r"(?<!\\)[.;!?](?=\s+\S)")
 _IS_OVER = re.compile(r"[.!]\W*\Z")
 _LIGHT = frozenset(re.split(r"[/\s]+", phrases.LIGHT.strip()))
+MOST_KNOWN = 4096  # sentences, so that those of a text that is read again are heard once
 MOST_CHARACTERS = 500  # of a sentence that is read
 _MOST = 14  # words before a denial of what stands above it
 _FARTHEST = 10  # and behind one of what stands below
@@ -56,14 +57,19 @@ _FARTHEST = 10  # and behind one of what stands below
 
 def said_above(text: str, line: int, section: str) -> Iterator[Display]:
     """Yield what a text says of the display that it stands right behind."""
-    sentence = _first_sentence(text)
+    for each in _heard_behind(_first_sentence(text)):
+        yield Display(line, each, section=section, opening=INLINE)
+
+
+@lru_cache(maxsize=MOST_KNOWN)
+def _heard_behind(sentence: str) -> tuple[str, ...]:
     words = words_of(sentence)
     heard = [DENIED_ABOVE] if _denies_behind(words) else []
     if _limits(words):
         heard.append(LIMITED_ABOVE)
     if DENIED_ABOVE not in heard and is_strange_behind(_plain(sentence)):
         heard.append(STRANGE_ABOVE + sentence)
-    yield from (Display(line, each, section=section, opening=INLINE) for each in heard)
+    return tuple(heard)
 
 
 def said_in_general(text: str, line: int, section: str) -> Iterator[Display]:
@@ -74,7 +80,12 @@ def said_in_general(text: str, line: int, section: str) -> Iterator[Display]:
 
 def said_below(text: str, line: int, section: str) -> Iterator[Display]:
     """Yield what the last sentence of a text, formulas and all, says of the display that follows."""
-    sentence = _leading(text)
+    for each in _heard_before(_leading(text)):
+        yield Display(line, each, section=section, opening=INLINE)
+
+
+@lru_cache(maxsize=MOST_KNOWN)
+def _heard_before(sentence: str) -> tuple[str, ...]:
     words = words_of(sentence)
     heard = [DENIED] if _denies_before(sentence, words) else []
     if _supposes(words, _IS_OVER.search(sentence) is not None):
@@ -83,10 +94,10 @@ def said_below(text: str, line: int, section: str) -> Iterator[Display]:
         heard.append(OTHER_POINT)
     if DENIED not in heard and is_strange_before(_plain(sentence)):
         heard.append(STRANGE + sentence)
-    yield from (Display(line, each, section=section, opening=INLINE) for each in heard)
     found = _ALTERNATIVES.search(sentence)
     if found is not None and is_of_singularities(sentence[: found.start()].rstrip()):
-        yield Display(line, SINGULAR, section=section, opening=INLINE)
+        heard.append(SINGULAR)
+    return tuple(heard)
 
 
 def denies_above(text: str) -> bool:

@@ -12,7 +12,7 @@ from armproof.verification.document.model import Piece
 MOST_EXPANSIONS = 500  # in one display
 LONGEST = 50_000  # characters of a display
 _BOUNDARY = re.compile(r"\s*\\(begin|end)\s*\{(\w+\*?)\}\s*")
-NEAR = 2_000  # characters within which most braces are closed
+NEAR = 400  # characters within which most braces are closed
 _BRACE = re.compile(r"\\.|[{}]", re.DOTALL)
 _USE = re.compile(r"\\(?:begin|end)\s*\{\w+\*?\}|\\[A-Za-z]+")
 Place = Callable[[int], tuple[int, int]]
