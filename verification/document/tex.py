@@ -43,7 +43,7 @@ _HIDDEN = re.compile(
 )
 _LISTING = re.compile(r"\\begin\{(verbatim\*?|lstlisting|minted|Verbatim)\}.*?\\end\{\1\}", re.DOTALL)
 _VERB = re.compile(r"\\verb\*?([^\w\s*])[^\n]*?\1")
-_OPEN_TITLE = re.compile(r"[^\\\n]*")  # of one whose brace is never closed
+_OPEN_TITLE = re.compile(r"[\\\n]")  # what ends one whose brace is never closed
 _TITLE = re.compile(r"\\title\s*(?:\[[^\]]*\]\s*)?\{")
 _TOKEN = re.compile(
     r"\\begin\s*\{(?P<begin>\w+\*?)\}|\\end\s*\{(?P<end>\w+\*?)\}|\\(?P<section>chapter|(?:sub)*section|paragraph|frametitle)\*?\s*(?:\[[^\]]*\])?\s*\{"
@@ -191,9 +191,8 @@ class _Scanner:
             position = token.end()
             if token.group("section"):
                 close = closing_brace(self.visible, token.end() - 1)
-                title = (
-                    self.visible[token.end() : close] if close >= 0 else _OPEN_TITLE.match(self.visible, token.end())[0]
-                )  # type: ignore[index]
+                behind = self.visible[token.end() : close if close >= 0 else None]
+                title = behind if close >= 0 else _OPEN_TITLE.split(behind, maxsplit=1)[0]
                 title = " ".join(title.split()).replace("---", "—").replace("--", "–")
                 level = LEVELS.index(token.group("section"))
                 is_behind = False
