@@ -12,9 +12,6 @@ from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-import dask
-import distributed  # noqa: F401 - its settings come with it, and would be lost with ours
-
 ROOT = Path(__file__).resolve().parents[1]
 ROLES = ("scheduler", "worker", "client")
 SECONDS = 60
@@ -32,6 +29,9 @@ class Running:
 @contextmanager
 def run_cluster(folder: Path, workers: int = 2) -> Iterator[Running]:
     """Run a cluster of so many workers of one thread each, with the settings of this process that reach it."""
+    import dask
+    import distributed  # noqa: F401 - its settings come with it, and would be lost with ours
+
     settings = write_certificate(folder)
     place = ["--host", "tls://127.0.0.1", "--no-dashboard", "--scheduler-file", str(folder / "scheduler.json")]
     own = ["--no-nanny", "--nthreads", "1", "--memory-limit", "0", "--local-directory"]

@@ -74,6 +74,8 @@ if TYPE_CHECKING:
 
 SECONDS_TO_DECIDE = 1.1  # a display is bounded by two seconds in all: so long to decide it,
 SECONDS_TO_EXPLAIN = 0.9  # and so long to say what is wrong in it
+WORK_ON_SLIPS = 30_000  # questions of the budget about slips in what is said before: counted, a verdict may rest on one
+SECONDS_ON_SLIPS = 3.0  # for where a question takes longer than anywhere
 
 
 def verify(path: Path | str, *, confirm: bool = True, correct: bool = False) -> DocumentResult:
@@ -540,7 +542,7 @@ class DocumentChecker:
             return replace(judged, outcomes=tuple(found))
         if judged.verdict is not Verdict.REFUTED:
             return self._by_slip_before(replace(judged, outcomes=tuple(found)), display, outcomes)
-        with suppress(TooComplex), self.ring.budget.of(SECONDS_TO_EXPLAIN):
+        with suppress(TooComplex), self.ring.budget.of(SECONDS_ON_SLIPS, WORK_ON_SLIPS):
             for place, outcome in enumerate(outcomes):
                 may_slip = frozenset(filter(self._may_slip, outcome.uses))
                 found[place] = replace(found[place], may_slip=may_slip)
@@ -550,7 +552,7 @@ class DocumentChecker:
     def _by_slip_before(self, record: Record, display: Display, outcomes: Sequence[Outcome]) -> Record:
         """Return the record of a display that says a name anew, as it would be with one slip in what is said of that before."""
         found = list(record.outcomes)
-        with suppress(TooComplex), self.ring.budget.of(SECONDS_TO_EXPLAIN):
+        with suppress(TooComplex), self.ring.budget.of(SECONDS_ON_SLIPS, WORK_ON_SLIPS):
             for place, outcome in enumerate(outcomes):
                 is_open = outcome.verdict in (Verdict.UNCHECKED, Verdict.DEFINED)
                 if is_open and outcome.tells(Kind.SECOND_MEANING) and outcome.uses:
@@ -658,7 +660,7 @@ class DocumentChecker:
         aside = {key: state.definitions.pop(key) for key in usual.meanings if key in state.definitions}
         state.inferred |= usual.meanings
         try:
-            with self.ring.budget.of(SECONDS_TO_EXPLAIN):
+            with self.ring.budget.of(SECONDS_ON_SLIPS, WORK_ON_SLIPS):
                 again = partial(self._holds_again, display, outcome.equation)
                 slip = self.diagnostician.slip_before(Record(0, "", Verdict.REFUTED), refuted, again)
         except TooComplex:

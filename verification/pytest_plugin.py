@@ -69,6 +69,8 @@ def _may_be_ours(path: Path) -> bool:
         return False
     if not any(key.encode() in head for key in OURS):
         return False
+    if path.suffix in (".md", ".qmd") and not head.startswith((b"---", b"\xef\xbb\xbf---")):
+        return False  # where its front matter would stand
     # a lesson begins with a comment, its header or first cell; a program may hold one in its strings
     return path.suffix != ".py" or head.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"#")
 

@@ -49,8 +49,8 @@ def main() -> int:
     if not options.totals:
         print_cases(cases, options.faults)
         print_pages(faults_of_pages())
-    print_totals()
-    return max(compare(faults, options.update), compare_record(judged_cases(options.jobs), options.update))
+    print_totals(cases)
+    return max(compare(faults, options.update), compare_record(cases, options.update))
 
 
 def print_about(about: str, only_faults: bool, jobs: int) -> int:
@@ -83,11 +83,11 @@ def print_pages(faults: Sequence[Fault]) -> None:
         print(f"  {fault.where:45} {fault.kind:17} {fault.said}")
 
 
-def print_totals() -> None:
+def print_totals(cases: Sequence[Judged]) -> None:
     """Print false passes, false refutations and what was decided, for each file and for the pages."""
     print(f"\n{'':16}{'displays':>9}{FALSE_PASS:>13}{FALSE_REFUTATION:>18}{'right, decided':>16}{'other':>7}")
     for file in FILES:
-        judged = [j for j in judged_cases() if j.case.file == file]
+        judged = [j for j in cases if j.case.file == file]
         kinds = Counter(j.fault for j in judged)
         right = [j for j in judged if j.case.label == "right"]
         decided = sum(j.verdict in DECIDED for j in right)

@@ -349,6 +349,38 @@ def test_no_display_takes_more_than_its_time(verify, tmp_path: Path, monkeypatch
     assert fine["verdict"] == "proved"
 
 
+REPEATED = {
+    "images in Markdown": ("page.md", "![" * 15_000),
+    "links": ("page.md", "[[" * 15_000),
+    "comments": ("page.md", "<!--" * 15_000),
+    "sections of HTML": ("page.md", "<![CDATA[" * 6_000),
+    "columns": ("page.md", f"$$\n{'&' * 15_000}\n$$"),
+    "rows": ("page.md", "$$\n" + r"a&b\\" * 2_000 + "\n$$"),
+    "images in LaTeX": ("page.tex", "![" * 15_000),
+    "displays": ("page.tex", r"\begin{align}" * 2_000),
+    "displays in brackets": ("page.tex", "\\[" * 5_000),
+    "dollars": ("page.tex", "$ " * 5_000),
+    "sections": ("page.tex", r"\section{" * 2_000),
+    "definitions": ("page.tex", r"\newcommand{\a}{" * 2_000),
+    "macros": ("page.tex", r"\def\a{\a\a}\a" * 1_500),
+    "pictures": ("page.tex", r"\includegraphics{" * 2_000),
+}
+
+
+@pytest.mark.parametrize("what", REPEATED)
+def test_what_opens_again_and_again_is_read_in_time(verify, tmp_path: Path, what: str):
+    name, text = REPEATED[what]
+    path = tmp_path / name
+    path.write_text(f"{FINE}{text}\n", encoding="utf-8")
+    assert judge(verify, path)[0]["verdict"] == "proved"
+
+
+@pytest.mark.parametrize("opening", ["::: note\n", "```{note}\n"])
+def test_a_document_that_is_nested_without_end_is_refused(verify, tmp_path: Path, opening: str):
+    path = write(tmp_path, "arm: scara", f"{FINE}{opening * (40_000 // len(opening))}")
+    assert_refused(verify(path), path, ": nested too deeply")
+
+
 @pytest.mark.parametrize(
     ("depth", "text"),
     [(5_000, ">"), (5_000, "[" * 5_000), (1, "*a **b " * 5_000), (1, "$a " * 20_001), (1, "| a " * 5_000 + "\n")],
@@ -360,8 +392,9 @@ def test_markdown_without_end_is_read_in_time(verify, tmp_path: Path, depth: int
 
 @pytest.mark.parametrize(
     "text",
-    ["horizontal\n" + " \n" * 40_000, "horizontal" + f"\n{' ' * 50}" * 8_000, "horizontal \\begin{equation}" * 8_000, "as seen by not " * 9_000],
-    ids=["blank lines", "indented blank lines", "environments that never end", "words"],
+    ["horizontal\n" + " \n" * 40_000, "horizontal" + f"\n{' ' * 50}" * 8_000, "horizontal \\begin{equation}" * 8_000, "as seen by not " * 9_000,
+     "$a$, " * 40 + "$b$ are lengths and", r"\(a\) \(b\) " * 20 + "are lengths and"],
+    ids=["blank lines", "indented blank lines", "environments that never end", "words", "formulas", "formulas of LaTeX"],
 )  # fmt: skip
 def test_what_text_says_is_heard_in_time(verify, tmp_path: Path, text: str):
     *_, fine = judge(verify, write(tmp_path, "arm: scara", f"{text}\n\n{FINE}"))

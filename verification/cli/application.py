@@ -6,6 +6,7 @@ a function or a typer.Typer of several, and loaded only when the command is call
 
 from __future__ import annotations
 
+import gc
 import gettext
 import os
 import re
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
 
 GROUP = "armproof.commands"
 UsageError: Any = typer.BadParameter.__base__  # of the click that this typer brings
+COLLECTED = (100_000, 50, 100)  # after so many new objects: of a document's trees few are garbage before its end
 PASSES, FAILS, CANNOT_RUN, INTERRUPTED = 0, 1, 2, 130
 
 
@@ -164,6 +166,7 @@ def tell(template: str, /, **terms: object) -> None:
 
 def main() -> None:
     """Run the command line, in the language that it is asked for: the help is in it as well, and what typer says."""
+    gc.set_threshold(*COLLECTED)
     given = re.search(r"^--lang[=\n](.+)$", "\n".join(sys.argv), re.MULTILINE)
     speak(known_language(given and given[1]))
     gettext.dgettext = lambda domain, message: look_up(message)

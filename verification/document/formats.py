@@ -57,11 +57,11 @@ _SAYS = re.compile(
     r"[=≈<>≠]|\\(?:approx|simeq|equiv|[lg]eq?|neq?)(?![A-Za-z])|(?:∈|\\in(?![A-Za-z]))\s*(?:\\left\s*)?[(\[]|^\\text\{"
 )
 _TELLS_LANGUAGE = 8000  # characters of a text
-_EQUATION = r"[^\])\"'\s]*(?:equation|\beqn?s?[\d_-]|formula|formule|ecuaci|gleichung|latex|codecogs|render/math|matri[xcz])[^\])\"']*"
+_EQUATION = r"[^\])\"'\s]{0,300}(?:equation|\beqn?s?[\d_-]|formula|formule|ecuaci|gleichung|latex|codecogs|render/math|matri[xcz])[^\])\"']*"
 _DEFINES = re.compile(r"\\(?:(?:re|provide)?newcommand|def|let|DeclareMathOperator|newenvironment)(?![A-Za-z])")
 _INTERTEXT = re.compile(r"\\(?:short)?intertext\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
 _IMAGE = re.compile(  # by what it is called or where it is made: ![equation 3](eq3.png), <img src="…codecogs.com…">
-    rf"!\[{_EQUATION}\]\([^)\n]{{1,2000}}\)|!\[[^\]\n]{{0,200}}\]\({_EQUATION}\)|<img\b[^>]{{0,500}}?(?:src|alt)=\\?[\"']{_EQUATION}"
+    rf"!\[(?=[^\])\"']{{1,2000}}\]\(){_EQUATION}\]\([^)\n]{{1,2000}}\)|!\[[^\]\n]{{0,200}}\]\({_EQUATION}\)|<img\b[^>]{{0,500}}?(?:src|alt)=\\?[\"']{_EQUATION}"
     rf"|\\includegraphics\s*(?:\[[^\]]{{0,200}}\])?\{{{_EQUATION}\}}",
     re.IGNORECASE,
 )
@@ -82,7 +82,10 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
         formats = ", ".join(suffix.removeprefix(".") for suffix in SUFFIXES)
         raise DocumentError(say(Kind.UNKNOWN_FORMAT, format=format, formats=formats), path=path)
     suffix = f".{format}" if format else suffix_of(path)
-    document = _READERS.get(suffix, read_markdown_file)(path, text)
+    try:
+        document = _READERS.get(suffix, read_markdown_file)(path, text)
+    except RecursionError:
+        raise DocumentError(say(Kind.NESTED), path=path) from None
     if suffix != ".tex" and any(_DEFINES.search(display.latex) for display in document.displays):
         from armproof.verification.document.markdown_macros import with_macros
 

@@ -23,6 +23,7 @@ from armproof.verification.document.front_matter import FrontMatter, split_front
 from armproof.verification.document.heading import begin_section
 from armproof.verification.document.html_tables import read_html_tables
 from armproof.verification.document.in_words import said_in_words
+from armproof.verification.document.link_labels import with_quick_labels
 from armproof.verification.document.model import CODE, INLINE, Display, Document, Piece, Table
 from armproof.verification.document.postures import postures
 from armproof.verification.document.sentences import said_above, said_below, said_in_general
@@ -44,6 +45,7 @@ _BLANK = re.compile(r"[\s>]*")
 _OPTIONS = re.compile(r"[\s>]*(?::[\w-]+:.*|---.*|[\w-]+:.*)?")
 Rule = Callable[[StateBlock, int, int, bool], bool]
 MOST_LINES = 100  # of an environment without dollars
+MOST_NESTED = 12  # directives, each in another: every one is read anew
 FARTHEST = 12  # lines between the opening of a display and its LaTeX: blank, or a directive's options
 ADMONITIONS = frozenset(["admonition", "note", "warning", "tip", "important", "caution", "error", "hint", "attention", "danger",
                          "seealso", "erratum", "errata", "card", "dropdown", "proof", "topic", "sidebar", "margin", "figure", "table",
@@ -62,7 +64,6 @@ _BRACKETS = re.compile(
 )
 _UNSEEN = re.compile("[\u200b\u200c\ufeff]+$", re.MULTILINE)  # behind the $$ that ends a display
 _HTML_HEADING = re.compile(r"\s*<h(?P<level>[1-6])(?:\s[^<>]*)?>(?P<text>.*?)</h[1-6]>", re.IGNORECASE | re.DOTALL)
-_HTML_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 
 
 def place_displays(displays: Sequence[Display], lines: Sequence[str], first: int) -> list[Display]:
@@ -177,9 +178,11 @@ def read_markdown(body: str, first: int, cell: int | None = None) -> tuple[list[
 
 
 def _read_blocks(
-    body: str, first: int, cell: int | None, section: str, in_erratum: bool
+    body: str, first: int, cell: int | None, section: str, in_erratum: bool, depth: int = 0
 ) -> tuple[list[Display], list[Table]]:
     """Return the displays and tables of a text, or of what stands in one of its directives; without their places."""
+    if depth > MOST_NESTED:
+        raise RecursionError
     displays: list[Display] = []
     tables: list[Table] = []
     quotes = [in_erratum]  # and one a nested blockquote: whether it is an erratum
@@ -232,7 +235,8 @@ def _read_blocks(
                 is_behind = True
             elif token.type == "colon_fence" or inside["name"].removeprefix("prf:") in ADMONITIONS:
                 erratum = erratum or _ERRATUM.search(token.info) is not None or _begins_as_erratum(content)
-                more, more_tables = _read_blocks(_without_options(content), line + 1, cell, section, erratum)
+                inner = _without_options(content)
+                more, more_tables = _read_blocks(inner, line + 1, cell, section, erratum, depth + 1)
                 displays += more
                 tables += more_tables
             else:
@@ -242,7 +246,7 @@ def _read_blocks(
 
 def _within_html(content: str, line: int, erratum: bool, cell: int | None, section: str) -> Iterator[Display]:
     """Yield the displays between the tags of a block of HTML: <center>$$ … $$</center>, or an environment."""
-    shown = _HTML_COMMENT.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), content)
+    shown = _without_comments(content)
     parts = shown.split("$$")
     for place in range(1, len(parts), 2):
         at = line + "$$".join(parts[:place]).count("\n")
@@ -250,6 +254,15 @@ def _within_html(content: str, line: int, erratum: bool, cell: int | None, secti
     for found in _WHOLE_ENVIRONMENT.finditer(shown) if len(parts) == 1 and not _LITERAL.match(shown) else ():
         at = line + shown.count("\n", 0, found.start())
         yield Display(at, found.group(), erratum, cell, section, opening=AMS)
+
+
+def _without_comments(content: str) -> str:
+    """Return HTML with blanks for its comments; one that is never closed is none, and is looked for once."""
+    shown = ""
+    while (start := content.find("<!--")) >= 0 and (end := content.find("-->", start)) >= 0:
+        shown += content[:start] + re.sub(r"[^\n]", " ", content[start : end + 3])
+        content = content[end + 3 :]
+    return shown + content
 
 
 def _of_picture(latex: str, line: int, erratum: bool, cell: int | None, section: str, alone: bool) -> Display:
@@ -280,7 +293,7 @@ def markdown_reader() -> MarkdownIt:
 
 
 def _new_reader() -> MarkdownIt:
-    return (
+    return with_quick_labels(
         MarkdownIt("commonmark", {"maxNesting": 100})
         .enable("table")
         .use(colon_fence_plugin)

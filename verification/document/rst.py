@@ -24,9 +24,7 @@ from armproof.verification.document.sentences import said_above, said_below, sai
 from armproof.verification.document.units import with_unit
 
 _MATH = re.compile(r"(?P<margin>\s*(?:[-*+]\s+|\d+[.)]\s+)?)\.\. math::[ \t]*(?P<argument>.*)$")
-_ERRATUM = re.compile(
-    r"\s*(?:\.\. (?:errat(?:um|a)|[\w-]+::\s*errat(?:um|a))\b|\s[*_\s]*errat(?:um|a)\b)", re.IGNORECASE
-)
+_ERRATUM = re.compile(r"\s*+\.\. (?:errat(?:um|a)|[\w-]+::\s*errat(?:um|a))\b|\s[*_\s]*+errat(?:um|a)\b", re.IGNORECASE)
 _OPTION = re.compile(r"\s*:[\w-]+:")
 _ROLE = re.compile(r":math:`([^`]*)`")
 _ROLE_OR_SIGN = re.compile(r":math:`([^`]+)`|(=)")

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from functools import cache
+from functools import cache, lru_cache
 
 import armproof.verification.document.phrases as phrases
 from armproof.verification.document.heading import sections_around
@@ -34,8 +34,8 @@ _GENERAL = re.compile(
     r"|quel(?:le)?s? que soi(?:en)?t (?:la|les) (?:configuration|position|angles?|valeurs?))\b",
     re.IGNORECASE,
 )
-_ALTERNATIVES = re.compile(  # $s_3 = 0$ or
-    r"(?:\s*(?:\$[^$]+\$|\\\(.+?\\\)|:math:`[^`]+`)\s*,?\s*(?:or|and|ou|et|o|y|oder|und)?)+\s*\Z"
+_ALTERNATIVES = re.compile(  # $s_3 = 0$ or; a blank is of one part alone, or a list of twenty formulas has a million ways to be none
+    r"(?:\s*+(?>\$[^$]+\$|\\\(.+?\\\)|:math:`[^`]+`)(?:\s*+,)?+(?:\s*+(?:oder|or|ou|o|and|und|et|y))?+)+\s*\Z"
 )
 _FORMULA = re.compile(r"\$\$?[^$]*\$\$?|\\\(.*?\\\)|:math:`[^`]*`")
 AXIS = re.compile(
@@ -55,6 +55,7 @@ _IS_OVER = re.compile(r"[.!]\W*\Z")
 _WORDS_WITHIN = re.compile(r"\\(tag\*?|text(?:rm|bf|it|sf|up|normal)?|mbox)\s*\{([^{}]*)\}")
 _GAP = r"(?<![,:;] )(?:(?!(?:true|right|correct|valid|holds?|vraie?|exacte?|correcte|richtig|wahr) )[^\s,:;.!?]\S* ){0,4}?"  # no comma, no verdict
 _LIGHT = frozenset(re.split(r"[/\s]+", phrases.LIGHT.strip()))
+MOST_KNOWN = 4096  # sentences, so that those of a text that is read again are heard once
 MOST_CHARACTERS = 500  # of a sentence that is read
 _SHORT = 6  # words of one that is heard with the one before it
 _LONGEST_QUOTED = 40  # characters of a formula in one that is quoted
@@ -64,14 +65,20 @@ _FARTHEST = 10  # and behind one of what stands below
 
 def said_above(text: str, line: int, section: str) -> Iterator[Display]:
     """Yield what a text says of the display that it stands right behind."""
-    sentence = _first_sentence(text)
+    later = (DENIED_ABOVE,) if _denies_later(text) else ()
+    for each in dict.fromkeys((*later, *_heard_behind(_first_sentence(text)))):
+        yield Display(line, each, section=section, opening=INLINE)
+
+
+@lru_cache(maxsize=MOST_KNOWN)
+def _heard_behind(sentence: str) -> tuple[str, ...]:
     words = words_of(sentence)
-    heard = [DENIED_ABOVE] if _denies_behind(words) or _denies_later(text) else []
+    heard = [DENIED_ABOVE] if _denies_behind(words) else []
     if _limits(words):
         heard.append(LIMITED_ABOVE)
     if DENIED_ABOVE not in heard and is_strange_behind(_plain(sentence)):
         heard.append(STRANGE_ABOVE + sentence)
-    yield from (Display(line, each, section=section, opening=INLINE) for each in heard)
+    return tuple(heard)
 
 
 def not_known_in(sentence: str) -> list[str]:
@@ -92,8 +99,14 @@ def said_in_general(text: str, line: int, section: str) -> Iterator[Display]:
 
 def said_below(text: str, line: int, section: str) -> Iterator[Display]:
     """Yield what the last sentence of a text, formulas and all, says of the display that follows."""
-    sentence = _leading(text)
-    words, words_before = words_of(sentence), words_of(_before_leading(text))
+    for each in _heard_before(_leading(text), _before_leading(text)):
+        yield Display(line, each, section=section, opening=INLINE)
+
+
+@lru_cache(maxsize=MOST_KNOWN)
+def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
+    """Return what a sentence says of the display that it leads to, with the one before it where it is short."""
+    words, words_before = words_of(sentence), words_of(before)
     points_below = hears("POINTS_BELOW", words_before) is not None
     is_denied = _denies_before(sentence, words) or (points_below and hears("DENIED_BEFORE", f"{words_before}{words}"))
     heard = [DENIED] if is_denied else []
@@ -105,12 +118,12 @@ def said_below(text: str, line: int, section: str) -> Iterator[Display]:
         heard.append(OTHER_FRAME)
     if DENIED not in heard and is_strange_before(_plain(sentence)):
         heard.append(STRANGE + sentence)
-    yield from (Display(line, each, section=section, opening=INLINE) for each in heard)
     if hears("AT_VALUES", words) or (hears("AT_WORDS", words) and any(joint_values(sentence))):
-        yield Display(line, FROM_VALUES, section=section, opening=INLINE)
+        heard.append(FROM_VALUES)
     found = _ALTERNATIVES.search(sentence)
     if found is not None and is_of_singularities(sentence[: found.start()].rstrip()):
-        yield Display(line, SINGULAR, section=section, opening=INLINE)
+        heard.append(SINGULAR)
+    return tuple(heard)
 
 
 def denies_above(text: str) -> bool:

@@ -43,6 +43,7 @@ _HIDDEN = re.compile(
 )
 _LISTING = re.compile(r"\\begin\{(verbatim\*?|lstlisting|minted|Verbatim)\}.*?\\end\{\1\}", re.DOTALL)
 _VERB = re.compile(r"\\verb\*?([^\w\s*])[^\n]*?\1")
+_OPEN_TITLE = re.compile(r"[\\\n]")  # what ends one whose brace is never closed
 _TITLE = re.compile(r"\\title\s*(?:\[[^\]]*\]\s*)?\{")
 _TOKEN = re.compile(
     r"\\begin\s*\{(?P<begin>\w+\*?)\}|\\end\s*\{(?P<end>\w+\*?)\}|\\(?P<section>chapter|(?:sub)*section|paragraph|frametitle)\*?\s*(?:\[[^\]]*\])?\s*\{"
@@ -190,7 +191,9 @@ class _Scanner:
             position = token.end()
             if token.group("section"):
                 close = closing_brace(self.visible, token.end() - 1)
-                title = " ".join(self.visible[token.end() : close].split()).replace("---", "—").replace("--", "–")
+                behind = self.visible[token.end() : close if close >= 0 else None]
+                title = behind if close >= 0 else _OPEN_TITLE.split(behind, maxsplit=1)[0]
+                title = " ".join(title.split()).replace("---", "—").replace("--", "–")
                 level = LEVELS.index(token.group("section"))
                 is_behind = False
                 self.section = begin_section(
@@ -314,7 +317,7 @@ class _Scanner:
         erratum = marked or any(region.erratum for region in self.regions)
         line = self.line(token.start())
         if end < 0:
-            rest = self.visible[begin : self.stop].split("\n\n")[0]
+            rest = self.visible[begin : self.stop].partition("\n\n")[0].partition(token.group())[0]
             return Display(
                 line, rest, erratum, section=self.section, closed=False, opening=opening, **self.where(begin)
             )

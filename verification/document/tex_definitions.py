@@ -3,7 +3,7 @@ r"""What an author defines in LaTeX: commands by `\newcommand`, `\def` and their
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from armproof.verification.document.tex_macros import Macro, Macros, blank, closing_brace
@@ -42,18 +42,26 @@ def find_macros(text: str, packages: str = "") -> tuple[Macros, str]:
                     macros.setdefault(name, []).append(replace(macro, begin=begin))
             letters[found.start() : position] = blank(source[found.start() : position])
         blanked = "".join(letters)
-    several = {name: [_in_its_group(each, text) for each in found] for name, found in macros.items() if len(found) > 1}
-    return Macros({**macros, **several}), blanked
+    several = {name: found for name, found in macros.items() if len(found) > 1}
+    ends = _ends_of_groups(text, {each.begin for found in several.values() for each in found if each.begin >= 0})
+    scoped = {
+        name: [replace(each, end=ends.get(each.begin, each.end)) for each in found] for name, found in several.items()
+    }
+    return Macros({**macros, **scoped}), blanked
 
 
-def _in_its_group(macro: Macro, text: str) -> Macro:
-    """Return a macro with the end of the group in which it is defined."""
-    depth = 0
-    for found in _GROUP.finditer(text, max(macro.begin, 0)) if macro.begin >= 0 else ():
+def _ends_of_groups(text: str, places: Iterable[int]) -> dict[int, int]:
+    """Return where the groups end in which some places stand, of those that do, all in one pass."""
+    waiting, depth = sorted(places, reverse=True), 0
+    inside: list[tuple[int, int]] = []  # how deep the group of a place is
+    ends: dict[int, int] = {}
+    for found in _GROUP.finditer(text) if waiting else ():
+        while waiting and waiting[-1] <= found.start():
+            inside.append((depth, waiting.pop()))
         depth += 1 if found["opens"] else -1 if found["closes"] else 0
-        if depth < 0:
-            return replace(macro, end=found.start())
-    return macro
+        while inside and depth < inside[-1][0]:
+            ends[inside.pop()[1]] = found.start()
+    return ends
 
 
 def _groups(text: str, position: int, count: int) -> tuple[list[str], int]:

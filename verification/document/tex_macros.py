@@ -5,12 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 from armproof.verification.document.model import Piece
 
 MOST_EXPANSIONS = 500  # in one display
 LONGEST = 50_000  # characters of a display
 _BOUNDARY = re.compile(r"\s*\\(begin|end)\s*\{(\w+\*?)\}\s*")
+NEAR = 400  # characters within which most braces are closed
+_BRACE = re.compile(r"\\.|[{}]", re.DOTALL)
 _USE = re.compile(r"\\(?:begin|end)\s*\{\w+\*?\}|\\[A-Za-z]+")
 Place = Callable[[int], tuple[int, int]]
 
@@ -143,11 +146,24 @@ def blank(text: str) -> str:
 def closing_brace(text: str, opening: int) -> int:
     """Return the place of the brace that closes the one at `opening`, or -1."""
     depth = 0
-    for found in re.compile(r"\\.|[{}]", re.DOTALL).finditer(text, opening):
+    for found in _BRACE.finditer(text, opening, opening + NEAR):
         depth += {"{": 1, "}": -1}.get(found.group(), 0)
         if depth == 0 and found.group() == "}":
             return found.start()
-    return -1
+    return _far_braces(text).get(opening, -1)
+
+
+@lru_cache(maxsize=4)
+def _far_braces(text: str) -> dict[int, int]:
+    """Return where each brace that opens is closed: of a text with thousands that are open, all are looked for at once."""
+    partners: dict[int, int] = {}
+    opened: list[int] = []
+    for found in _BRACE.finditer(text):
+        if found.group() == "{":
+            opened.append(found.start())
+        elif found.group() == "}" and opened:
+            partners[opened.pop()] = found.start()
+    return partners
 
 
 def _argument(text: str, position: int) -> tuple[int, int, int] | None:

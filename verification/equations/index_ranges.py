@@ -12,16 +12,18 @@ OF_ALL = ("if", "words")  # for i = 1, 2, 3; ∀ i
 
 def without_index_range(statements: list[n.Statement]) -> list[n.Statement]:
     """Leave out the range of the index of what stands before it; a law is proved of any index, and refuted of none."""
+    letters: set[str] = set()  # of the chains before
     for place, statement in enumerate(statements):
-        before = [each for each in statements[:place] if isinstance(each, n.Chain)]
-        letters = {letter for each in before if (letter := index_of(each))}
-        if len(letters) == 1 and isinstance(statement, n.Chain) and _is_range(statement, *letters):
+        if not isinstance(statement, n.Chain):
+            continue
+        if len(letters) == 1 and _is_range(statement, *letters):
             after = place + 1
             while after < len(statements) and _goes_on(statements[after]):
                 after += 1
             word = statements[place - 1]
             first = place - (isinstance(word, n.Connective) and word.kind in OF_ALL)
             return [*statements[:first], *without_index_range(statements[after:])]
+        letters |= {index_of(statement)} - {""}
     return statements
 
 

@@ -43,8 +43,8 @@ _REMARK = re.compile(  # x = a + b \, (\text{elbow up} +): words in brackets beh
 )
 _SIGN = re.compile(rf"(?P<words>{_WORDS})|(?:\\[pm]{{2}}(?![A-Za-z])|[,;/+±-])")
 _LOST_BREAK = re.compile(
-    r"(?<=&)(?P<line>[^\n\\]*(?:\\[^\n][^\n\\]*)*)(?<!\\)\\(?P<end>[ \t]*\n)(?=[^\n]*&)"
-)  # \ for \\
+    r"(?<=&)(?P<line>[^\n\\&]*(?:\\[^\n&][^\n\\&]*)*)(?<!\\)\\(?P<end>[ \t]*\n)(?=[^\n]*&)"
+)  # \ for \\, behind the last & of its line
 _BROKEN = re.compile(  # a sum goes on: a - \\\\ b
     r"(?<=[\w)}])(?P<sign>\s*[-+]\s*)(?P<break>\\\\(?:\[[^\]]{0,20}\])?)(?=\s*(?:[\w({]|\\(?!\\|begin|end|hline)))"
 )

@@ -13,8 +13,9 @@ from armproof.course.authoring.checking.lessons import check_lesson, check_lesso
 from armproof.course.sources.kernel import Fault, Run
 from armproof.course.sources.places import COURSE, Place
 from armproof.verification.document.cells import Cell
+from tests.needs import needs
 
-pytest.importorskip("nbclient")
+needs("nbclient")
 WRONG = ("return a * b - corner", "return a * b + corner")
 LEFT = ("### BEGIN SOLUTION\njoints = 2\n### END SOLUTION", "joints = 2")
 

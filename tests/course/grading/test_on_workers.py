@@ -20,8 +20,9 @@ from armproof.verification.running import cluster as clusters
 from armproof.verification.running.cluster import Cluster
 from tests.clusters import Running
 from tests.course.grading.invented import write_class
+from tests.needs import needs
 
-pytest.importorskip("distributed")
+needs("distributed")
 CRASHES = "import os\nos._exit(3)"
 
 

@@ -11,7 +11,6 @@ from multiprocessing import Pipe
 from pathlib import Path
 from types import SimpleNamespace
 
-import dask
 import pytest
 
 from armproof.verification.cli.documents import check_and_report
@@ -28,8 +27,9 @@ from armproof.verification.running.processes import process_ended
 from armproof.verification.running.servant import Servant, ServantEnded
 from armproof.verification.verdict import DocumentResult, Failure
 from tests.clusters import ROOT, Running
+from tests.needs import needs
 
-pytest.importorskip("distributed")
+needs("distributed")
 SHEETS = ("planar-2r-002", "polar-rp-002", "scara-000-cross-product")
 WRONG = "---\narm: planar_2r\n---\n\n$$ p_2 = \\begin{bmatrix} l_1 C_1 + l_2 C_2 \\\\ l_1 S_1 + l_2 S_{12} \\\\ 0 \\end{bmatrix} $$\n"
 MAIN = r"""% arm: planar_2r
@@ -174,6 +174,9 @@ def refusal(address: str) -> str:
 
 
 def test_an_address_where_nobody_answers_is_told(monkeypatch: pytest.MonkeyPatch):
+    import dask
+    import distributed  # noqa: F401 - its settings come with it, and would be lost with ours
+
     monkeypatch.setattr(clusters, "CONNECTING", 0.2)
     assert "no Dask scheduler at tcp://127.0.0.1:1: " in refusal("tcp://127.0.0.1:1")
     assert "is tcp://host:8786 or tls://host:8786, not host" in refusal("host")
