@@ -16,7 +16,7 @@ from armproof.verification.singularities.variety import Variety
 
 TRIED = 32
 CLEARLY = 1e-6  # what an equation must be off at a counterexample, relative to the size of its terms
-WITHOUT_SLOPE = 1e-2  # where a condition has none: a sum of squares is 0 to rounding where what is squared is off by 1e-6, its square by 1e-3
+WITHOUT_SLOPE = 4e-3  # where a condition has none: a sum of squares is 0 to rounding where what is squared is off by 1e-6, its square by 1e-3
 SLOPE = 1e-3  # what a condition changes by, a radian or a metre on, relative to that size, too
 
 Polynomials = tuple[Polynomial, ...]
