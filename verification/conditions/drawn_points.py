@@ -16,7 +16,8 @@ from armproof.verification.singularities.variety import Variety
 
 TRIED = 32
 CLEARLY = 1e-6  # what an equation must be off at a counterexample, relative to the size of its terms
-WITHOUT_SLOPE = 1e-2  # where a condition has none: a sum of squares is 0 to rounding where what is squared is off by 1e-6, its square by 1e-3
+OF_ONE = 1e-4  # where a condition on one angle has no slope, as 1 - cos(θ - 60°) has none: it is 0 to rounding 1e-6 beside its zero
+WITHOUT_SLOPE = 4e-3  # and one on several, as a sum of squares: the square of one is 0 to rounding where what is squared is off by 1e-3
 SLOPE = 1e-3  # what a condition changes by, a radian or a metre on, relative to that size, too
 
 Polynomials = tuple[Polynomial, ...]
@@ -56,7 +57,7 @@ class DrawnPoints:
         q = sampler.sample(conditions, rng, TRIED)
         if not len(q):
             return None
-        least = np.where(_have_slopes(sampler, conditions, q), CLEARLY, WITHOUT_SLOPE)
+        least = _least(sampler, conditions, q)
         off = np.ones(len(q), dtype=bool)
         for excluded in left_out:
             off &= _clearly_off(sampler, excluded, q, least)
@@ -88,13 +89,14 @@ class DrawnPoints:
         return sampler
 
 
-def _have_slopes(sampler: Sampler, conditions: Sequence[Polynomial], q: np.ndarray) -> np.ndarray:
-    """Return at which points each condition that holds there changes: it is 0 nowhere else nearby."""
+def _least(sampler: Sampler, conditions: Sequence[Polynomial], q: np.ndarray) -> np.ndarray:
+    """Return what the conclusion must be off at each point: little where each condition that holds there has a slope, and is 0 nowhere else nearby."""
     moving = [each for each in conditions if sampler.derivatives(each)]
     if not moving:
-        return np.ones(len(q), dtype=bool)
+        return np.full(len(q), CLEARLY)
     slopes = np.abs(sampler.gradients(moving, q)).max(axis=2)
-    return np.asarray((slopes > SLOPE * sampler.sizes(moving, q)).all(axis=1))
+    flat = np.array([OF_ONE if len(sampler.derivatives(each)) == 1 else WITHOUT_SLOPE for each in moving])
+    return np.asarray(np.where(slopes > SLOPE * sampler.sizes(moving, q), CLEARLY, flat).max(axis=1))
 
 
 def _clearly_off(sampler: Sampler, polynomials: Polynomials, q: np.ndarray, least: np.ndarray) -> np.ndarray:

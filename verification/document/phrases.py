@@ -271,7 +271,6 @@ one/we/you may/need not write
 by no means (,) $
 ^ & (in/auf/en/de/in/em/under) no/keinen/keiner/aucun/aucune/ninguna/ningún/nessun/nessuna/nenhuma way/circumstances/fall/weise/cas/façon/manière/manera/modo/caso (,) $
 opposite/contrary/converse/negation/contraire/réciproque/gegenteil/contrario of/de/von (this) (is) (:) $
-^ (the) claim/assertion/allegation (is/was) (:) (that) $
 """
 NOT_AT_ITS_END = """
 not/never/cannot/~n't/pas/jamais/nicht/kein/keine/nunca (…) $
