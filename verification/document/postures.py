@@ -23,7 +23,7 @@ _POSTURE = re.compile(
     rf"{_PLACE} (?:zéro|nulle|initiale|singulière|de repos|de référence|verticale|horizontale)|"
     r"(?:vanish(?:es)?|s['’]annule(?:nt)?|est nul(?:le)?) (?:when|if|iff|for|at|pour|si|quand|lorsque|ssi))\b"
     rf"|\b{_BENT} {_AN_ANGLE}"
-    rf"|\b(?:first|second|third|last|upper|lower|premier|deuxième|troisième|dernier) {_ARM}(?: (?:is|lies|lying|points|pointing|est|étant))? (?:along|parallel to|le long de|parallèle à)\b",
+    rf"|\b(?:first|second|third|last|upper|lower|premier|deuxième|troisième|dernier) {_ARM}(?: (?:is|lies|lying|points|pointing|est|étant))? (?:along|parallel to|le long de|parallèle à)\b(?!\W*\Z)",
     re.IGNORECASE,
 )
 

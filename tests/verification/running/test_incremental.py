@@ -49,6 +49,7 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "conventional": lambda state: state.conventional.add("p_x"),
     "placed": lambda state: state.placed.update(R=(1, "")),
     "awaited": lambda state: state.awaited.update({"R_t": (Name("r", "11"), 3)}),
+    "of_tool": lambda state: state.of_tool.update(T=frozenset({3})),
     "printed": lambda state: setattr(state, "printed", Quantity("rotation", "2")),
     "entries_held": lambda state: state.entries_held.update({Quantity("rotation", "2"): frozenset({1})}),
     "usual": lambda state: state.usual.update({("p_x", "A title"): Quantity("origin", "2")}),

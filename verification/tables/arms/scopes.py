@@ -292,8 +292,8 @@ def _lengths(arm: Candidate) -> frozenset[str]:
 def _is_of_other_chain(form: Candidate, arm: Candidate) -> bool:
     """Whether a joint of a closed form slides that turns in a table, or the table has none of its number; or one alone of the two is planar."""
     kinds, own = (dict(zip(each.indices, each.kinds, strict=False)) for each in (form, arm))
-    if len(kinds) != len(form.kinds) or len(own) != len(arm.kinds):
-        return False
+    if len(kinds) != len(form.kinds) or len(own) != len(arm.kinds) or not _lengths(arm).isdisjoint(form.joints):
+        return False  # d_3 of Khalil's table is a length, and slides where nothing else is known of it
     if any(own.get(number) != kind for number, kind in kinds.items()):
         return True
     return kinds == own and len(own) > 2 and _is_level(form) is not _is_level(arm)
