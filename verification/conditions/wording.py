@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 
-from armproof.verification.document.sentences import denies_within, without_harmless
+from armproof.verification.document.denials import denies_within
+from armproof.verification.document.hearing import without_harmless
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n

@@ -12,9 +12,11 @@ from armproof.models.catalogue import arm_names
 from armproof.verification.document.accepts import MARK, with_accepts
 from armproof.verification.document.cells import percent_cells
 from armproof.verification.document.code_tables import code_tables
+from armproof.verification.document.denials import denied_in, denies_above, denies_below, is_denied_by_headings
 from armproof.verification.document.formula_links import shows_its_latex
 from armproof.verification.document.front_matter import read_any_text, suffix_of
 from armproof.verification.document.heading import encloses
+from armproof.verification.document.hearing import words_of
 from armproof.verification.document.listings import assignments, with_listings
 from armproof.verification.document.markdown import read_markdown_file
 from armproof.verification.document.model import CODE, INLINE, Display, Document, Listing
@@ -31,12 +33,7 @@ from armproof.verification.document.sentences import (
     STRANGE,
     STRANGE_ABOVE,
     SUPPOSED,
-    denied_in,
-    denies_above,
-    denies_below,
-    is_denied_by_headings,
     is_of_a_case,
-    words_of,
 )
 from armproof.verification.document.strange import is_in_known_language
 from armproof.verification.document.struck_out import with_struck_out

@@ -10,8 +10,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import inf
 
+from armproof.verification.document.hearing import MOST_CHARACTERS, hears, hears_denied, with_axes, words_of
 from armproof.verification.document.model import Display, Document
-from armproof.verification.document.sentences import MOST_CHARACTERS, hears, hears_denied, with_axes, words_of
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
     r"horizontal|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 from functools import lru_cache
 
+from armproof.verification.document.denials import denies_within
 from armproof.verification.document.model import Document
-from armproof.verification.document.sentences import denies_within
 
 MOST = 4000  # characters that are struck out or stand in a box: what is not closed is looked through no further
 _INSIDE = rf".{{0,{MOST}}}?"

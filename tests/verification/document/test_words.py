@@ -8,8 +8,8 @@ import pytest
 
 from armproof.verification.check import check_document
 from armproof.verification.document import Display, parse_document
+from armproof.verification.document.denials import denied_in
 from armproof.verification.document.in_words import said_in_words
-from armproof.verification.document.sentences import denied_in
 
 SHORTHANDS = [
     (r"$c_{12}$ stands for $\cos(\theta_1)$", r"c_{12} = \cos(\theta_1)"),

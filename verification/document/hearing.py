@@ -1,0 +1,117 @@
+"""Sentences of a text, their words, and the phrases of `phrases.py` that are heard in them.
+
+A sentence is read on one line, formulas as ¤, without its emphasis and parentheses.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+import armproof.verification.document.phrases as phrases
+
+FORMULA = re.compile(r"\$\$?[^$]*\$\$?|\\\(.*?\\\)|:math:`[^`]*`")
+AXIS = re.compile(
+    r"\$\s*([xyz])(?:_0)?\s*\$[ -]?(?:axis|achse|direction|coordinate)|\b([xyz])[ -](?:axis|achse|direction)|\b(?:axe|eje) \$\s*([xyz])(?:_0)?\s*\$"
+    r"|(?<=with )\$\s*(y)\s*\$",
+    re.IGNORECASE,
+)
+_LAYOUT = re.compile(
+    r"\\(?:begin|end)\s*\{\w+\*?\}|\\[A-Za-z]+\*?|[{}()\[\]\"“”«»*~>|¿¡]|(?<!\w)_+(?=\w)|(?<=\w)_+(?!\w)|(?<!\S)[-–—]+(?!\S)"
+)
+STOP = re.compile(r"(?<!\\)[.;!?](?=\s+\S)")
+IS_OVER = re.compile(r"[.!]\W*\Z")
+_GAP = r"(?<![,:;] )(?:(?!(?:true|right|correct|valid|holds?|vraie?|exacte?|correcte|richtig|wahr) )[^\s,:;.!?]\S* ){0,4}?"  # no comma, no verdict
+MOST_CHARACTERS = 500  # of a sentence that is read
+_SHORT = 6  # words of one that is heard with the one before it
+
+
+def first_sentence(text: str) -> str:
+    """Return the first sentence of a text on one line, its stop with it, or part of one before a semicolon."""
+    line = " ".join(text.split())
+    stop = STOP.search(line)
+    return (line if stop is None else line[: stop.end()])[:MOST_CHARACTERS]
+
+
+def leading(text: str) -> str:
+    """Return the last sentence of a text on one line, which leads to what comes next."""
+    return STOP.split(" ".join(text.split()))[-1][-MOST_CHARACTERS:]
+
+
+def before_leading(text: str) -> str:
+    """Return the sentence that a short last one goes on from: "Then we get" says little alone."""
+    *before, last = STOP.split(" ".join(text.split()))
+    is_short = words_of(last).count(" ") <= _SHORT or hears("THEN", words_of(last))
+    return before[-1][-MOST_CHARACTERS:] if before and is_short else ""
+
+
+def words_of(text: str) -> str:
+    """Return a sentence word by word, each with a blank behind it: formulas as ¤, x-axis one word, marks of their own."""
+    text = with_axes(text)
+    text = FORMULA.sub(lambda found: " ¤ ≪ " if "\\ll" in found.group() else " ¤ ", text)
+    text = _LAYOUT.sub(" ", text.replace("’", "'").replace("'", "' "))
+    return " ".join(re.sub(r"([,:.;!?])(?=\s|\Z|[,:.;!?])", r" \1 ", text).split()) + " "
+
+
+def with_axes(text: str) -> str:
+    """Return a text in which the $x$ axis is the x-axis."""
+    return AXIS.sub(lambda found: f"{next(filter(None, found.groups()))}-axis", text)
+
+
+def hears(name: str, words: str) -> re.Match[str] | None:
+    """Return where a phrase of a table stands in the words of a sentence."""
+    return _phrases(name).search(words.lower())
+
+
+def hears_denied(name: str, words: str) -> bool:
+    """Whether "not" or "no" stands shortly before a phrase of a table, or in it."""
+    found = _phrases(name).search(words.lower())
+    if found is None:
+        return False
+    before = words[: found.start()].split()[-4:]
+    return hears("NOT", f"{' '.join([*before, found.group()])} ") is not None
+
+
+def without_harmless(text: str) -> str:
+    """Return the words of a text without its denials that deny nothing: "not trivial", "no approximation"."""
+    return _harmless().sub("", words_of(text))
+
+
+@cache
+def _harmless() -> re.Pattern[str]:
+    return re.compile(_pattern(phrases.HARMLESS), re.IGNORECASE)
+
+
+def tags_in(words: str) -> list[tuple[str, int, int]]:
+    """Return the phrases that make up a denial in the words of a sentence, each with its kind, its begin and its end."""
+    return [(str(found.lastgroup), found.start(), found.end()) for found in _tagged().finditer(words.lower())]
+
+
+@cache
+def _tagged() -> re.Pattern[str]:
+    """Return the pattern of the phrases that make up a denial, a group a kind; what is harmless goes first."""
+    kinds = ("HARMLESS", "DENIAL", "WRONG", "NOT", "TRUE", "REMEDY")
+    return re.compile("|".join(f"(?P<{kind}>{_pattern(getattr(phrases, kind))})" for kind in kinds))
+
+
+@cache
+def _phrases(name: str) -> re.Pattern[str]:
+    return re.compile(_pattern(getattr(phrases, name)))
+
+
+def _pattern(table: str) -> str:
+    """Return the pattern of the phrases of a table, a line each, in the small letters of what `words_of` returns."""
+    return rf"(?<!\S)(?:{'|'.join(''.join(map(_of_word, line.split())) for line in table.strip().split(chr(10)))})"
+
+
+def _of_word(word: str) -> str:
+    special = {
+        "^": r"\A", "$": r"(?:[,:.!?] )*\Z", "…": _GAP, "*": r"(?:[^:;.\s]+ )*?", "%": r"(?:[^:;.\s¤]+ )*?", ",": ", ",
+        "&": rf"(?:(?:{'|'.join(phrases.JOINING)}) (?:, )?)*",
+    }  # fmt: skip
+    if word in special:
+        return special[word]
+    if word.startswith("(") and word.endswith(")"):
+        return f"(?:{_of_word(word[1:-1])})?"
+    any_of = "|".join(re.escape(each).replace(r"\~", r"[\w'-]*").replace(r"\#", r"\d") for each in word.split("/"))
+    return rf"(?:{any_of}) (?:[,:] )??"
