@@ -36,7 +36,7 @@ from armproof.verification.document.sentences import (
     is_of_a_case,
 )
 from armproof.verification.document.strange import is_in_known_language
-from armproof.verification.document.struck_out import with_struck_out
+from armproof.verification.document.struck_out import MAY_STRIKE, with_struck_out
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
@@ -88,7 +88,7 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
 
         document = with_macros(document)
     document = _with_what_is_said(document)
-    if suffix not in (".ipynb", ".py"):
+    if suffix not in (".ipynb", ".py") and MAY_STRIKE.search(text):
         document = with_struck_out(document, text, suffix)
     if any(display.strange for display in document.displays) and not is_in_known_language(
         words_of(text[:_TELLS_LANGUAGE])

@@ -10,6 +10,9 @@ from functools import lru_cache
 from armproof.verification.document.denials import denies_within
 from armproof.verification.document.model import Document
 
+MAY_STRIKE = re.compile(  # what no text that strikes out or denies in a box lacks
+    r"<[a-z]|~~|\\(?:st|sout|xout)\b|\\begin\s*\{(?![bpvBV]?matrix|array|align|equation|cases)|^:::", re.MULTILINE
+)
 MOST = 4000  # characters that are struck out or stand in a box: what is not closed is looked through no further
 _INSIDE = rf".{{0,{MOST}}}?"
 _STRUCK = re.compile(
