@@ -139,7 +139,6 @@ SAME = [
     (r"\frac{\partial p_1}{\partial (\theta_1, \theta_2)}", r"\begin{bmatrix} -a_1 s_1 & 0 \\ a_1 c_1 & 0 \\ 0 & 0 \end{bmatrix}"),
     (r"\frac{\partial R^0_1}{\partial\theta_1}", r"R_z(\frac{\pi}{2}) R^0_1 - \operatorname{diag}(0, 0, 1)"),
     (r"\frac{\partial^2 a_1^3}{\partial a_1^2}", r"6 a_1"),
-    (r"\dot a_1", r"0"),
     (r"\ddot\theta_1", r"\frac{d}{dt} \dot\theta_1"),
     (r"\frac{d^2 c_1}{dt^2}", r"-c_1 \dot\theta_1^2 - s_1 \ddot\theta_1"),
     (r"\dddot p_1", r"\frac{d}{dt} \ddot p_1"),
@@ -190,6 +189,11 @@ def test_plus_or_minus_takes_the_sign_of_its_branch(workbench: Callable[..., Any
     bench = workbench("scara")
     upper, lower = (bench.value(r"\mp a_1 \pm 2", branch=branch) for branch in (1, -1))
     assert is_zero(upper + lower) and is_zero(upper - bench.value("2 - a_1"))
+
+
+def test_a_length_has_no_rate(workbench: Callable[..., Any]) -> None:
+    with pytest.raises(EvaluationError, match="a rate of a_1, which is a length of the arm"):
+        workbench("scara").value(r"\dot a_1")
 
 
 def test_an_identity_without_surroundings_keeps_its_size_open(workbench: Callable[..., Any]) -> None:
