@@ -25,6 +25,31 @@ _CONTROLS = (
 )  # fmt: skip
 _CONTROL = re.compile(rf"((?:addFolder\(|TEXT_OPEN=|TEXT_CLOSED=)\"|>\s*)({'|'.join(map(re.escape, _CONTROLS))})")
 
+# Meshcat gives its controls no names and its page no heading: what the eye takes from their place is said to a screen reader.
+_NAMES = """<script>
+(() => {
+  const pane = document.getElementById("meshcat-pane"), heading = document.createElement("h1");
+  heading.textContent = document.title;
+  heading.style.cssText = "position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%)";
+  pane.setAttribute("role", "main");
+  pane.prepend(heading);
+  const named = () => {
+    for (const each of document.querySelectorAll(".dg input, .dg select")) {
+      const row = each.closest("li.cr") ?? each.closest(".dg"), words = row?.querySelector(".property-name, .title");
+      if (!each.ariaLabel) each.ariaLabel = words?.textContent || document.title;
+    }
+    for (const each of document.querySelectorAll(".dg")) {
+      if (each.parentElement.closest(".dg") || each.role) continue;
+      each.role = "region";
+      each.ariaLabel = "CONTROLS";
+    }
+  };
+  named();
+  new MutationObserver(named).observe(document.body, {childList: true, subtree: true});
+})();
+</script>
+"""
+
 
 @dataclass(frozen=True)
 class ArmPanel:
@@ -72,4 +97,6 @@ def _signed(page: str, arm: Arm) -> str:
     )
     page = _CONTROL.sub(lambda found: found[1] + look_up(found[2]), page)
     page = page.replace("<html>", f'<html lang="{spoken()}">', 1).replace("<head>", f"<head>\n  {head}", 1)
-    return re.sub(r"<title>[^<]*</title>", lambda _: f"<title>{escape(title)}</title>", page, count=1)
+    page = re.sub(r"<title>[^<]*</title>", lambda _: f"<title>{escape(title)}</title>", page, count=1)
+    before, end, behind = page.rpartition("</body>")
+    return before + _NAMES.replace("CONTROLS", look_up("Controls")) + end + behind

@@ -239,7 +239,8 @@ LESSON = Lesson(
                     own=True,
                 ),
                 Wrong(
-                    [("theta_1", "h", "e", "-pi/2"), ("theta_2", "d_3", 0, "pi/2"), (0, 0, 0, 0)], "row 2: d is wrong"
+                    [("theta_1", "h", "e", "-pi/2"), ("theta_2", "d_3", 0, "pi/2"), (0, 0, 0, 0)],
+                    "d of row 2 and d of row 3 are exchanged",
                 ),
             ),
         ),
@@ -481,7 +482,7 @@ LESSON = Lesson(
                     "the twist has moved two rows: it lies between axes 2 and 3, so it belongs to link 2",
                     own=True,
                 ),
-                Wrong([(0, "b", "d_1", 0), *WALL_CRANE_ROWS[1:]], "row 1: d is wrong"),
+                Wrong([(0, "b", "d_1", 0), *WALL_CRANE_ROWS[1:]], "row 1: d and a are exchanged"),
                 Wrong(
                     [("d_1", 0, "b", 0), WALL_CRANE_ROWS[1], ("d_3", 0, 0, 0)],
                     "a slide has its variable in the column of d, in both conventions",

@@ -741,7 +741,7 @@ LESSON = Lesson(
                         np.arcsin(np.sqrt(r_21**2 + r_31**2)),
                         np.arctan2(r_12, r_13),
                     ],
-                    "entry (2, 1): the sine of the angle is right, its cosine has the wrong sign",
+                    "entry (2, 1): the sine is right, the angle is not: `arcsin` gives no angle beyond a quarter turn",
                 ),
             ),
         ),

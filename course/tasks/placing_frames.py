@@ -731,7 +731,7 @@ LESSON = Lesson(
                     "joint 1 slides: its variable is an offset, in the column of d",
                     own=True,
                 ),
-                Wrong([*STACKER_ROWS[:2], (0, 0, "c", "theta_3")], "row 3: a is wrong"),
+                Wrong([*STACKER_ROWS[:2], (0, 0, "c", "theta_3")], "row 3: a and d are exchanged"),
                 Wrong(
                     [*STACKER_ROWS[:2], (0, "c", 0, "theta_2 + theta_3")],
                     "each joint has its own angle: θ_3 is counted from the boom",

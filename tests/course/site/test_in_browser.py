@@ -109,6 +109,18 @@ def test_the_3d_view_is_loaded_when_it_is_asked_for_and_asks_for_nothing_else(br
     assert not [line for line in browser.console() if "Content Security" in line or "Failed to load" in line]
 
 
+def test_each_control_of_the_3d_view_has_a_name(browser: Browser, site: Path) -> None:
+    browser.open(site / "planar_2r-3d.html")
+    controls = "return [...document.querySelectorAll('.dg input, .dg select')].map(each => each.ariaLabel)"
+    names = browser.run(controls)
+    assert len(names) > 20 and all(names) and "Top color" in names
+    assert browser.run("return document.querySelector('[role=main] > h1').textContent") == browser.run(
+        "return document.title"
+    )
+    browser.run("document.querySelectorAll('.dg input').forEach(each => each.removeAttribute('aria-label'))")
+    assert not any(browser.run(controls.replace(", .dg select", "")))  # it is these names that are read
+
+
 def test_without_scripts_there_is_a_link_to_the_3d_view(browser: Browser, site: Path) -> None:
     browser.command("Emulation.setScriptExecutionDisabled", {"value": True})
     try:

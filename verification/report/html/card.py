@@ -20,6 +20,7 @@ class JointRow:
     """A joint: its variable, its kind and its limits in words."""
 
     symbol: Markup
+    name: str  # the same for a screen reader, to which mathematics alone is no header
     kind: str
     limits: str
 
@@ -52,7 +53,10 @@ def arm_card(arm: Arm, painter: ArmPainter, read: Read) -> ArmCard:
         look_up(arm.source),
         prose.symbols_in(look_up(arm.zero), read),
         written("{convention} Denavit–Hartenberg", convention=look_up(arm.dh.convention)) if arm.dh is not None else "",
-        tuple(JointRow(prose.symbol(each.symbol, read), look_up(each.kind), _limits(each)) for each in arm.joints),
+        tuple(
+            JointRow(prose.symbol(each.symbol, read), each.symbol, look_up(each.kind), _limits(each))
+            for each in arm.joints
+        ),
         tuple(lengths),
         arm.frames,
         arm.warnings,
