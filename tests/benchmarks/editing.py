@@ -11,7 +11,8 @@ from pathlib import Path
 
 from lsprotocol import types
 
-from tests.verification.cli.test_lsp import FRONT, Editor, editing
+from tests.verification.cli.editor import Editor, editing
+from tests.verification.cli.test_lsp import FRONT
 
 DISPLAYS, EDITED = 60, 30
 ROUNDS = 7
