@@ -234,9 +234,7 @@ class Circumstances:
 
     def _vanishes(self, conditions: Sequence[n.Chain], outcome: Outcome) -> bool:
         """Whether an equation gives a determinant that moves, and says 0 = 0 under conditions: "so the arm is singular where θ_2 = 0"."""
-        is_determinant = any(
-            isinstance(below, n.Call) and below.function == "det" for node in outcome.nodes for below in n.walk(node)
-        )
+        is_determinant = any(n.is_call(below, "det") for node in outcome.nodes for below in n.walk(node))
         moves = outcome.pair is not None and all(
             symbols_in(side.cells) for side in (outcome.pair.true, outcome.pair.printed)
         )

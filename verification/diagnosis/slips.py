@@ -25,7 +25,6 @@ Item = TypeVar("Item")
 _NEAR = 1e-9
 _TWO = n.Number(Fraction(2), "2")
 _FOUR = n.Number(Fraction(4), "4")
-_ARCS = ("asin", "acos", "atan", "atan2")  # an angle is worked out of a formula: slips are made in that, too
 _FLIPPED = {"+": "-", "-": "+", "±": "∓", "∓": "±"}
 
 
@@ -414,7 +413,7 @@ def _formulas(node: n.Node) -> Iterator[n.Node]:
         "com",
         "tr",
         "rank",
-        *_ARCS,
+        *n.ARCS,  # an angle is worked out of a formula: slips are made in that, too
     ):
         return
     if isinstance(node, n.Power | n.Postfix):

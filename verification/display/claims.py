@@ -14,7 +14,7 @@ from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.display.taken_arm import names_in
 from armproof.verification.equations.any_frames import direction_of_any_frames
 from armproof.verification.equations.any_jacobian import holds_of_any_jacobian, is_step_along_gradient, tells_jacobian
-from armproof.verification.equations.at_stated_values import is_mostly_right
+from armproof.verification.equations.at_stated_values import MANY, is_mostly_right
 from armproof.verification.equations.case_conditions import check_cases
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.compositions import is_composition
@@ -45,7 +45,6 @@ from armproof.verification.naming.state import DocumentState, Key, Told
 from armproof.verification.verdict import DECIDED, HOLDS, Role, Verdict
 
 CLOSE = 1e-9  # so near are angles that are the same
-MANY = 3  # times as many numbers that are right as wrong: hardly by chance
 
 
 class Claims:

@@ -72,6 +72,11 @@ def hears_denied(name: str, words: str) -> bool:
     return hears("NOT", f"{' '.join([*before, found.group()])} ") is not None
 
 
+def says(name: str, words: str) -> bool:
+    """Whether a phrase of a table stands in the words of a sentence, and is not denied there."""
+    return hears(name, words) is not None and not hears_denied(name, words)
+
+
 def without_harmless(text: str) -> str:
     """Return the words of a text without its denials that deny nothing: "not trivial", "no approximation"."""
     return _harmless().sub("", words_of(text))

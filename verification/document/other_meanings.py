@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import inf
 
-from armproof.verification.document.hearing import MOST_CHARACTERS, hears, hears_denied, with_axes, words_of
+from armproof.verification.document.hearing import MOST_CHARACTERS, hears, hears_denied, says, with_axes, words_of
 from armproof.verification.document.model import Display, Document
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
@@ -103,11 +103,9 @@ def _meanings(text: str) -> Iterator[Meaning]:
         if (frame := _OF_FRAME.search(words)) is not None:
             yield Meaning(line, frame=frame[1])
         is_over = words.rstrip()[-1:] in ".!"
-        if is_over and any(
-            hears(each, words) and not hears_denied(each, words) for each in ("OTHER_POINT", "OTHER_FRAME")
-        ):
+        if is_over and any(says(each, words) for each in ("OTHER_POINT", "OTHER_FRAME")):
             yield Meaning(line, is_place=True)
-        if hears("OTHER_ORIGIN", words) and not hears_denied("OTHER_ORIGIN", words):
+        if says("OTHER_ORIGIN", words):
             yield Meaning(line, is_origin=True)
 
 

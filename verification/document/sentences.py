@@ -16,8 +16,8 @@ from armproof.verification.document.hearing import (
     before_leading,
     first_sentence,
     hears,
-    hears_denied,
     leading,
+    says,
     without_harmless,
     words_of,
 )
@@ -106,7 +106,7 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
         heard.append(SUPPOSED)
     if is_of_other_place(words):
         heard.append(OTHER_POINT)
-    if hears("OTHER_FRAME", words) and not hears_denied("OTHER_FRAME", words):
+    if says("OTHER_FRAME", words):
         heard.append(OTHER_FRAME)
     if DENIED not in heard and is_strange_before(_plain(sentence)):
         heard.append(STRANGE + sentence)
@@ -130,21 +130,14 @@ def is_of_a_case(section: str) -> bool:
 
 def is_of_other_place(words: str) -> bool:
     """Whether a sentence is of another point, frame or origin than the tool in the base, and does not say that it is not."""
-    return any(
-        hears(place, words) and not hears_denied(place, words)
-        for place in ("OTHER_POINT", "OTHER_FRAME", "OTHER_ORIGIN")
-    )
+    return any(says(place, words) for place in ("OTHER_POINT", "OTHER_FRAME", "OTHER_ORIGIN"))
 
 
 def _supposes(words: str, is_over: bool) -> bool:
     """Whether the sentence before a display supposes it, asks for it, or says that it is of a case or nearly so."""
     if words.endswith("? ") or hears("SUPPOSED", words) or (hears("ON_CONDITION", words) and not hears("WE_DO", words)):
         return True
-    if (
-        (hears("NEARLY", words) and not hears_denied("NEARLY", words))
-        or hears("SPECIAL", words)
-        or hears("MAY_LIMIT", words)
-    ):
+    if says("NEARLY", words) or hears("SPECIAL", words) or hears("MAY_LIMIT", words):
         return True
     return not is_over and any(hears(each, words) for each in ("OF_A_PART", "OF_NO_CLAIM"))
 
@@ -157,4 +150,4 @@ def _limits(words: str) -> bool:
     is_short, goes_on = words.count(" ") <= 6, words[:1].islower()
     if goes_on and hears("LIMITED_BEHIND", words):
         return True
-    return (goes_on or is_short) and hears("NEARLY", words) is not None and not hears_denied("NEARLY", words)
+    return (goes_on or is_short) and says("NEARLY", words)

@@ -28,6 +28,8 @@ from armproof.verification.verdict import Verdict
 
 Place = tuple[int, int]
 
+MANY = 3  # times as many numbers that are right as wrong: hardly by chance
+
 
 @dataclass
 class _Numbers:

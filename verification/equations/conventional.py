@@ -26,7 +26,7 @@ from armproof.verification.equations.alignment import (
     is_near,
     square_rows,
 )
-from armproof.verification.equations.at_stated_values import is_mostly_right
+from armproof.verification.equations.at_stated_values import MANY, is_mostly_right
 from armproof.verification.equations.by_size import BySize
 from armproof.verification.equations.coordinates import coordinates_among
 from armproof.verification.equations.doubts import Doubts
@@ -53,7 +53,6 @@ from armproof.verification.naming.conventions import (
 from armproof.verification.naming.shown import letters_of_point, point_of
 from armproof.verification.verdict import Verdict
 
-MANY = 3  # times as many numbers that are right at stated values as wrong: hardly those of another quantity
 MOST_ROWS = 3  # of a Jacobian whose determinant is only looked for
 _MEASURES = ("manipulability", "determinant")
 

@@ -34,9 +34,9 @@ from armproof.verification.tables.arms.variables import in_variables, told_varia
 from armproof.verification.tables.arms.witnesses import Reading, weigh
 from armproof.verification.tables.check import read_array, turned
 from armproof.verification.tables.columns import CONVENTIONS, read_columns
+from armproof.verification.tables.row import SCALES
 from armproof.verification.verdict import TakenArm
 
-_IN_A_METRE = {"mm": 1000, "cm": 100}
 _LENGTH_UNIT = re.compile(r"(?<![A-Za-z])[mc]m(?![A-Za-z])")
 _NUMBER = re.compile(r"(?<![\d._{])[1-9]\d*(?:\.\d+)?(?![\d.])")
 _AT_REST = re.compile(r"\\dot\s*\{?\s*\\?(?:theta|q)\s*_\s*\{?\d+[\s}]*=\s*0(?![\d.])")  # of what does not move
@@ -136,7 +136,7 @@ def _is_beyond_reach(document: Document, table: Table) -> bool:
     units = [_LENGTH_UNIT.search(header) for header in table.header]
     cells = [(unit[0], cell) for row in table.rows for unit, cell in zip(units, row, strict=False) if unit is not None]
     lengths = [(unit, float(number)) for unit, cell in cells for number in _NUMBER.findall(cell)]
-    in_unit, metres = sum(each for _, each in lengths), sum(each / _IN_A_METRE[unit] for unit, each in lengths)
+    in_unit, metres = sum(each for _, each in lengths), sum(each * SCALES[unit] for unit, each in lengths)
     matrices = (display.latex for display in document.displays if "matrix" in display.latex)
     decimals = [float(number) for latex in matrices for number in _NUMBER.findall(latex) if "." in number]
     return metres < max(decimals, default=0.0) <= in_unit
