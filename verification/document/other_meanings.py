@@ -15,7 +15,7 @@ from armproof.verification.document.model import Display, Document
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
     r"horizontal|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
-    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from"
+    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from"
 )
 _SENTENCE = re.compile(r"(?:\\[;!]|[^.;!?\n]|[.;!?](?!\s)|\n(?![^\S\n]*\n))+[.;!?]?")
 _SHOWN = re.compile(  # what is no sentence
@@ -32,11 +32,16 @@ _OF_FRAME = re.compile(
 )
 _OF_Q = re.compile(r"(?:\\mathbf\{)?q\}?\s*=\s*\\?(?:left)?(?:[\[(]|\\begin\{[bp]matrix\})(.*)")
 _FORMULA = re.compile(r"\$([^$]*)\$|\\\((.*?)\\\)")
+_AXIS_TURNED = re.compile(  # about $x$, the z-axis, $\hat Y_A$, x'' and the angle of it
+    r"\$\s*(?:\\(?:hat|vec|mathbf|boldsymbol|overrightarrow)\s*\{?\s*)?([xyzXYZ])\}?(?:_\{?\w+\}?|\^?\{?'*(?:\\prime)*\}?)*\s*\$|(?<!\w)([xyzXYZ])-(?:axis|achse|direction)"
+)
 _PLURAL = re.compile(
     r"\b(?:angles|(?:second|third|last|elbow|other) angle|both|all|each|every|chaque|rotations?|turns|positi[fv]e?|winkel|ángulos|deux|number(?:ed)?|roles)\b",
     re.IGNORECASE,
 )
 
+TURNS = "turns"  # the order of the factors of rotations one after another, as their axes: zyx
+OMEGA_FIRST = "omega first"  # a Jacobian, or a twist, whose first rows are those of ω
 ALL, BEHIND = "all", "behind"  # the angles of all joints; those that turn about the direction of one before
 FRAME, JACOBIAN = "frame", "J"  # the origin of one; that whose columns are those of joints in another order
 _NEAR_ABOVE, _NEAR_BELOW = 4, 8  # lines between a sentence and a display beside it
@@ -44,11 +49,12 @@ _NEAR_ABOVE, _NEAR_BELOW = 4, 8  # lines between a sentence and a display beside
 
 @dataclass(frozen=True)
 class Meaning:
-    """What a sentence says on a line: letters that have another meaning, the frame whose origin it is of, another point, frame or origin."""
+    """What a sentence says on a line: letters that have another meaning, the frame whose origin it is of, the order of rotations, another point, frame or origin."""
 
     line: int
     letters: tuple[str, ...] = ()
     frame: str = ""
+    turns: str = ""
     is_place: bool = False
     is_origin: bool = False
 
@@ -81,6 +87,8 @@ def _with(display: Display, said: Iterable[tuple[Meaning, int, float]]) -> Displ
         is_near = is_near and begins <= display.line < ends
         if each.frame and is_near:
             letters.append(f"{FRAME} {each.frame}")
+        if each.turns and is_near:
+            letters.append(f"{TURNS} {each.turns}")
         if each.letters and (display.line >= begins or display.file):
             letters += each.letters
         is_elsewhere |= each.is_place and is_near
@@ -102,6 +110,8 @@ def _meanings(text: str) -> Iterator[Meaning]:
             yield Meaning(line, letters)
         if (frame := _OF_FRAME.search(words)) is not None:
             yield Meaning(line, frame=frame[1])
+        if turns := _turns(plain, words):
+            yield Meaning(line, turns=turns)
         is_over = words.rstrip()[-1:] in ".!"
         if is_over and any(says(each, words) for each in ("OTHER_POINT", "OTHER_FRAME")):
             yield Meaning(line, is_place=True)
@@ -141,6 +151,19 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         orders.append(_indices(" ".join(formulas[words.count("¤", 0, columns.start()) :])) + [1][: "first" in words])
     if any(indices != sorted(indices) for indices in orders):
         yield JACOBIAN
+    if says("OMEGA_FIRST", words):
+        yield OMEGA_FIRST
+
+
+def _turns(plain: str, words: str) -> str:
+    """Return the axes of the factors of rotations that a sentence has one after another: the last first about fixed axes, the first about those turned before."""
+    if not (hears("TURNS", words) and hears("AFTER_ONE_ANOTHER", words)):
+        return ""
+    is_fixed, is_turned = hears("FIXED_AXES", words) is not None, hears("TURNED_AXES", words) is not None
+    axes = "".join(next(filter(None, found.groups())).lower() for found in _AXIS_TURNED.finditer(plain))
+    if is_fixed == is_turned or not 2 <= len(axes) <= 3:
+        return ""
+    return axes[::-1] if is_fixed else axes
 
 
 def _indices(latex: str) -> list[int]:

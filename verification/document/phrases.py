@@ -597,7 +597,11 @@ AT_VALUES = """
 # -- another point, frame, origin or axis than the tool's in the base
 
 OTHER_POINT = """
-position/positions/coordinate/coordinates/height/heights/abscissa~/ordinate~/location/velocity/speed/jacobian/coordonnées/hauteur/abscisse/ordonnée/vitesse/posición/coordenadas/velocidad of/du/del (the) elbow/coude/codo
+position/positions/coordinate/coordinates/height/heights/abscissa~/ordinate~/location/velocity/speed/acceleration/jacobian/coordonnées/hauteur/abscisse/ordonnée/vitesse/accélération/jacobien/jacobienne (matrix) of/du (the) elbow/coude
+posición/coordenadas/velocidad/aceleración/jacobiano/jacobiana/posizione/coordinate/velocità/accelerazione/posição/velocidade/aceleração (geométrico/geometrico/analítico/analitico) del/do codo/gomito/cotovelo
+position/koordinaten/geschwindigkeit/beschleunigung/jacobi-matrix/jacobimatrix/lage des ellbogens/ellenbogens/ellbogengelenks
+orientation/rotation/rate/velocity/speed/acceleration/pose/position/jacobian of (the) first link/segment/body/rod/bar
+orientation/rotation/vitesse/accélération/pose/position/jacobien/jacobienne du premier segment/bras/corps/solide/maillon/lien
 elbow/elbow' (s) itself/position/coordinates/height/velocity/speed
 elbow/coude/codo/ellbogen is/lies/sits/has/est/se/a/está/tiene/liegt at/bei/en/in/position/velocity/height/with/pour/by/trouve/situe/given
 elbow/coude/codo/ellbogen is/lies/has/est/está $
@@ -623,10 +627,14 @@ expressed/resolved/written/given/computed/measured/represented/described/compone
 expressed/resolved/written/given/computed/measured/represented/described/components/coordinates/vectors/quantities/everything … in/along/to (respect) (to) (the/a/its/their) tool/tool'/body/moving/gripper/end-effector/effector'/hand/wrist (s) frame/coordinates/axes
 ^ in/into/dans/im/en (the) frame of the (end) tool/gripper/hand/effector/end-effector
 repère (de/du) (l'/la) (lié) (à) (l') outil/effecteur/pince/main
+in/into/along (the/a/its) frame/axes/coordinates/basis (that) (is) (fixed/attached/bound) (of/to/on) (the) (last/moving/end/second/third) tool/tip/hand/gripper/end-effector/effector/body/flange/wrist/link
 repère mobile
-im werkzeugkoordinatensystem
-im koordinatensystem des werkzeugs
-en el sistema de la herramienta
+dans (le/un/la) repère/base (lié/liée/attaché) (au/à/du/de/d') (l'/la/le) (dernier/second/deuxième) outil/effecteur/pince/main/organe/corps/segment/poignet/solide
+im/in werkzeugkoordinatensystem/effektorkoordinatensystem/endeffektorkoordinatensystem/greiferkoordinatensystem/tcp-koordinatensystem/werkzeugsystem/effektorsystem/endeffektorsystem/tcp-system/körperfesten
+im/in koordinatensystem/system/bezugssystem des/vom werkzeugs/endeffektors/effektors/greifers/handgelenks/tcp
+en/al (el) sistema/marco/referencial (de) (coordenadas/referencia) (ligado/fijo) (de/del/a/al) (la) herramienta/efector/pinza/mano/muñeca
+nella/nel/alla/al/in terna/sistema/riferimento (di) (riferimento) (solidale) (dell'/della/del/al/all'/alla/di) utensile/pinza/organo/end-effector/effettore/mano/polso
+no/ao referencial/sistema/quadro (de) (coordenadas) (da/do) ferramenta/efetuador/garra/punho/mão
 seen * from/on the tool/gripper/hand
 """
 OTHER_ORIGIN = """
@@ -681,6 +689,42 @@ numbered/counted (in) backwards/backward/reverse
 roles of (the) sine/sines/cosine/cosines and (the) sine/sines/cosine/cosines (are/is)
 ¤ is/denotes/est (the/l') interior/internal/inner/included/intérieur angle
 angle ¤ (is/vanishes) zero/0 when/if * folded
+"""
+# -- the rows of a Jacobian, or of a twist, in the other order
+
+OMEGA_FIRST = """
+angular/rotational (velocity/velocities/speed/part/block/component/components/rows/one) … top/above/first/uppermost
+angular/rotational … before/over (the) linear/translational
+angular/rotational (velocity/velocities/part/block/component/components/rows) (,) then/followed (by) (the) linear/translational
+angular/rotational … (first/upper/top) three (rows/components/entries)
+first/upper/top three rows/components/entries … angular/rotational/rotation/orientation
+linear/translational (velocity/velocities/part/block/component/components/rows) … below/beneath/underneath/under/after (the) angular/rotational
+angulaire~/rotation … haut/dessus/au-dessus/abord/premier/première/avant
+angulaire~ (,) puis/ensuite/suivie/suivi (de/par/d') (la/les) (vitesse/vitesses/partie) linéaire~
+trois premières/premiers lignes/composantes … angulaire~/rotation
+zuerst … (die/der/den) winkelgeschwindigkeit~/drehgeschwindigkeit~/rotatorisch~/drehanteil
+winkelgeschwindigkeit~/drehgeschwindigkeit~/rotatorisch~ … oben/zuerst/zuoberst
+winkelgeschwindigkeit~/drehgeschwindigkeit~ (,) dann/gefolgt/danach
+angular~ … arriba/encima/primero/cima/primeiro
+angular~ (,) luego/después/seguida/depois (de/da) (la/a) (velocidad/velocidade/parte) lineal/linear
+primero/primeiro (la/las/a/o) (velocidad/velocidade/parte) angular~
+angolare … sopra/alto/prima/primo
+angolare (,) poi/seguita (da/dalla) (la/quella) (velocità/parte) lineare
+prima (la/quella) (velocità/parte) angolare
+"""
+# -- rotations one after another
+
+TURNS = """
+rotate~/rotation~/turn/turns/turned/turning/roll/tourn~/pivot~/drehung~/dreh~/gedreht/rota/rotar/giro/girar/gira/rotación/rotaciones/rotazione/rotazioni/ruota~
+"""
+AFTER_ONE_ANOTHER = """
+then/followed/after/successive/successively/sequence/order/puis/ensuite/successives/successivement/ordre/dann/danach/anschließend/nacheinander/reihenfolge/luego/después/orden/poi/quindi/successive/ordine/successivamente
+"""
+FIXED_AXES = """
+fixed/fixe/fixes/fest/feste/festen/raumfest/raumfeste/raumfesten/fijo/fijos/fisso/fissi/fisse/original/originale/initial/initiale/stationary/extrinsic/extrinsèque/extrinsèques/base/space
+"""
+TURNED_AXES = """
+moving/mobile/mobiles/current/courant/courants/new/nouvel/nouveau/nouveaux/turned/rotated/body/intrinsic/intrinsèque/intrinsèques/mitgedreht~/mitbewegt~/körperfest~/neue/neuen/móvil/móviles/nuevo/actual/corrente/correnti/nuovo/tourné/tournés/local/locaux
 """
 # -- lengths and columns that are not those of the arm
 

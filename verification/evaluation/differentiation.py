@@ -26,6 +26,8 @@ def derivative_value(evaluator: Evaluating, node: n.Derivative) -> Value:
         raise UnboundName(operand.key)
     if evaluator.names.arm is None and bare_key(variable) == "t" and _may_change(evaluator, value):
         raise EvaluationError(say(Kind.RATE_WITHOUT_ARM))
+    if bare_key(variable) == "t" and (length := _length_alone(evaluator, value)) is not None:
+        raise EvaluationError(say(Kind.RATE_OF_LENGTH, name=length))  # as of its dotted letter: it moves
     for _ in range(node.order):
         value = _differentiate(evaluator, value, variable)
     return value
@@ -42,6 +44,16 @@ def _may_change(evaluator: Evaluating, value: Value) -> bool:
     """Whether an entry is of letters, and not of the time as a_0 + a_1 t is: they may be functions of it."""
     letters = [evaluator.algebra.symbols(cell) for cell in as_matrix(value).cells]
     return any(found and "t" not in found for found in letters)
+
+
+def _length_alone(evaluator: Evaluating, value: Value) -> str | None:
+    """Return a length of the arm that an entry is of, and of nothing that moves; None where each entry moves, or is a number."""
+    arm = evaluator.names.arm
+    for cell in as_matrix(value).cells if arm is not None else ():
+        symbols = evaluator.algebra.symbols(cell)
+        if arm is not None and symbols and all(symbol in arm.lengths for symbol in symbols):
+            return min(symbols)
+    return None
 
 
 def _differentiate(evaluator: Evaluating, value: Value, variable: n.Node) -> Value:
