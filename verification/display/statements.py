@@ -33,6 +33,7 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.statements import PREVIOUS
+from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.naming.conventions import is_usual
 from armproof.verification.verdict import DECIDED, HOLDS, Role, Verdict
 
@@ -151,6 +152,10 @@ class Statements:
         if first_chain is not None and define:
             self.names.state.subject = first_chain.members[0]
         return display.outcomes, display.counterexample
+
+    def tried(self, latex: str) -> list[Outcome]:
+        """Return the outcomes of a display that is tried: it defines nothing."""
+        return self.check(self.names.reader.read(latex), 0, define=False, latex=normalise_unicode(latex))[0]
 
     def _name_ahead(self, statements: list[n.Statement], line: int) -> None:
         """Y = -2 B_1 d_3, B_1 = …, or s_2 = ε √(1 - c_2²), ε = ±1: what a display says of a letter holds for all of it."""
