@@ -61,7 +61,7 @@ class DisplayChecker:
         try:
             with self.ring.budget.of(SECONDS_TO_DECIDE):
                 if display.said:
-                    self.circumstances.heed(display.said, display.said_above, display.said_outside, display.line)
+                    self.circumstances.text.heed(display.said, display.said_above, display.said_outside, display.line)
                 if TWIST.search(display.latex) and (table := check_array_table(self.checker, display)) is not None:
                     return self._with_array_corrected(table, display)
                 statements = self.names.reader.read(display.latex)
@@ -70,7 +70,7 @@ class DisplayChecker:
                 ):  # it is quoted: what the text around says is not said of it
                     self.names.state.told = Told()
                 if display.said_behind:
-                    self.circumstances.heed_behind(display.said_behind, statements, display.line)
+                    self.circumstances.text.heed_behind(display.said_behind, statements, display.line)
                 return self._judge(record, display, statements)
         except ReadError as error:
             return replace(record, findings=(_unreadable(display, error),))

@@ -6,6 +6,7 @@ import re
 from dataclasses import replace
 
 from armproof.verification.conditions.circumstances import Circumstances
+from armproof.verification.conditions.other_meanings import OtherMeanings
 from armproof.verification.display.taken_arm import names_in
 from armproof.verification.document import Display
 from armproof.verification.document.other_meanings import FRAME
@@ -21,6 +22,7 @@ class WordsAround:
 
     def __init__(self, circumstances: Circumstances) -> None:
         self.circumstances = circumstances
+        self.meanings = OtherMeanings(circumstances.checker, circumstances.given)
         self.names = circumstances.names
 
     def judge(self, outcome: Outcome, display: Display) -> Outcome:
@@ -34,7 +36,7 @@ class WordsAround:
         if display.in_other_frame and outcome.verdict in DECIDED and any(map(self._is_in_base, names_in(outcome))):
             outcome = outcome.left_open(say(Kind.OF_OTHER_POINT))
         if display.meant and not display.erratum and outcome.verdict in DECIDED:
-            outcome = self.circumstances.unless_meant_otherwise(outcome, display.meant)
+            outcome = self.meanings.judge(outcome, display.meant)
         if display.denied and outcome.verdict is not Verdict.UNCHECKED:
             outcome = replace(outcome.left_open(say(Kind.DENIED)), defines=())
         if display.strange and outcome.verdict is not Verdict.UNCHECKED:
