@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import replace
 
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.conditions.other_meanings import OtherMeanings
-from armproof.verification.display.taken_arm import names_in
 from armproof.verification.document import Display
 from armproof.verification.document.other_meanings import FRAME
 from armproof.verification.document.sentences import not_known_in, quoted
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.naming.conventions import is_usual
 from armproof.verification.verdict import DECIDED, Verdict
 
 
@@ -33,10 +34,12 @@ class WordsAround:
             outcome = outcome.unless_refuted(say(Kind.IS_SUPPOSED))
         if display.of_other_point or (display.meant and self._is_of_other_frame(display)):
             outcome = self._unless_of_the_tool(outcome)
-        if display.in_other_frame and outcome.verdict in DECIDED and any(map(self._is_in_base, names_in(outcome))):
+        if display.in_other_frame and outcome.verdict in DECIDED and any(map(self._is_in_base, _names_in(outcome))):
             outcome = outcome.left_open(say(Kind.OF_OTHER_POINT))
         if display.meant and not display.erratum and outcome.verdict in DECIDED:
             outcome = self.meanings.judge(outcome, display.meant)
+        if display.meant and not display.erratum:
+            outcome = self.meanings.in_order(outcome, display.meant)
         if display.denied and outcome.verdict is not Verdict.UNCHECKED:
             outcome = replace(outcome.left_open(say(Kind.DENIED)), defines=())
         if display.strange and outcome.verdict is not Verdict.UNCHECKED:
@@ -60,8 +63,17 @@ class WordsAround:
     def _unless_of_the_tool(self, outcome: Outcome) -> Outcome:
         """Leave open what is decided by a name that convention alone binds to the tool, where the text speaks of another point."""
         by_convention = self.names.state.conventional | ({"J"} - {*self.names.quantities})
-        named = {replace(name, dots=0).key for name in names_in(outcome)} & by_convention
+        plain = [replace(name, dots=0) for name in _names_in(outcome)]
+        if outcome.conditions:  # what a name means there is forgotten behind them
+            by_convention |= {name.key for name in plain if is_usual(name) and self.names.is_open(name)}
+        named = {name.key for name in plain} & by_convention
         is_open = outcome.as_usual is None and all(re.search(r"[\d^]|_[bs]\b", key) for key in named)
         if is_open or (outcome.as_usual is None and outcome.verdict not in DECIDED):
             return outcome
         return replace(outcome.left_open(say(Kind.OF_OTHER_POINT)), as_usual=None)
+
+
+def _names_in(outcome: Outcome) -> Iterator[n.Name]:
+    """Yield the names in an equation, or in the equations of an implication."""
+    nodes = (*outcome.nodes, *outcome.conditions)
+    return (below for node in nodes for below in n.walk(node) if isinstance(below, n.Name))

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import combinations
 
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.document.other_meanings import ALL, BEHIND, JACOBIAN
+from armproof.verification.document.other_meanings import ALL, BEHIND, JACOBIAN, OMEGA_FIRST, TURNS
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.given_values import GivenValues
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare_key
+from armproof.verification.latex.nodes import bare, bare_key
+
+_ROWS = 6  # of a Jacobian and of a twist
 
 
 class OtherMeanings:
@@ -31,11 +34,25 @@ class OtherMeanings:
         if JACOBIAN in meant and JACOBIAN in written:
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=JACOBIAN))
         sides = (outcome.pair.true, outcome.pair.printed) if outcome.pair is not None else ()
+        if OMEGA_FIRST in meant and written.isdisjoint(self.names.quantities):
+            if any(side.shape[0] == _ROWS for side in sides):
+                return outcome.left_open(say(Kind.OMEGA_IS_FIRST))
         written |= symbols_in(cell for side in sides for cell in side.cells if isinstance(cell, Scalar))
         for each in meant:
             letters = self._meant_by(each)
             if not written.isdisjoint(letters):
                 return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=min(written & letters)))
+        return outcome
+
+    def in_order(self, outcome: Outcome, meant: Sequence[str]) -> Outcome:
+        """Leave open a product of rotations whose factors stand in another order than the text has them, and the name that it defines."""
+        for order in (each.removeprefix(TURNS).strip() for each in meant if each.startswith(TURNS)):
+            found = {axes for node in outcome.nodes for axes in _axes_of_products(node)}
+            if any(axes != order and sorted(axes) == sorted(order) for axes in found):
+                doubt = say(Kind.TURNED_IN_ORDER, order=" ".join(f"R_{axis}" for axis in order))
+                for key in outcome.defines:
+                    self.names.leave_open(key, doubt)
+                return replace(outcome.left_open(doubt), defines=())
         return outcome
 
     def _meant_by(self, meant: str) -> set[str]:
@@ -66,3 +83,13 @@ class OtherMeanings:
             if all((a - b).is_zero() for a, b in pairs) or all((a + b).is_zero() for a, b in pairs):
                 found.add(joint.symbol)
         return found
+
+
+def _axes_of_products(node: n.Node) -> Iterator[str]:
+    """Yield the axes of the rotations about axes of coordinates that are multiplied in a tree, in their order: zyx."""
+    for below in n.walk(node):
+        factors = [bare(factor) for factor in below.factors] if isinstance(below, n.Product) else []
+        calls = [each for each in factors if isinstance(each, n.Call) and each.function in ("Rot", "Rot3")]
+        axes = [axis.base for each in calls if isinstance(axis := each.arguments[0], n.Name)]
+        if axes and len(axes) == len(factors):
+            yield "".join(axes).lower()
