@@ -37,7 +37,7 @@ class WordsAround:
         if display.in_other_frame and outcome.verdict in DECIDED and any(map(self._is_in_base, _names_in(outcome))):
             outcome = outcome.left_open(say(Kind.OF_OTHER_POINT))
         if display.meant and not display.erratum and outcome.verdict in DECIDED:
-            outcome = self.meanings.judge(outcome, display.meant)
+            outcome = self.meanings.of_quantity(self.meanings.judge(outcome, display.meant), display.meant)
         if display.meant and not display.erratum:
             outcome = self.meanings.in_order(outcome, display.meant)
         if display.denied and outcome.verdict is not Verdict.UNCHECKED:

@@ -9,6 +9,7 @@ from itertools import combinations
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document.other_meanings import ALL, BEHIND, JACOBIAN, OMEGA_FIRST, TURNS
+from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.given_values import GivenValues
 from armproof.verification.equations.outcome import Outcome
@@ -17,6 +18,8 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 
+_VELOCITIES = ("v", "V")
+_MOVING = (*_VELOCITIES, *"xyzpPXYZ")  # what has an acceleration
 _ROWS = 6  # of a Jacobian and of a twist
 
 
@@ -53,6 +56,18 @@ class OtherMeanings:
                 for key in outcome.defines:
                     self.names.leave_open(key, doubt)
                 return replace(outcome.left_open(doubt), defines=())
+        return outcome
+
+    def of_quantity(self, outcome: Outcome, meant: Sequence[str]) -> Outcome:
+        """Leave open what prints a quantity where the text speaks of its transpose, inverse or derivative, or of the acceleration."""
+        sides = [bare(node) for node in outcome.nodes]
+        alone = [side for side in sides if isinstance(side, n.Name) and not (side.pre_sup or side.pre_sub)]
+        letters = "".join(each.removeprefix(OPERATED).strip() for each in meant if each.startswith(OPERATED))
+        is_itself = any(side.base in letters and not side.dots and side.sup == "" for side in alone)
+        orders = [side.dots + (side.base in _VELOCITIES) for side in alone if side.base in _MOVING]
+        is_of_lower_order = ACCELERATION in meant and orders and max(orders) == 1
+        if is_itself or is_of_lower_order:
+            return outcome.left_open(say(Kind.OF_OTHER_QUANTITY))
         return outcome
 
     def _meant_by(self, meant: str) -> set[str]:

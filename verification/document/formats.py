@@ -28,6 +28,7 @@ from armproof.verification.document.sentences import (
     DENIED_ABOVE,
     LIMITED_ABOVE,
     OF_NEXT,
+    MEANT,
     OTHER_FRAME,
     OTHER_POINT,
     STRANGE,
@@ -179,6 +180,7 @@ def _with_what_is_before(display: Display, all_said: Sequence[Display], is_marke
         strange="" if display.erratum else " ".join(strange),
         of_other_point=not display.erratum and OTHER_POINT in of_it,
         in_other_frame=not display.erratum and OTHER_FRAME in of_it,
+        meant=() if display.erratum else tuple(each.removeprefix(MEANT) for each in of_it if each.startswith(MEANT)),
     )
 
 

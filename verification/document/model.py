@@ -61,7 +61,9 @@ class Display:
     supposed: bool = False  # whether that supposes it, asks for it, or says in words that it holds in a case alone
     of_other_point: bool = False  # whether the sentence before it is of another point than the tool, or another frame
     in_other_frame: bool = False  # whether it says that what follows is expressed in another frame than the base
-    meant: tuple[str, ...] = ()  # the letters that the text gives another meaning than the arm has for them
+    meant: tuple[
+        str, ...
+    ] = ()  # the letters that the text gives another meaning than the arm has for them, and of which link or operation it speaks
     opening: str = "$$"  # what it begins with in the file
     file: str = ""  # in which it stands, below the document's folder, where a main file inputs others; `cell` counts the changes
     said: tuple[str, ...] = ()  # the equations and postures in the text between the display before and this one

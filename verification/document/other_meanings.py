@@ -15,7 +15,7 @@ from armproof.verification.document.model import Display, Document
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
     r"horizontal|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
-    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from"
+    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|column|colonne|spalten|columna|joint|gelenk|articul|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from"
 )
 _SENTENCE = re.compile(r"(?:\\[;!]|[^.;!?\n]|[.;!?](?!\s)|\n(?![^\S\n]*\n))+[.;!?]?")
 _SHOWN = re.compile(  # what is no sentence
@@ -43,7 +43,7 @@ _PLURAL = re.compile(
 TURNS = "turns"  # the order of the factors of rotations one after another, as their axes: zyx
 OMEGA_FIRST = "omega first"  # a Jacobian, or a twist, whose first rows are those of ω
 ALL, BEHIND = "all", "behind"  # the angles of all joints; those that turn about the direction of one before
-FRAME, JACOBIAN = "frame", "J"  # the origin of one; that whose columns are those of joints in another order
+FRAME, JACOBIAN = "link", "J"  # the origin of one; that whose columns are those of joints in another order
 _NEAR_ABOVE, _NEAR_BELOW = 4, 8  # lines between a sentence and a display beside it
 
 
@@ -80,7 +80,7 @@ def _with(display: Display, said: Iterable[tuple[Meaning, int, float]]) -> Displ
     """Return a display with what holds of it: of a letter from the heading above on, of a place beside it alone."""
     if display.erratum:
         return display
-    letters: list[str] = []
+    letters = [*display.meant]
     is_elsewhere = False
     for each, begins, ends in said:
         is_near = each.line - _NEAR_ABOVE <= display.line <= each.line + _NEAR_BELOW
@@ -149,7 +149,7 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
     orders = [indices for formula in formulas for at in _OF_Q.finditer(formula) if (indices := _indices(at[1]))]
     if (columns := hears("OTHER_COLUMNS", words)) is not None:
         orders.append(_indices(" ".join(formulas[words.count("¤", 0, columns.start()) :])) + [1][: "first" in words])
-    if any(indices != sorted(indices) for indices in orders):
+    if any(indices != sorted(indices) for indices in orders) or says("COLUMNS_REVERSED", words):
         yield JACOBIAN
     if says("OMEGA_FIRST", words):
         yield OMEGA_FIRST

@@ -597,11 +597,7 @@ AT_VALUES = """
 # -- another point, frame, origin or axis than the tool's in the base
 
 OTHER_POINT = """
-position/positions/coordinate/coordinates/height/heights/abscissa~/ordinate~/location/velocity/speed/acceleration/jacobian/coordonnées/hauteur/abscisse/ordonnée/vitesse/accélération/jacobien/jacobienne (matrix) of/du (the) elbow/coude
-posición/coordenadas/velocidad/aceleración/jacobiano/jacobiana/posizione/coordinate/velocità/accelerazione/posição/velocidade/aceleração (geométrico/geometrico/analítico/analitico) del/do codo/gomito/cotovelo
-position/koordinaten/geschwindigkeit/beschleunigung/jacobi-matrix/jacobimatrix/lage des ellbogens/ellenbogens/ellbogengelenks
-orientation/rotation/rate/velocity/speed/acceleration/pose/position/jacobian of (the) first link/segment/body/rod/bar
-orientation/rotation/vitesse/accélération/pose/position/jacobien/jacobienne du premier segment/bras/corps/solide/maillon/lien
+position/positions/coordinate/coordinates/height/heights/abscissa~/ordinate~/location/velocity/speed/jacobian/coordonnées/hauteur/abscisse/ordonnée/vitesse/posición/coordenadas/velocidad of/du/del (the) elbow/coude/codo
 elbow/elbow' (s) itself/position/coordinates/height/velocity/speed
 elbow/coude/codo/ellbogen is/lies/sits/has/est/se/a/está/tiene/liegt at/bei/en/in/position/velocity/height/with/pour/by/trouve/situe/given
 elbow/coude/codo/ellbogen is/lies/has/est/está $
@@ -619,6 +615,11 @@ cent~ of mass/gravity
 cent~ of (the) (first/second/third/last) link/bar/rod
 centre de masse/gravité
 centro de masa/gravedad
+unit vector
+vecteur unitaire
+einheitsvektor
+vector unitario
+average/mean velocity/speed
 """
 OTHER_FRAME = """
 in/from/dans/relative/respect (to) (the/le) frame/repère 1/2/3/4/5/6/7/8/9
@@ -628,6 +629,14 @@ expressed/resolved/written/given/computed/measured/represented/described/compone
 ^ in/into/dans/im/en (the) frame of the (end) tool/gripper/hand/effector/end-effector
 repère (de/du) (l'/la) (lié) (à) (l') outil/effecteur/pince/main
 in/into/along (the/a/its) frame/axes/coordinates/basis (that) (is) (fixed/attached/bound) (of/to/on) (the) (last/moving/end/second/third) tool/tip/hand/gripper/end-effector/effector/body/flange/wrist/link
+body/spatial/body-frame/tool-frame/end-effector-frame (manipulator/geometric) jacobian/velocity/twist
+in/into (its/their) own frame/coordinates/axes
+in body/tool/end-effector/gripper/effector (frame) coordinates/axes
+dans son propre repère
+passage du repère 1/2/3/4/5/6/7/8/9
+nella/alla terna 1/2/3/4/5/6/7/8/9
+im/in koordinatensystem/system 1/2/3/4/5/6/7/8/9
+en el sistema/marco 1/2/3/4/5/6/7/8/9
 repère mobile
 dans (le/un/la) repère/base (lié/liée/attaché) (au/à/du/de/d') (l'/la/le) (dernier/second/deuxième) outil/effecteur/pince/main/organe/corps/segment/poignet/solide
 im/in werkzeugkoordinatensystem/effektorkoordinatensystem/endeffektorkoordinatensystem/greiferkoordinatensystem/tcp-koordinatensystem/werkzeugsystem/effektorsystem/endeffektorsystem/tcp-system/körperfesten
@@ -742,6 +751,11 @@ double de ¤
 OTHER_COLUMNS = """
 columns belong to ¤ and ¤
 first column belongs to ¤
+"""
+COLUMNS_REVERSED = """
+columns/columna~/colonnes/colonne/spalten … reverse/reversed/inverse/inversé/exchanged/swapped/interchanged/permuted/vertauscht/umgekehrt~/other/échangées/permutées/intercambiadas/invertidas/invertite/scambiate
+joint/articulation/gelenk 2/3 first/zuerst/abord
+second joint/articulation/gelenk first
 """
 SWAPPED = """
 ¤ … (the) (length/angle) (of/de) (the/du) second/elbow * (and/et) ¤ * first/premier/shoulder

@@ -25,6 +25,7 @@ from armproof.verification.document.joint_values import joint_values
 from armproof.verification.document.model import INLINE, Display
 from armproof.verification.document.postures import SINGULAR, is_of_singularities
 from armproof.verification.document.strange import is_strange_before, is_strange_behind, strange_words
+from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, subjects
 
 DENIED_ABOVE, LIMITED_ABOVE = r"\text{denies above}", r"\text{limits above}"  # what a text says of the display above it
 DENIED = r"\text{denies below}"  # and of the one that it leads to
@@ -35,7 +36,15 @@ OTHER_POINT = r"\text{of another point}"  # what is no coordinate of the tool in
 OTHER_FRAME = r"\text{in another frame}"  # what is none of anything in the base
 # what is not understood of the display above it, or of the one below; the sentence follows
 STRANGE_ABOVE, STRANGE = r"\text{strange above}", r"\text{strange}"
-OF_NEXT = (DENIED, SUPPOSED, OTHER_POINT, OTHER_FRAME, STRANGE)  # what is said of one display, and of no configuration
+MEANT = r"\text{meant}"  # of which link it is, or what is done to the quantity; that follows
+OF_NEXT = (
+    DENIED,
+    SUPPOSED,
+    OTHER_POINT,
+    OTHER_FRAME,
+    MEANT,
+    STRANGE,
+)  # what is said of one display, and of no configuration
 
 _GENERAL = re.compile(
     r"\b(?:in general|generally|(?:for|in|at|holds for|true for) (?:all|any|every|each|arbitrary) (?:possible )?(?:joint )?"
@@ -108,6 +117,8 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
         heard.append(OTHER_POINT)
     if says("OTHER_FRAME", words):
         heard.append(OTHER_FRAME)
+    if IS_OVER.search(sentence) is None:
+        heard += _subjects(sentence, words)
     if DENIED not in heard and is_strange_before(_plain(sentence)):
         heard.append(STRANGE + sentence)
     if hears("AT_VALUES", words) or (hears("AT_WORDS", words) and any(joint_values(sentence))):
@@ -116,6 +127,13 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
     if found is not None and is_of_singularities(sentence[: found.start()].rstrip()):
         heard.append(SINGULAR)
     return tuple(heard)
+
+
+def _subjects(sentence: str, words: str) -> Iterator[str]:
+    """Yield of what place a sentence is, and of what quantity, where that is not the tool in the base."""
+    markers = {OTHER_PLACE: OTHER_POINT, OTHER_BASE: OTHER_FRAME}
+    formulas = [found.group().strip("$") for found in FORMULA.finditer(sentence)]
+    yield from (markers.get(each, MEANT + each) for each in dict.fromkeys(subjects(words, formulas)))
 
 
 def _plain(sentence: str) -> str:

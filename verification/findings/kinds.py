@@ -117,6 +117,7 @@ class Kind(MessageKind):
     ONE_ROW = "one_row", "one row alone is printed for `{name}`: say which is meant in the front matter (quantities)"
     OF_OTHER_POINT = "of_other_point", "the text speaks of another point or frame than the tool in the base: bind the name in the front matter (quantities) to have it checked"
     MEANT_OTHERWISE = "meant_otherwise", "the text says that {name} is something else than the arm has for it: what is written with it is not decided"
+    OF_OTHER_QUANTITY = "of_other_quantity", "the text speaks of another quantity than the one that is printed: which is meant is not decided"
     OMEGA_IS_FIRST = "omega_is_first", "the text puts the rows of ω above those of v: write `rows: [4, 5, 6, 1, 2, 3]` in the front matter (quantities) to have it checked"
     TURNED_IN_ORDER = "turned_in_order", "by the text the factors of these rotations stand in the order `{order}`: which is meant is not decided"
     DEGREES_UNMARKED = "degrees_unmarked", "an angle of {number} may be in degrees: write {number}^\\circ"

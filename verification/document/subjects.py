@@ -1,0 +1,150 @@
+r"""Of what a sentence says the display to be that it leads to: "The velocity of the centre of mass is", "The transpose of the Jacobian is".
+
+Which point, link or frame that is, and whether it is the quantity itself, is told by the nouns behind "of"; words that are none of these classes tell nothing.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from functools import cache
+
+OTHER_PLACE = "other place"  # neither the tool, nor a link or frame with a number
+LINK = "link"  # with its number: the frame at its far end
+OTHER_BASE = "other base"  # seen from what is not the base
+OPERATED = "operated"  # with the letters of what is transposed, inverted, or differentiated
+ACCELERATION = "acceleration"
+
+# A line is a class and its words; ~ ends a stem.
+_CLASSES = """
+QUANTITY position~ coordinate~ location~ velocit~ speed~ acceleration~ jacobi~ pose poses orientation~ rotation~ attitude~ twist~ transform~ coordonnée~ vitesse~ accélération~ situation lage koordinaten geschwindigkeit~ winkelgeschwindigkeit~ beschleunigung~ orientierung~ stellung posición posiciones coordenadas velocidad~ aceleración orientación rotación posizione coordinate velocità accelerazione orientamento rotazione posição velocidade aceleração orientação rotação matrice~ matrix matriz
+OF of for du de d' des del della dell' dello der do da
+SKIPPED the a an la le l' les el il lo das die den dem un une uno una its his this that unit~ linear angular linéaire angulaire geometric géométrique geometrischen velocity vector vecteur vektor point punkt punto planar spatial whole
+TOOL tip tool~ tcp effector end-effector end endpoint hand gripper~ robot~ arm arms manipulator~ mechanism~ chain flange pen outil~ effecteur organe extrémité bout bras pince main bras manipulateur~ endeffektor~ effektor~ werkzeug~ greifer~ roboter~ arms ende spitze extremo efector herramienta pinza brazo manipulador~ organo utensile estremo estremità braccio effettore ferramenta efetuador~ garra braço origin origine ursprung origen position pose
+OTHER elbow~ joint shoulder~ base camera~ load payload~ motor~ mass masses gravity centroid~ articulation giunto gelenk gelenks articulación midpoint~ mid-point~ forearm upper-arm wrist~ counterweight~ sensor~ obstacle~ ground crank~ carriage~ coude épaule~ base caméra charge moteur~ gravité barycentre~ inertie poignet avant-bras ellbogen~ ellenbogen~ schulter~ basis kamera~ motors schwerpunkt~ masse massenmittelpunkt~ unterarm~ handgelenk~ codo hombro cámara carga gravedad masas muñeca antebrazo gomito spalla baricentro massa polso avambraccio carico cotovelo ombro pulso antebraço
+MIDDLE centre center middle milieu mitte mittelpunkt~ centro medio mezzo meio half
+NUMBERED link links frame frames segment~ body bodies rod bar repère~ corps solide~ maillon~ bras segment~ glied~ glieds gliedes koordinatensystem~ system eslabón cuerpo marco braccio membro corpo terna elo
+ORDINAL first second third fourth premier première deuxième second seconde troisième ersten zweiten dritten primer primero segundo tercer primo secondo terzo primeiro terceiro
+BASE base basis world ground fixed inertial reference origin 0 monde fixe absolu référence welt inertialsystem mondo mundo fijo fisso
+BE is are reads becomes equals est sont s'écrit vaut ist lautet liegt sind es está son è sono é
+AT at in en bei liegt auf
+RELATIVE relative relativ relativa relativo respect rapport seen vue bezüglich respecto rispetto
+TRANSPOSED transpose~ inverse inversed inverted pseudo-inverse~ pseudoinverse~ negative transposée~ opposé~ transponierte~ inverse~ inversa trasposta traspuesta~ transpuesta~ transposta pseudoinversa
+SCALED scaled normali~ weighted dimensionless normiert~ normé~ pondéré~ escalad~ ponderad~
+DERIVATIVE derivative~ dérivée~ ableitung~ zeitableitung derivada~ derivata
+"""
+_ORDINALS = {"first": 1, "second": 2, "third": 3, "fourth": 4, "premier": 1, "première": 1, "deuxième": 2, "seconde": 2, "troisième": 3, "ersten": 1, "zweiten": 2, "dritten": 3, "primer": 1, "primero": 1, "segundo": 2, "tercer": 3, "primo": 1, "secondo": 2, "terzo": 3, "primeiro": 1, "terceiro": 3}  # fmt: skip
+_LETTERS = {"jacobi": "J", "rotation": "R", "orientat": "R", "pose": "THA", "transfor": "THA", "position": "pPxyz", "accélér": "", "rotació": "R", "rotazio": "R", "posició": "pPxyz", "posizio": "pPxyz"}  # fmt: skip
+_POINT = re.compile(r"\s*(?:\\(?:mathbf|boldsymbol|vec)\s*)?\{?[OPCAp]\}?_\{?(\d)\}?\s*")
+_ENDS = frozenset(",:.;!?")
+
+
+def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
+    """Yield of what a sentence, with its words and formulas, says the display to be that it leads to."""
+    said = words.lower().split()
+    numbers = iter(formulas)
+    said = [f"¤{next(numbers, '')}" if each == "¤" else each for each in said]
+    for place, word in enumerate(said):
+        if _is(word, "QUANTITY") and any(_is(each, "OF") for each in said[place + 1 : place + 3]):
+            behind = next(k for k in (place + 1, place + 2) if _is(said[k], "OF")) + 1
+            yield from _of_place(_phrase(said[behind:]))
+        if _is(word, "RELATIVE"):
+            yield from _seen_from(said, place)
+    if (
+        len(said) > 1
+        and any(_is(each, "BE") for each in said)
+        and _is([each for each in said if each not in _ENDS][-1], "AT")
+    ):
+        yield from _of_place(_phrase(said))
+    yield from _quantity(said)
+
+
+def _of_place(phrase: Sequence[str]) -> Iterator[str]:
+    """Yield of what place a phrase is, by the first noun in it that tells: "end of the first link" is link 1."""
+    number = _number(phrase)
+    for word in phrase:
+        if (found := _POINT.fullmatch(word.removeprefix("¤"))) and word.startswith("¤"):
+            yield f"{LINK} {found[1]}"
+            return
+        is_half_way = _is(word, "MIDDLE") and not (any(_is(each, "TOOL") for each in phrase) and not number)
+        if _is(word, "OTHER") or is_half_way:
+            yield OTHER_PLACE
+            return
+        if _is(word, "TOOL") or _is(word, "NUMBERED"):
+            if number:
+                yield f"{LINK} {number}"
+            return
+
+
+def _number(phrase: Sequence[str]) -> str:
+    """Return the number of the link or frame in a phrase, "" of none: "second link", "frame 2", "link $1$"."""
+    for place, word in enumerate(phrase):
+        if not _is(word, "NUMBERED"):
+            continue
+        before, behind = phrase[place - 1] if place else "", phrase[place + 1] if place + 1 < len(phrase) else ""
+        if (digit := behind.removeprefix("¤").strip()).isdigit():
+            return digit
+        if before in _ORDINALS:
+            return str(_ORDINALS[before])
+    return ""
+
+
+def _seen_from(said: Sequence[str], place: int) -> Iterator[str]:
+    """Yield that something is seen from another thing than the base, or that it is a relative velocity."""
+    if any(_is(each, "QUANTITY") for each in (*said[max(0, place - 1) : place], *said[place + 1 : place + 2])):
+        yield OTHER_PLACE
+        return
+    behind = said[place + 1 : place + 6]
+    for word in behind:
+        if _is(word, "BASE") or word in _ENDS or (_is(word, "NUMBERED") and _number(behind) == "0"):
+            return
+        if any(_is(word, each) for each in ("TOOL", "OTHER", "NUMBERED")):
+            yield OTHER_BASE
+            return
+
+
+def _quantity(said: Sequence[str]) -> Iterator[str]:
+    """Yield what is done to the quantity that a sentence speaks of last, with its letters: the transpose of the Jacobian."""
+    places = [
+        place
+        for place, word in enumerate(said)
+        if _is(word, "QUANTITY") and word not in ("matrix", "matrice", "matriz")
+    ]
+    if not places:
+        return
+    last = places[-1]
+    letters = next((letter for stem, letter in _LETTERS.items() if said[last].startswith(stem)), "")
+    before = said[max(0, last - 4) : last]
+    beside = [*before[-1:], *said[last + 1 : last + 2]]
+    is_of = any(_is(each, "OF") for each in before) and any(
+        _is(each, "TRANSPOSED") or _is(each, "DERIVATIVE") for each in before
+    )
+    if letters and (is_of or any(_is(each, "TRANSPOSED") or _is(each, "SCALED") for each in beside)):
+        yield f"{OPERATED} {letters}"
+    if said[last].startswith(("acceler", "accélér", "beschleun", "aceler")):
+        yield ACCELERATION
+
+
+def _phrase(said: Sequence[str]) -> list[str]:
+    """Return the words up to the verb, a comma, or what says whence something is seen."""
+    found: list[str] = []
+    for word in said:
+        if word in _ENDS or _is(word, "BE") or _is(word, "RELATIVE"):
+            break
+        if not _is(word, "SKIPPED"):
+            found.append(word)
+    return found
+
+
+@cache
+def _tables() -> dict[str, tuple[frozenset[str], tuple[str, ...]]]:
+    lines = (line.split() for line in _CLASSES.strip().split("\n"))
+    return {
+        name: (frozenset(w for w in words if "~" not in w), tuple(w[:-1] for w in words if w.endswith("~")))
+        for name, *words in lines
+    }
+
+
+def _is(word: str, kind: str) -> bool:
+    whole, stems = _tables()[kind]
+    return word in whole or (bool(stems) and word.startswith(stems))
