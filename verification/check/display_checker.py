@@ -13,6 +13,7 @@ from armproof.verification.check.slips import Slips
 from armproof.verification.check.words_around import WordsAround
 from armproof.verification.display.taken_arm import OfTakenArm, names_in
 from armproof.verification.document import Display
+from armproof.verification.document.other_meanings import OMEGA_FIRST
 from armproof.verification.equations.foreign_index import unless_written_elsewhere
 from armproof.verification.equations.outcome import Outcome, new_one
 from armproof.verification.errors import NotSampled, ReadError, TooComplex
@@ -57,6 +58,7 @@ class DisplayChecker:
             return replace(record, findings=(say(Kind.NEVER_ENDS, opening=display.opening),))
         self.names.state.enter(display.section)
         self.names.state.listed = display.listed
+        self.names.state.omega_is_first = OMEGA_FIRST in display.meant
         self.ring.forget_signs()
         try:
             with self.ring.budget.of(SECONDS_TO_DECIDE):

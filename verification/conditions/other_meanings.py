@@ -17,10 +17,11 @@ from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.verdict import Verdict
 
 _VELOCITIES = ("v", "V")
 _MOVING = (*_VELOCITIES, *"xyzpPXYZ")  # what has an acceleration
-_ROWS = 6  # of a Jacobian and of a twist
+_ROWS = 6  # of a Jacobian, and of a twist
 
 
 class OtherMeanings:
@@ -37,8 +38,13 @@ class OtherMeanings:
         if JACOBIAN in meant and JACOBIAN in written:
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=JACOBIAN))
         sides = (outcome.pair.true, outcome.pair.printed) if outcome.pair is not None else ()
-        if OMEGA_FIRST in meant and written.isdisjoint(self.names.quantities):
-            if any(side.shape[0] == _ROWS for side in sides):
+        if (
+            OMEGA_FIRST in meant
+            and written.isdisjoint(self.names.quantities)
+            and any(len(side.rows) == _ROWS for side in sides)
+        ):
+            is_twist = outcome.pair is not None and outcome.pair.true.shape[1] == 1
+            if is_twist or outcome.verdict is Verdict.REFUTED:  # a Jacobian is read in that order
                 return outcome.left_open(say(Kind.OMEGA_IS_FIRST))
         written |= symbols_in(cell for side in sides for cell in side.cells if isinstance(cell, Scalar))
         for each in meant:
@@ -49,10 +55,12 @@ class OtherMeanings:
 
     def in_order(self, outcome: Outcome, meant: Sequence[str]) -> Outcome:
         """Leave open a product of rotations whose factors stand in another order than the text has them, and the name that it defines."""
-        for order in (each.removeprefix(TURNS).strip() for each in meant if each.startswith(TURNS)):
-            found = {axes for node in outcome.nodes for axes in _axes_of_products(node)}
-            if any(axes != order and sorted(axes) == sorted(order) for axes in found):
-                doubt = say(Kind.TURNED_IN_ORDER, order=" ".join(f"R_{axis}" for axis in order))
+        for told in (each.removeprefix(TURNS) for each in meant if each.startswith(TURNS)):
+            axes, *angles = told.split()
+            order = [(axis, self._key(angle)) for axis, angle in zip(axes, angles or axes, strict=True)]
+            found = [product for node in outcome.nodes for product in _products_of_rotations(node)]
+            if any(_are_otherwise(product, order, bool(angles)) for product in found):
+                doubt = say(Kind.TURNED_IN_ORDER, order=" ".join(f"R_{axis}" for axis in axes))
                 for key in outcome.defines:
                     self.names.leave_open(key, doubt)
                 return replace(outcome.left_open(doubt), defines=())
@@ -70,6 +78,12 @@ class OtherMeanings:
             return outcome.left_open(say(Kind.OF_OTHER_QUANTITY))
         return outcome
 
+    def _key(self, latex: str) -> str:
+        try:
+            return bare_key(self.names.reader.read_expression(latex)) or ""
+        except ReadError:
+            return ""
+
     def _meant_by(self, meant: str) -> set[str]:
         r"""Return the joints and lengths that a letter, or the word for all angles, names: of `BEHIND` those that are measured from a joint before them."""
         which, _, latex = meant.partition(" ")
@@ -78,10 +92,7 @@ class OtherMeanings:
         of_arm = {*self.given.lengths} | self._turned(which == BEHIND)
         if not latex:
             return self._turned(which == BEHIND)
-        try:
-            return {bare_key(self.names.reader.read_expression(latex)) or ""} & of_arm
-        except ReadError:
-            return set()
+        return {self._key(latex)} & of_arm
 
     def _turned(self, only_behind: bool) -> set[str]:
         """Return the joints that turn; or those alone that a joint before them turns about the same direction."""
@@ -100,11 +111,18 @@ class OtherMeanings:
         return found
 
 
-def _axes_of_products(node: n.Node) -> Iterator[str]:
-    """Yield the axes of the rotations about axes of coordinates that are multiplied in a tree, in their order: zyx."""
+def _products_of_rotations(node: n.Node) -> Iterator[list[tuple[str, str]]]:
+    """Yield the rotations about axes of coordinates that are multiplied in a tree, in their order: their axes and the keys of their angles."""
     for below in n.walk(node):
         factors = [bare(factor) for factor in below.factors] if isinstance(below, n.Product) else []
         calls = [each for each in factors if isinstance(each, n.Call) and each.function in ("Rot", "Rot3")]
-        axes = [axis.base for each in calls if isinstance(axis := each.arguments[0], n.Name)]
+        axes = [axis.base.lower() for each in calls if isinstance(axis := each.arguments[0], n.Name)]
         if axes and len(axes) == len(factors):
-            yield "".join(axes).lower()
+            yield [*zip(axes, (bare_key(each.arguments[1]) or "" for each in calls), strict=True)]
+
+
+def _are_otherwise(found: Sequence[tuple[str, str]], told: Sequence[tuple[str, str]], with_angles: bool) -> bool:
+    """Whether rotations are those that a text tells, in another order."""
+    if not with_angles:
+        found, told = ([(axis, "") for axis, _ in each] for each in (found, told))
+    return sorted(found) == sorted(told) and found != told

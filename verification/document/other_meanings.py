@@ -15,7 +15,7 @@ from armproof.verification.document.model import Display, Document
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
     r"horizontal|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
-    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|column|colonne|spalten|columna|joint|gelenk|articul|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from"
+    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from"
 )
 _SENTENCE = re.compile(r"(?:\\[;!]|[^.;!?\n]|[.;!?](?!\s)|\n(?![^\S\n]*\n))+[.;!?]?")
 _SHOWN = re.compile(  # what is no sentence
@@ -35,12 +35,16 @@ _FORMULA = re.compile(r"\$([^$]*)\$|\\\((.*?)\\\)")
 _AXIS_TURNED = re.compile(  # about $x$, the z-axis, $\hat Y_A$, x'' and the angle of it
     r"\$\s*(?:\\(?:hat|vec|mathbf|boldsymbol|overrightarrow)\s*\{?\s*)?([xyzXYZ])\}?(?:_\{?\w+\}?|\^?\{?'*(?:\\prime)*\}?)*\s*\$|(?<!\w)([xyzXYZ])-(?:axis|achse|direction)"
 )
+_OMEGA_ABOVE = re.compile(  # (ω, v), [ω; v]
+    r"(?:[(\[]|matrix\})\s*(?:\\(?:boldsymbol|mathbf|vec|bm)\s*\{?\s*)?\\omega\b(?:_\w)?\}?(?:\^T)?\s*(?:,|;|&|\\\\)\s*(?:\\[,;: ])?(?:\\(?:boldsymbol|mathbf|vec|bm|dot)\s*\{?\s*)?[vp]\b"
+)
+_ANGLE = re.compile(r"\\(?!hat|vec)[a-z]+(?:_\{?\w\}?)?|(?:q|t)_\{?\d\}?")  # α, θ_1, q_2
 _PLURAL = re.compile(
     r"\b(?:angles|(?:second|third|last|elbow|other) angle|both|all|each|every|chaque|rotations?|turns|positi[fv]e?|winkel|ángulos|deux|number(?:ed)?|roles)\b",
     re.IGNORECASE,
 )
 
-TURNS = "turns"  # the order of the factors of rotations one after another, as their axes: zyx
+TURNS = "turns"  # the order of the factors of rotations one after another, as their axes, and their angles where they are told: zyx α β γ
 OMEGA_FIRST = "omega first"  # a Jacobian, or a twist, whose first rows are those of ω
 ALL, BEHIND = "all", "behind"  # the angles of all joints; those that turn about the direction of one before
 FRAME, JACOBIAN = "link", "J"  # the origin of one; that whose columns are those of joints in another order
@@ -151,7 +155,7 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         orders.append(_indices(" ".join(formulas[words.count("¤", 0, columns.start()) :])) + [1][: "first" in words])
     if any(indices != sorted(indices) for indices in orders) or says("COLUMNS_REVERSED", words):
         yield JACOBIAN
-    if says("OMEGA_FIRST", words):
+    if says("OMEGA_FIRST", words) or any(map(_OMEGA_ABOVE.search, formulas)):
         yield OMEGA_FIRST
 
 
@@ -160,10 +164,14 @@ def _turns(plain: str, words: str) -> str:
     if not (hears("TURNS", words) and hears("AFTER_ONE_ANOTHER", words)):
         return ""
     is_fixed, is_turned = hears("FIXED_AXES", words) is not None, hears("TURNED_AXES", words) is not None
-    axes = "".join(next(filter(None, found.groups())).lower() for found in _AXIS_TURNED.finditer(plain))
+    axes = [next(filter(None, found.groups())).lower() for found in _AXIS_TURNED.finditer(plain)]
     if is_fixed == is_turned or not 2 <= len(axes) <= 3:
         return ""
-    return axes[::-1] if is_fixed else axes
+    angles = [
+        each for formula in _FORMULA.findall(plain) if _ANGLE.fullmatch(each := (formula[0] or formula[1]).strip())
+    ]
+    step = -1 if is_fixed else 1
+    return " ".join(("".join(axes[::step]), *(angles[::step] if len(angles) == len(axes) else ())))
 
 
 def _indices(latex: str) -> list[int]:

@@ -365,6 +365,7 @@ nullstellung/nulllage/grundstellung/ruhelage/ausgangsstellung/referenzstellung/s
 posición/configuración/postura inicial/cero
 posición/configuración/postura de reposo/referencia/casa
 brazo/eslabones/codo (…) extendid~/estirad~/plegad~/alinead~
+(all) lengths/longueurs/längen/longitudes/lunghezze (are/is/being/sont/werden/son/sono) doubled/halved/tripled/doublées/divisées/verdoppelt/halbiert/duplicadas/raddoppiate
 in/to/into/from/of/dans/vers/du/im/in/en/desde/al the/le/l'/la/el/zum/dem/den/der (¤) second/third/moving/moved/rotating/tool/body/hand/gripper/wrist/elbow/forearm/local/new/own/last/other/deuxième/second/mobile/local/nouveau/outil/zweiten/mitbewegten/bewegten/móvil/segundo/herramienta frame/axes/coordinates/system/koordinatensystem/system/repère/sistema
 repère/sistema/referencial/referencia (qui) mobile/lié/attaché/móvil/ligado/del (segundo/última)
 frame/coordinates/system of/attached (to) (the) first/second/third/last/moving/tool/hand/gripper/elbow/forearm/wrist/end-effector (link)

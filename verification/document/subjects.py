@@ -29,6 +29,7 @@ BASE base basis world ground fixed inertial reference origin 0 monde fixe absolu
 BE is are reads becomes equals est sont s'écrit vaut ist lautet liegt sind es está son è sono é
 AT at in en bei liegt auf
 RELATIVE relative relativ relativa relativo respect rapport seen vue bezüglich respecto rispetto
+FIXED fixed attached mounted fixée fixé montée monté attachée attaché befestigt montiert fijada fijado montada montado fissata fissato montata
 TRANSPOSED transpose~ inverse inversed inverted pseudo-inverse~ pseudoinverse~ negative transposée~ opposé~ transponierte~ inverse~ inversa trasposta traspuesta~ transpuesta~ transposta pseudoinversa
 SCALED scaled normali~ weighted dimensionless normiert~ normé~ pondéré~ escalad~ ponderad~
 DERIVATIVE derivative~ dérivée~ ableitung~ zeitableitung derivada~ derivata
@@ -48,6 +49,8 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
         if _is(word, "QUANTITY") and any(_is(each, "OF") for each in said[place + 1 : place + 3]):
             behind = next(k for k in (place + 1, place + 2) if _is(said[k], "OF")) + 1
             yield from _of_place(_phrase(said[behind:]))
+        if _is(word, "FIXED") and any(_is(each, "OTHER") for each in _phrase(said[place + 2 : place + 5])):
+            yield OTHER_PLACE
         if _is(word, "RELATIVE"):
             yield from _seen_from(said, place)
     if (

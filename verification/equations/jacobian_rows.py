@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import replace
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.equations.alignment import square_rows
+from armproof.verification.equations.alignment import Pair, equal_matrices, square_rows
 from armproof.verification.equations.outcome import Outcome, hold
-from armproof.verification.equations.rates import rows_told
+from armproof.verification.equations.rates import OMEGA_ABOVE, rows_told
 from armproof.verification.equations.sides import Members
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
@@ -39,12 +39,18 @@ class RowsOfJacobians:
         shown = self.names.state.shown
         for key in {printed.key for printed in self._printed(chain)}:  # J = J = […] prints it once
             before = shown[key]
+            is_told = before.rows == OMEGA_ABOVE and before.section == self.names.state.section  # by a twist [ω; v]
+            if is_told and any(_prints_whole(chain, each) for each in self._printed(chain)):
+                continue
             if not before.printed or before.columns or before.section != self.names.state.section:
                 del shown[key]
         rows = rows_told(chain, self.names) or _rows_of_plane(chain)
         for below in n.walk(chain):
-            if rows is not None and isinstance(below, n.Name) and self._is_open(below):
-                shown[replace(below, dots=0).key] = JacobianRows(rows, self.names.state.section, printed=False)
+            if not isinstance(below, n.Name) or not self._is_open(below):
+                continue
+            is_told = rows is None and self.names.state.omega_is_first and _prints_whole(chain, below)
+            if (told := OMEGA_ABOVE if is_told else rows) is not None:
+                shown[replace(below, dots=0).key] = JacobianRows(told, self.names.state.section, printed=False)
         for below in [*n.walk(chain)]:
             inverted = isinstance(below, n.Postfix) and below.operator == "-1"
             if not inverted and not (isinstance(below, n.Call) and below.function in ("det", "adj", "com", "abs")):
@@ -54,7 +60,7 @@ class RowsOfJacobians:
             is_open = name is not None and name.key not in shown
             if name is not None and is_open:
                 self._take_tool(name)
-            is_printed = name is not None and not is_open and shown[name.key].rows in (WHOLE, LINEAR_ROWS)
+            is_printed = name is not None and not is_open and shown[name.key].rows in (WHOLE, OMEGA_ABOVE, LINEAR_ROWS)
             rows = self._square(name) if name is not None and (is_open or is_printed) else None
             if name is None or rows is None:
                 continue
@@ -86,6 +92,8 @@ class RowsOfJacobians:
             return outcome.left_open(say(Kind.ROWS_TOLD_OTHERWISE, name=name.text, rows=list(before or ())))
         if before is None and len(rows) == 1 < pair.true.shape[1]:  # a row is missing, or one alone is meant
             return outcome.left_open(say(Kind.ONE_ROW, name=name.text))
+        if outcome.verdict is Verdict.REFUTED and name.key not in self.names.quantities and _is_turned(pair):
+            return outcome.left_open(say(Kind.OMEGA_IS_FIRST))
         if len(outcome.wrong) > len(pair.true.cells) / 2 or _is_beside_zeros(outcome):
             return outcome
         is_matrix = isinstance(bare(printed.node), n.Matrix)
@@ -243,7 +251,10 @@ class RowsOfJacobians:
         return determinant if isinstance(determinant, Scalar) else None
 
     def _square(self, name: n.Name) -> tuple[int, ...] | None:
-        value, quantity = self.members.evaluate(replace(name, dots=0)).value, self.names.quantity(replace(name, dots=0))
+        is_turned = self.names.rows_of(name.key) == OMEGA_ABOVE
+        with self._read_in(name.key, None) if is_turned else nullcontext():
+            value = self.members.evaluate(replace(name, dots=0)).value
+        quantity = self.names.quantity(replace(name, dots=0))
         is_column = quantity is not None and quantity.columns is not None
         if not isinstance(value, Matrix) or value.shape[0] == value.shape[1] or is_column:
             return None
@@ -263,6 +274,15 @@ def _is_beside_zeros(outcome: Outcome) -> bool:
     """Whether a wrong entry stands in a row of zeros: the row may be another one that has a slip."""
     rows = outcome.pair.true.rows if outcome.pair is not None and outcome.verdict is Verdict.REFUTED else ()
     return any(all(isinstance(cell, Scalar) and cell.is_zero() for cell in rows[row]) for row, _ in outcome.wrong)
+
+
+def _is_turned(pair: Pair) -> bool:
+    """Whether a Jacobian of six rows is printed with those of ω above those of v, or the other way round, and is right so."""
+    printed = pair.printed
+    if printed.shape != pair.true.shape or len(printed.rows) != len(WHOLE):
+        return False
+    turned = printed.block([row - 1 for row in OMEGA_ABOVE], range(printed.shape[1]))
+    return equal_matrices(pair.true, turned)
 
 
 def _rows_of_plane(chain: n.Chain) -> tuple[int, ...] | None:

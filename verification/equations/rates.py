@@ -19,13 +19,16 @@ SPEAKS_OF_RATES = LINEAR_VELOCITIES | {
     "J"
 }  # one of them stands in what is read with the rates of all joints, or from a frame
 
+OMEGA_ABOVE = (4, 5, 6, 1, 2, 3)  # as in a twist [ω; v]
+
 
 def rows_told(chain: n.Chain, names: Names) -> tuple[int, ...] | None:
     """Return the rows that the columns of rates in a chain tell, in the order of a Jacobian; None without any or with several."""
     columns = [cells_of(below) for member in chain.members for below in n.walk(member) if isinstance(below, n.Matrix)]
     told = {rows for cells in columns if (rows := _rows_of(cells, names))}
     rows = told.pop() if len(told) == 1 else ()
-    return rows if rows and rows == tuple(sorted(set(rows))) else None
+    in_order = rows == tuple(sorted(set(rows))) or rows == OMEGA_ABOVE
+    return rows if rows and in_order else None
 
 
 def with_joint_rates(chain: n.Chain, names: Names) -> n.Chain:
@@ -70,6 +73,8 @@ def stand_for_scalars(blocks: Sequence[Block], names: Names) -> bool:
 def _rows_of(cells: Sequence[n.Node], names: Names) -> tuple[int, ...]:
     if len(cells) == 2 and _is_velocity(cells[0], LINEAR_VELOCITIES) and _is_velocity(cells[1], ANGULAR_VELOCITIES):
         return WHOLE
+    if len(cells) == 2 and _is_velocity(cells[0], ANGULAR_VELOCITIES) and _is_velocity(cells[1], LINEAR_VELOCITIES):
+        return OMEGA_ABOVE
     rows = [row_of(_unplaced(cell), names) for cell in cells]
     return () if None in rows else tuple(row for row in rows if row is not None)
 

@@ -215,6 +215,7 @@ class DocumentState:
         beyond: a frame the document adds → (on which of the arm's, name).
         configuration: joint variables, rates and lengths → the value that a display gave them.
         listed: the values that code gives under the heading at hand, and those that are worked out above.
+        omega_is_first: whether the text says that a Jacobian of six rows begins with those of ω.
         told: what the text between displays says: no display is judged there, but what holds there is not refuted.
         told_lengths: lengths → the value that the text between displays gave them last.
         given_last: joint variables and lengths → the value that a display or the text gave them last, under whatever heading.
@@ -259,6 +260,7 @@ class DocumentState:
     given_last: dict[str, Stated] = field(default_factory=dict)
     held: set[tuple[str, int]] = field(default_factory=set)
     listed: tuple[Listing, ...] = ()
+    omega_is_first: bool = False
     compares_lengths: bool = False
     comparisons: list[n.Chain] = field(default_factory=list)
     rounded: dict[str, int] = field(default_factory=dict)
