@@ -17,7 +17,7 @@ MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in 
     r"horizontal|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
     r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from"
 )
-_SENTENCE = re.compile(r"(?:\\[;!]|[^.;!?\n]|[.;!?](?!\s)|\n(?![^\S\n]*\n))+[.;!?]?")
+_SENTENCE = re.compile(r"(?:\$[^$\n]+\$|\\[;!]|[^.;!?\n]|[.;!?](?!\s)|\n(?![^\S\n]*\n))+[.;!?]?")
 _SHOWN = re.compile(  # what is no sentence
     r"\$\$.{0,MOST}?\$\$|\\\[.{0,MOST}?\\\]|\\begin\{((?:equation|align|gather|multline|eqnarray|flalign|alignat|displaymath|verbatim|lstlisting|tabular)\*?)\}.{0,MOST}?\\end\{\1\}"
     r"|<!--.{0,MOST}?-->|```.{0,MOST}?```|^%[^\n]*|^[ \t]{0,3}#[^\n]*|\\(?:sub)*section\*?\{[^\n]*".replace(
@@ -155,8 +155,15 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         orders.append(_indices(" ".join(formulas[words.count("¤", 0, columns.start()) :])) + [1][: "first" in words])
     if any(indices != sorted(indices) for indices in orders) or says("COLUMNS_REVERSED", words):
         yield JACOBIAN
-    if says("OMEGA_FIRST", words) or any(map(_OMEGA_ABOVE.search, formulas)):
+    if says("OMEGA_FIRST", _with_velocities(words, formulas)) or any(map(_OMEGA_ABOVE.search, formulas)):
         yield OMEGA_FIRST
+
+
+def _with_velocities(words: str, formulas: Sequence[str]) -> str:
+    r"""Return the words of a sentence with those for $\omega$ and $v$ in place of the letters."""
+    said = iter(formulas)
+    names = {"\\omega": "angular velocity", "v": "linear velocity"}
+    return " ".join(names.get(next(said, "").strip(), each) if each == "¤" else each for each in words.split()) + " "
 
 
 def _turns(plain: str, words: str) -> str:

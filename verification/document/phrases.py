@@ -608,7 +608,12 @@ where the (two) links/bars meet
 i . e . the end
 is/be/est the/le elbow/coude $
 end/ends of (the) first link
-end of link #
+end of link 1
+(of/for) (the) first link alone/only
+midway/halfway along/between/down/up
+à mi-chemin/mi-longueur
+auf halbem weg
+a mitad
 position of joint #
 midpoint/mid-point/milieu/barycentre
 middle of (the) (first/second/third/last) link
@@ -631,6 +636,7 @@ expressed/resolved/written/given/computed/measured/represented/described/compone
 repère (de/du) (l'/la) (lié) (à) (l') outil/effecteur/pince/main
 in/into/along (the/a/its) frame/axes/coordinates/basis (that) (is) (fixed/attached/bound) (of/to/on) (the) (last/moving/end/second/third) tool/tip/hand/gripper/end-effector/effector/body/flange/wrist/link
 body/spatial/body-frame/tool-frame/end-effector-frame (manipulator/geometric) jacobian/velocity/twist
+in/into (the/a) moving/rotating/local frame/coordinates/axes
 in/into (its/their) own frame/coordinates/axes
 in body/tool/end-effector/gripper/effector (frame) coordinates/axes
 dans son propre repère
@@ -709,6 +715,13 @@ angular/rotational (velocity/velocities/part/block/component/components/rows) (,
 angular/rotational … (first/upper/top) three (rows/components/entries)
 first/upper/top three rows/components/entries … angular/rotational/rotation/orientation
 linear/translational (velocity/velocities/part/block/component/components/rows) … below/beneath/underneath/under/after (the) angular/rotational
+first/zuerst/primero/prima come/comes/stand/stands … angular~/rotation~/winkel~/angolar~
+on top stand/stands/come/comes/is/are (the) angular
+rows 1 to/- 3 … angular/rotational/rotation
+oben … winkelgeschwindigkeit~/drehgeschwindigkeit~
+en haut … angulaire~
+arriba … angular
+in alto … angolare
 angulaire~/rotation … haut/dessus/au-dessus/abord/premier/première/avant
 angulaire~ (,) puis/ensuite/suivie/suivi (de/par/d') (la/les) (vitesse/vitesses/partie) linéaire~
 trois premières/premiers lignes/composantes … angulaire~/rotation
@@ -757,6 +770,7 @@ COLUMNS_REVERSED = """
 columns/columna~/colonnes/colonne/spalten … reverse/reversed/inverse/inversé/exchanged/swapped/interchanged/permuted/vertauscht/umgekehrt~/other/échangées/permutées/intercambiadas/invertidas/invertite/scambiate
 joint/articulation/gelenk 2/3 first/zuerst/abord
 second joint/articulation/gelenk first
+first/première/erste/primera/prima column/colonne/spalte/columna/colonna … (second) joint/articulation/gelenk/giunto (2)
 """
 SWAPPED = """
 ¤ … (the) (length/angle) (of/de) (the/du) second/elbow * (and/et) ¤ * first/premier/shoulder

@@ -21,14 +21,16 @@ QUANTITY position~ coordinate~ location~ velocit~ speed~ acceleration~ jacobi~ p
 OF of for du de d' des del della dell' dello der do da
 SKIPPED the a an la le l' les el il lo das die den dem un une uno una its his this that unit~ linear angular linéaire angulaire geometric géométrique geometrischen velocity vector vecteur vektor point punkt punto planar spatial whole
 TOOL tip tool~ tcp effector end-effector end endpoint hand gripper~ robot~ arm arms manipulator~ mechanism~ chain flange pen outil~ effecteur organe extrémité bout bras pince main bras manipulateur~ endeffektor~ effektor~ werkzeug~ greifer~ roboter~ arms ende spitze extremo efector herramienta pinza brazo manipulador~ organo utensile estremo estremità braccio effettore ferramenta efetuador~ garra braço origin origine ursprung origen position pose
-OTHER elbow~ joint shoulder~ base camera~ load payload~ motor~ mass masses gravity centroid~ articulation giunto gelenk gelenks articulación midpoint~ mid-point~ forearm upper-arm wrist~ counterweight~ sensor~ obstacle~ ground crank~ carriage~ coude épaule~ base caméra charge moteur~ gravité barycentre~ inertie poignet avant-bras ellbogen~ ellenbogen~ schulter~ basis kamera~ motors schwerpunkt~ masse massenmittelpunkt~ unterarm~ handgelenk~ codo hombro cámara carga gravedad masas muñeca antebrazo gomito spalla baricentro massa polso avambraccio carico cotovelo ombro pulso antebraço
+OTHER knee knie rodilla ginocchio genou hip ankle elbow~ joint shoulder~ base camera~ load payload~ motor~ mass masses gravity centroid~ articulation giunto gelenk gelenks articulación midpoint~ mid-point~ forearm upper-arm wrist~ counterweight~ sensor~ obstacle~ ground crank~ carriage~ coude épaule~ base caméra charge moteur~ gravité barycentre~ inertie poignet avant-bras ellbogen~ ellenbogen~ schulter~ basis kamera~ motors schwerpunkt~ masse massenmittelpunkt~ unterarm~ handgelenk~ codo hombro cámara carga gravedad masas muñeca antebrazo gomito spalla baricentro massa polso avambraccio carico cotovelo ombro pulso antebraço
 MIDDLE centre center middle milieu mitte mittelpunkt~ centro medio mezzo meio half
 NUMBERED link links frame frames segment~ body bodies rod bar repère~ corps solide~ maillon~ bras segment~ glied~ glieds gliedes koordinatensystem~ system eslabón cuerpo marco braccio membro corpo terna elo
 ORDINAL first second third fourth premier première deuxième second seconde troisième ersten zweiten dritten primer primero segundo tercer primo secondo terzo primeiro terceiro
 BASE base basis world ground fixed inertial reference origin 0 monde fixe absolu référence welt inertialsystem mondo mundo fijo fisso
 BE is are reads becomes equals est sont s'écrit vaut ist lautet liegt sind es está son è sono é
-AT at in en bei liegt auf
+AT at in en bei liegt auf em
 RELATIVE relative relativ relativa relativo respect rapport seen vue bezüglich respecto rispetto
+IN in dans im en nel nella no
+MOVES moves move sits lies travels has have stands rests déplace trouve bewegt befindet liegt hat mueve encuentra está trova muove encontra move-se
 FIXED fixed attached mounted fixée fixé montée monté attachée attaché befestigt montiert fijada fijado montada montado fissata fissato montata
 TRANSPOSED transpose~ inverse inversed inverted pseudo-inverse~ pseudoinverse~ negative transposée~ opposé~ transponierte~ inverse~ inversa trasposta traspuesta~ transpuesta~ transposta pseudoinversa
 SCALED scaled normali~ weighted dimensionless normiert~ normé~ pondéré~ escalad~ ponderad~
@@ -37,6 +39,8 @@ DERIVATIVE derivative~ dérivée~ ableitung~ zeitableitung derivada~ derivata
 _ORDINALS = {"first": 1, "second": 2, "third": 3, "fourth": 4, "premier": 1, "première": 1, "deuxième": 2, "seconde": 2, "troisième": 3, "ersten": 1, "zweiten": 2, "dritten": 3, "primer": 1, "primero": 1, "segundo": 2, "tercer": 3, "primo": 1, "secondo": 2, "terzo": 3, "primeiro": 1, "terceiro": 3}  # fmt: skip
 _LETTERS = {"jacobi": "J", "rotation": "R", "orientat": "R", "pose": "THA", "transfor": "THA", "position": "pPxyz", "accélér": "", "rotació": "R", "rotazio": "R", "posició": "pPxyz", "posizio": "pPxyz"}  # fmt: skip
 _POINT = re.compile(r"\s*(?:\\(?:mathbf|boldsymbol|vec)\s*)?\{?[OPCAp]\}?_\{?(\d)\}?\s*")
+_NUMBER = re.compile(r"¤?\s*(?:\\?[A-Za-z]+\s*_\s*)?\{?\s*(?:\\?[A-Za-z]+_)?(\d)\s*\}?\s*")  # 2, $2$, $R_2$, $\{2\}$
+_OF_FRAME = re.compile(r"¤\s*(?:\\mathcal\s*)?\{?[RF]\}?_\{?([1-9])\}?\s*|¤\s*\\\{([1-9])\\\}\s*")
 _ENDS = frozenset(",:.;!?")
 
 
@@ -49,17 +53,53 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
         if _is(word, "QUANTITY") and any(_is(each, "OF") for each in said[place + 1 : place + 3]):
             behind = next(k for k in (place + 1, place + 2) if _is(said[k], "OF")) + 1
             yield from _of_place(_phrase(said[behind:]))
+        if _is(word, "IN") and place + 1 < len(said) and _OF_FRAME.fullmatch(said[place + 1]):
+            yield OTHER_BASE
         if _is(word, "FIXED") and any(_is(each, "OTHER") for each in _phrase(said[place + 2 : place + 5])):
             yield OTHER_PLACE
         if _is(word, "RELATIVE"):
             yield from _seen_from(said, place)
-    if (
-        len(said) > 1
-        and any(_is(each, "BE") for each in said)
-        and _is([each for each in said if each not in _ENDS][-1], "AT")
-    ):
-        yield from _of_place(_phrase(said))
+    yield from _of_two_frames(said)
+    spoken = [each for each in said if each not in _ENDS]
+    clause = said[len(said) - 1 - said[:-1][::-1].index(",") :] if "," in said[:-1] else said
+    is_placed = any(_is(each, "BE") for each in clause) and _is((spoken or [""])[-1], "AT")
+    if is_placed:
+        yield from _of_place(_phrase(clause) or _phrase(said))
+    elif _moves(_unskipped(said)) and not any(_is(each, "TOOL") for each in said):
+        yield OTHER_PLACE
     yield from _quantity(said)
+
+
+def _unskipped(said: Sequence[str]) -> list[str]:
+    return [each for each in said if not _is(each, "SKIPPED")]
+
+
+def _moves(said: Sequence[str]) -> bool:
+    """Whether a sentence begins with a place that is not the tool, and says how that moves or where it lies: "The elbow moves with"."""
+    is_other = bool(said) and (_is(said[0], "OTHER") or _is(said[0], "MIDDLE"))
+    return is_other and any(_is(each, "MOVES") for each in said[1:4])
+
+
+def _of_two_frames(said: Sequence[str]) -> Iterator[str]:
+    """Yield between which frames a transform leads: from frame 0 to frame 1."""
+    numbers = [
+        (place, number)
+        for place, word in enumerate(said)
+        if _is(word, "NUMBERED") and (number := _number(said[place : place + 2]))
+    ]
+    if len(numbers) != 2:
+        return
+    (first, one), (second, other) = numbers
+    if said[first - 1] in ("from", "du", "von", "dal", "del") and said[second - 1] in (
+        "to",
+        "into",
+        "au",
+        "vers",
+        "nach",
+        "zum",
+        "al",
+    ):
+        yield f"{LINK} {other}" if one == "0" else OTHER_BASE
 
 
 def _of_place(phrase: Sequence[str]) -> Iterator[str]:
@@ -85,8 +125,8 @@ def _number(phrase: Sequence[str]) -> str:
         if not _is(word, "NUMBERED"):
             continue
         before, behind = phrase[place - 1] if place else "", phrase[place + 1] if place + 1 < len(phrase) else ""
-        if (digit := behind.removeprefix("¤").strip()).isdigit():
-            return digit
+        if (found := _NUMBER.fullmatch(behind)) is not None:
+            return found[1]
         if before in _ORDINALS:
             return str(_ORDINALS[before])
     return ""
@@ -94,14 +134,22 @@ def _number(phrase: Sequence[str]) -> str:
 
 def _seen_from(said: Sequence[str], place: int) -> Iterator[str]:
     """Yield that something is seen from another thing than the base, or that it is a relative velocity."""
-    if any(_is(each, "QUANTITY") for each in (*said[max(0, place - 1) : place], *said[place + 1 : place + 2])):
+    is_first = not any(_is(each, "QUANTITY") for each in said[: max(0, place - 1)])
+    if is_first and any(
+        _is(each, "QUANTITY") for each in (*said[max(0, place - 1) : place], *said[place + 1 : place + 2])
+    ):
         yield OTHER_PLACE
         return
-    behind = said[place + 1 : place + 6]
+    behind = [*said[place + 1 : place + 6]]
+    end = next(
+        (k for k, each in enumerate(behind) if each in _ENDS or _is(each, "BE") or each in ("by", "durch", "par")),
+        len(behind),
+    )
+    behind = behind[:end]
     for word in behind:
         if _is(word, "BASE") or word in _ENDS or (_is(word, "NUMBERED") and _number(behind) == "0"):
             return
-        if any(_is(word, each) for each in ("TOOL", "OTHER", "NUMBERED")):
+        if any(_is(word, each) for each in ("TOOL", "OTHER", "NUMBERED")) or (word in _ORDINALS and behind[-1] == word):
             yield OTHER_BASE
             return
 

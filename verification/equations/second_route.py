@@ -117,8 +117,8 @@ class SecondRoute:
         The arm reaches forwards there, and backwards elsewhere.
         """
         assert outcome.true is not None and outcome.printed is not None
-        sides = [self._named(side.node) for side in (outcome.true, outcome.printed)]
-        own = self.sampled_errors(outcome, branches) if any(map(is_distance, sides)) else None
+        below = (self._named(each) for side in (outcome.true, outcome.printed) for each in n.walk(side.node))
+        own = self.sampled_errors(outcome, branches) if any(map(is_distance, below)) else None
         if own is None or not all(e.on_a_branch(TOLERANCE) for e in self._for_other_lengths(outcome, branches)):
             return None
         return own.on_a_branch(TOLERANCE)
