@@ -17,11 +17,10 @@ from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
-from armproof.verification.verdict import Verdict
 
 _VELOCITIES = ("v", "V")
 _MOVING = (*_VELOCITIES, *"xyzpPXYZ")  # what has an acceleration
-_ROWS = 6  # of a Jacobian, and of a twist
+_TWIST = (6, 1)
 
 
 class OtherMeanings:
@@ -38,14 +37,9 @@ class OtherMeanings:
         if JACOBIAN in meant and JACOBIAN in written:
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=JACOBIAN))
         sides = (outcome.pair.true, outcome.pair.printed) if outcome.pair is not None else ()
-        if (
-            OMEGA_FIRST in meant
-            and written.isdisjoint(self.names.quantities)
-            and any(len(side.rows) == _ROWS for side in sides)
-        ):
-            is_twist = outcome.pair is not None and outcome.pair.true.shape[1] == 1
-            if is_twist or outcome.verdict is Verdict.REFUTED:  # a Jacobian is read in that order
-                return outcome.left_open(say(Kind.OMEGA_IS_FIRST))
+        is_twist = any(side.shape == _TWIST for side in sides)  # a Jacobian is read in that order
+        if OMEGA_FIRST in meant and is_twist and written.isdisjoint(self.names.quantities):
+            return outcome.left_open(say(Kind.OMEGA_IS_FIRST))
         written |= symbols_in(cell for side in sides for cell in side.cells if isinstance(cell, Scalar))
         for each in meant:
             letters = self._meant_by(each)

@@ -55,7 +55,9 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
             yield from _of_place(_phrase(said[behind:]))
         if _is(word, "IN") and place + 1 < len(said) and _OF_FRAME.fullmatch(said[place + 1]):
             yield OTHER_BASE
-        if _is(word, "FIXED") and any(_is(each, "OTHER") for each in _phrase(said[place + 2 : place + 5])):
+        if _is(word, "FIXED") and any(
+            _is(each, "OTHER") and not _is(each, "BASE") for each in _phrase(said[place + 2 : place + 5])
+        ):
             yield OTHER_PLACE
         if _is(word, "RELATIVE"):
             yield from _seen_from(said, place)

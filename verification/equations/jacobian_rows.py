@@ -76,6 +76,8 @@ class RowsOfJacobians:
         name = self.members.jacobian_name(true.node, True) if true is not None else None
         if outcome.verdict not in DECIDED or pair is None or name is None or printed is None:
             return outcome
+        if outcome.verdict is Verdict.REFUTED and name.key not in self.names.quantities and _is_turned(pair):
+            return outcome.left_open(say(Kind.OMEGA_IS_FIRST))
         if self.members.jacobian_name(name) is None:
             if self._is_of_the_plane(name):  # with its row of zeros, or without
                 rows = tuple(range(1, len(pair.true.rows) + 1))
@@ -92,8 +94,6 @@ class RowsOfJacobians:
             return outcome.left_open(say(Kind.ROWS_TOLD_OTHERWISE, name=name.text, rows=list(before or ())))
         if before is None and len(rows) == 1 < pair.true.shape[1]:  # a row is missing, or one alone is meant
             return outcome.left_open(say(Kind.ONE_ROW, name=name.text))
-        if outcome.verdict is Verdict.REFUTED and name.key not in self.names.quantities and _is_turned(pair):
-            return outcome.left_open(say(Kind.OMEGA_IS_FIRST))
         if len(outcome.wrong) > len(pair.true.cells) / 2 or _is_beside_zeros(outcome):
             return outcome
         is_matrix = isinstance(bare(printed.node), n.Matrix)
