@@ -11,11 +11,14 @@ from armproof.verification.conditions.other_meanings import OtherMeanings
 from armproof.verification.document import Display
 from armproof.verification.document.other_meanings import FRAME
 from armproof.verification.document.sentences import not_known_in, quoted
+from armproof.verification.document.subjects import WRIST
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.conventions import is_usual
 from armproof.verification.verdict import DECIDED, Verdict
+
+PLANAR_WITH_HAND = 3  # joints: two place the wrist, the last turns the hand
 
 
 class WordsAround:
@@ -50,7 +53,16 @@ class WordsAround:
     def _is_of_other_frame(self, display: Display) -> bool:
         """Whether the sentence beside a display is of the origin of another frame than the last."""
         frames = {each.partition(" ")[2] for each in display.meant if each.startswith(FRAME)}
-        return self.names.arm is not None and bool(frames - {self.names.arm.frames[-1]})
+        arm = self.names.arm
+        return arm is not None and bool(frames - {arm.frames[-1] if self._has_hand() else WRIST, arm.frames[-1]})
+
+    def _has_hand(self) -> bool:
+        """Whether the arm has joints behind its wrist: more than three, or three in the plane x, y."""
+        arm = self.names.arm
+        if arm is None or len(arm.joints) != PLANAR_WITH_HAND:
+            return arm is not None and len(arm.joints) > PLANAR_WITH_HAND
+        whole = self.circumstances.checker.exact.jacobian(arm.frames[-1], arm.frames[0])
+        return all(cell.is_zero() for row in whole.rows[2:5] for cell in row)
 
     def _is_in_base(self, name: n.Name) -> bool:
         """Whether a name is taken as of the base, and no index and no front matter says so."""

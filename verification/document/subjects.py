@@ -11,6 +11,7 @@ from functools import cache
 
 OTHER_PLACE = "other place"  # neither the tool, nor a link or frame with a number
 LINK = "link"  # with its number: the frame at its far end
+WRIST = "wrist"  # a link where the arm has a hand behind it
 OTHER_BASE = "other base"  # seen from what is not the base
 OPERATED = "operated"  # with the letters of what is transposed, inverted, or differentiated
 ACCELERATION = "acceleration"
@@ -21,7 +22,8 @@ QUANTITY position~ coordinate~ location~ velocit~ speed~ acceleration~ jacobi~ p
 OF of for du de d' des del della dell' dello der do da
 SKIPPED the a an la le l' les el il lo das die den dem un une uno una its his this that unit~ linear angular linéaire angulaire geometric géométrique geometrischen velocity vector vecteur vektor point punkt punto planar spatial whole
 TOOL tip tool~ tcp effector end-effector end endpoint hand gripper~ robot~ arm arms manipulator~ mechanism~ chain flange pen outil~ effecteur organe extrémité bout bras pince main bras manipulateur~ endeffektor~ effektor~ werkzeug~ greifer~ roboter~ arms ende spitze extremo efector herramienta pinza brazo manipulador~ organo utensile estremo estremità braccio effettore ferramenta efetuador~ garra braço origin origine ursprung origen position pose
-OTHER knee knie rodilla ginocchio genou hip ankle elbow~ joint shoulder~ base camera~ load payload~ motor~ mass masses gravity centroid~ articulation giunto gelenk gelenks articulación midpoint~ mid-point~ forearm upper-arm wrist~ counterweight~ sensor~ obstacle~ ground crank~ carriage~ coude épaule~ base caméra charge moteur~ gravité barycentre~ inertie poignet avant-bras ellbogen~ ellenbogen~ schulter~ basis kamera~ motors schwerpunkt~ masse massenmittelpunkt~ unterarm~ handgelenk~ codo hombro cámara carga gravedad masas muñeca antebrazo gomito spalla baricentro massa polso avambraccio carico cotovelo ombro pulso antebraço
+OTHER knee knie rodilla ginocchio genou hip ankle elbow~ joint shoulder~ base camera~ load payload~ motor~ mass masses gravity centroid~ articulation giunto gelenk gelenks articulación midpoint~ mid-point~ forearm upper-arm counterweight~ sensor~ obstacle~ ground crank~ carriage~ coude épaule~ base caméra charge moteur~ gravité barycentre~ inertie avant-bras ellbogen~ ellenbogen~ schulter~ basis kamera~ motors schwerpunkt~ masse massenmittelpunkt~ unterarm~ codo hombro cámara carga gravedad masas antebrazo gomito spalla baricentro massa avambraccio carico cotovelo ombro antebraço
+WRIST wrist~ poignet~ handgelenk~ muñeca polso pulso
 MIDDLE centre center middle milieu mitte mittelpunkt~ centro medio mezzo meio half
 NUMBERED link links frame frames segment~ body bodies rod bar repère~ corps solide~ maillon~ bras segment~ glied~ glieds gliedes koordinatensystem~ system eslabón cuerpo marco braccio membro corpo terna elo
 ORDINAL first second third fourth premier première deuxième second seconde troisième ersten zweiten dritten primer primero segundo tercer primo secondo terzo primeiro terceiro
@@ -115,6 +117,9 @@ def _of_place(phrase: Sequence[str]) -> Iterator[str]:
         if _is(word, "OTHER") or is_half_way:
             yield OTHER_PLACE
             return
+        if _is(word, "WRIST"):
+            yield f"{LINK} {WRIST}"
+            return
         if _is(word, "TOOL") or _is(word, "NUMBERED"):
             if number:
                 yield f"{LINK} {number}"
@@ -151,7 +156,9 @@ def _seen_from(said: Sequence[str], place: int) -> Iterator[str]:
     for word in behind:
         if _is(word, "BASE") or word in _ENDS or (_is(word, "NUMBERED") and _number(behind) == "0"):
             return
-        if any(_is(word, each) for each in ("TOOL", "OTHER", "NUMBERED")) or (word in _ORDINALS and behind[-1] == word):
+        if any(_is(word, each) for each in ("TOOL", "OTHER", "WRIST", "NUMBERED")) or (
+            word in _ORDINALS and behind[-1] == word
+        ):
             yield OTHER_BASE
             return
 
