@@ -147,8 +147,10 @@ class Circumstances:
         lengths = [value_of(name, each.node) for name, each in stated.items() if name in self.given.lengths]
         if lengths and (again := self._together(lengths, implication, judged)) is not None:
             return replace(again, equation=judged.equation)
-        given = self.names.state.told.conditions
-        if given and any(self._together([*lengths, *each], implication, judged) for each in postures_of(given)):
+        told = self.names.state.told
+        given = [told.conditions, (*told.earlier, *told.conditions)] if told.conditions else []
+        postures = dict.fromkeys(posture for each in given for posture in postures_of(each))
+        if any(self._together([*lengths, *each], implication, judged) for each in postures):
             return judged.left_open(say(Kind.HOLDS_AS_TOLD))
         return judged
 

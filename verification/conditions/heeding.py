@@ -227,10 +227,20 @@ class Heeding:
         over = [key for key in state.configuration if key in names or (moves and key not in self.given.lengths)]
         ended = [(key, value_of(key, state.configuration.pop(key).node)) for key in over]
         if conditions or in_words:
-            earlier = tuple(value for key, value in ended if key not in names)
+            earlier = tuple(value for key, value in ended if key not in names) + self._of_lengths(held)
             state.told = Told(
                 tuple(conditions), earlier, in_words, line=line, section=state.section, holds_below=not moves
             )
+
+    def _of_lengths(self, held: set[str]) -> tuple[n.Chain, ...]:
+        """Return the conditions on lengths that the text gave before under the same heading, and does not give anew."""
+        told = self.names.state.told
+        if told.section != self.names.state.section:
+            return ()
+        found = (
+            (each, {b.key for b in n.walk(each) if isinstance(b, n.Name)}) for each in (*told.earlier, *told.conditions)
+        )
+        return tuple(each for each, keys in found if keys.isdisjoint((*held, *self.given.joints, "q", "theta")))
 
     def conditions_of(self, chain: n.Chain) -> Iterator[n.Chain]:
         """Yield the values that an equation gives, or itself where it is one of joints and lengths that is no identity."""

@@ -597,6 +597,13 @@ AT_VALUES = """
 """
 # -- another point, frame, origin or axis than the tool's in the base
 
+ASKED_FOR = """
+^ (question/exercise/exercice/aufgabe/frage/ejercicio/esercizio) (#) (.) (:) give/find/compute/calculate/determine/derive/show/express/write/state
+^ (question/exercise/exercice/aufgabe/frage/ejercicio/esercizio) (#) (.) (:) donner/donnez/calculer/calculez/déterminer/déterminez/montrer/montrez/exprimer/exprimez/trouver/trouvez/établir/écrire
+^ (question/exercise/exercice/aufgabe/frage/ejercicio/esercizio) (#) (.) (:) bestimme/bestimmen/berechne/berechnen/zeige/zeigen/gib/ermitteln
+^ (question/exercise/exercice/aufgabe/frage/ejercicio/esercizio) (#) (.) (:) calcular/calcule/hallar/halle/determinar/determine/demostrar/encontrar
+^ (question/exercise/exercice/aufgabe/frage/ejercicio/esercizio) (#) (.) (:) calcolare/calcola/trovare/trova/determinare/determina/mostrare/ricavare
+"""
 OTHER_POINT = """
 position/positions/coordinate/coordinates/height/heights/abscissa~/ordinate~/location/velocity/speed/jacobian/coordonnées/hauteur/abscisse/ordonnée/vitesse/posición/coordenadas/velocidad of/du/del (the) elbow/coude/codo
 elbow/elbow' (s) itself/position/coordinates/height/velocity/speed

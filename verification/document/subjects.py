@@ -22,8 +22,8 @@ QUANTITY position~ coordinate~ location~ velocit~ speed~ acceleration~ jacobi~ p
 OF of for du de d' des del della dell' dello der do da
 SKIPPED the a an la le l' les el il lo das die den dem un une uno una its his this that unit~ linear angular linéaire angulaire geometric géométrique geometrischen velocity vector vecteur vektor point punkt punto planar spatial whole
 TOOL tip tool~ tcp effector end-effector end endpoint hand gripper~ robot~ arm arms manipulator~ mechanism~ chain flange pen outil~ effecteur organe extrémité bout bras pince main bras manipulateur~ endeffektor~ effektor~ werkzeug~ greifer~ roboter~ arms ende spitze extremo efector herramienta pinza brazo manipulador~ organo utensile estremo estremità braccio effettore ferramenta efetuador~ garra braço origin origine ursprung origen position pose
-OTHER knee knie rodilla ginocchio genou hip ankle elbow~ joint shoulder~ base camera~ load payload~ motor~ mass masses gravity centroid~ articulation giunto gelenk gelenks articulación midpoint~ mid-point~ forearm upper-arm counterweight~ sensor~ obstacle~ ground crank~ carriage~ coude épaule~ base caméra charge moteur~ gravité barycentre~ inertie avant-bras ellbogen~ ellenbogen~ schulter~ basis kamera~ motors schwerpunkt~ masse massenmittelpunkt~ unterarm~ codo hombro cámara carga gravedad masas antebrazo gomito spalla baricentro massa avambraccio carico cotovelo ombro antebraço
-WRIST wrist~ poignet~ handgelenk~ muñeca polso pulso
+OTHER knee knie rodilla ginocchio genou hip ankle elbow~ joint shoulder~ base camera~ load payload~ motor~ mass masses gravity centroid~ articulation giunto gelenk gelenks articulación midpoint~ mid-point~ upper-arm counterweight~ sensor~ obstacle~ ground crank~ carriage~ coude épaule~ base caméra charge moteur~ gravité barycentre~ inertie ellbogen~ ellenbogen~ schulter~ basis kamera~ motors schwerpunkt~ masse massenmittelpunkt~ codo hombro cámara carga gravedad masas gomito spalla baricentro massa carico cotovelo ombro
+WRIST forearm avant-bras unterarm~ antebrazo avambraccio antebraço wrist~ poignet~ handgelenk~ muñeca polso pulso
 MIDDLE centre center middle milieu mitte mittelpunkt~ centro medio mezzo meio half
 NUMBERED link links frame frames segment~ body bodies rod bar repère~ corps solide~ maillon~ bras segment~ glied~ glieds gliedes koordinatensystem~ system eslabón cuerpo marco braccio membro corpo terna elo
 ORDINAL first second third fourth premier première deuxième second seconde troisième ersten zweiten dritten primer primero segundo tercer primo secondo terzo primeiro terceiro
@@ -32,6 +32,11 @@ BE is are reads becomes equals est sont s'écrit vaut ist lautet liegt sind es e
 AT at in en bei liegt auf em
 RELATIVE relative relativ relativa relativo respect rapport seen vue bezüglich respecto rispetto
 IN in dans im en nel nella no
+AXES axes axis frame coordinates repère~ achsen koordinaten ejes assi eixos
+ALONG in into along onto to on dans selon sur suivant im in entlang en según nel nella negli lungo nos
+FROM from du von dal del do
+TO to into au vers nach zum al ao
+TURNS turns turn rotates rotate moves move tourne pivote déplace dreht bewegt gira mueve ruota muove roda
 MOVES moves move sits lies travels has have stands rests déplace trouve bewegt befindet liegt hat mueve encuentra está trova muove encontra move-se
 FIXED fixed attached mounted fixée fixé montée monté attachée attaché befestigt montiert fijada fijado montada montado fissata fissato montata
 TRANSPOSED transpose~ inverse inversed inverted pseudo-inverse~ pseudoinverse~ negative transposée~ opposé~ transponierte~ inverse~ inversa trasposta traspuesta~ transpuesta~ transposta pseudoinversa
@@ -48,13 +53,15 @@ _ENDS = frozenset(",:.;!?")
 
 def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
     """Yield of what a sentence, with its words and formulas, says the display to be that it leads to."""
-    said = words.lower().split()
+    said = words.lower().replace("upper arm", "upper-arm").split()
     numbers = iter(formulas)
     said = [f"¤{next(numbers, '')}" if each == "¤" else each for each in said]
     for place, word in enumerate(said):
         if _is(word, "QUANTITY") and any(_is(each, "OF") for each in said[place + 1 : place + 3]):
             behind = next(k for k in (place + 1, place + 2) if _is(said[k], "OF")) + 1
             yield from _of_place(_phrase(said[behind:]))
+        if _is(word, "AXES") and any(_is(each, "ALONG") for each in said[max(0, place - 3) : place]):
+            yield from _along(said[place + 1 :])
         if _is(word, "IN") and place + 1 < len(said) and _OF_FRAME.fullmatch(said[place + 1]):
             yield OTHER_BASE
         if _is(word, "FIXED") and any(
@@ -74,36 +81,46 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
     yield from _quantity(said)
 
 
+def _along(behind: Sequence[str]) -> Iterator[str]:
+    """Yield that components are along the axes of something else than the base: of the forearm, $x_2$."""
+    if not behind:
+        return
+    phrase = _phrase(behind[1:5]) if _is(behind[0], "OF") else []
+    is_numbered = behind[0].startswith("¤") and (found := _NUMBER.fullmatch(behind[0])) is not None and found[1] != "0"
+    is_of_other = any(_is(each, kind) for each in phrase for kind in ("TOOL", "OTHER", "WRIST")) or _number(
+        phrase
+    ) not in ("", "0")
+    if is_numbered or (is_of_other and not any(_is(each, "BASE") for each in phrase)):
+        yield OTHER_BASE
+
+
 def _unskipped(said: Sequence[str]) -> list[str]:
     return [each for each in said if not _is(each, "SKIPPED")]
 
 
 def _moves(said: Sequence[str]) -> bool:
-    """Whether a sentence begins with a place that is not the tool, and says how that moves or where it lies: "The elbow moves with"."""
-    is_other = bool(said) and (_is(said[0], "OTHER") or _is(said[0], "MIDDLE"))
-    return is_other and any(_is(each, "MOVES") for each in said[1:4])
+    """Whether a sentence says how a place that is not the tool moves, or begins with one and says where it lies: "The elbow moves with"."""
+    for place, word in enumerate(said):
+        is_other = _is(word, "OTHER") or (_is(word, "MIDDLE") and place == 0)
+        if is_other and any(
+            _is(each, "TURNS") or (_is(each, "MOVES") and place == 0) for each in said[place + 1 : place + 4]
+        ):
+            return True
+    return False
 
 
 def _of_two_frames(said: Sequence[str]) -> Iterator[str]:
-    """Yield between which frames a transform leads: from frame 0 to frame 1."""
-    numbers = [
-        (place, number)
-        for place, word in enumerate(said)
-        if _is(word, "NUMBERED") and (number := _number(said[place : place + 2]))
-    ]
-    if len(numbers) != 2:
+    """Yield to which frame a transform leads from the base, or that it leads from another: from frame 0 to frame 1."""
+    begins = [place for place, word in enumerate(said) if _is(word, "FROM")]
+    ends = [place for place, word in enumerate(said) if _is(word, "TO") and begins and place > begins[0]]
+    if not ends or not any(_is(each, "NUMBERED") for each in said):
         return
-    (first, one), (second, other) = numbers
-    if said[first - 1] in ("from", "du", "von", "dal", "del") and said[second - 1] in (
-        "to",
-        "into",
-        "au",
-        "vers",
-        "nach",
-        "zum",
-        "al",
-    ):
-        yield f"{LINK} {other}" if one == "0" else OTHER_BASE
+    source, target = _phrase(said[begins[0] + 1 : ends[0]]), _phrase(said[ends[0] + 1 :])
+    number = _number(target)
+    if _number(source) == "0" or any(_is(each, "BASE") for each in source):
+        yield from [f"{LINK} {number}"] if number else []
+    elif _number(source) and number:
+        yield OTHER_BASE
 
 
 def _of_place(phrase: Sequence[str]) -> Iterator[str]:

@@ -62,6 +62,8 @@ class SecondRoute:
         elif self._fails_for_lengths(outcome, branches):
             if self.on_a_branch(outcome, errors, branches):
                 return outcome
+            if (counts := self._on_a_branch_for_others(outcome, branches)) is not None:
+                return outcome.left_open(say(Kind.SIGNED_DISTANCE, holding=counts[0], configurations=counts[1]))
             self._refute(outcome, errors.places, branches)
             outcome.findings = outcome.findings or (say(Kind.FOR_THESE_LENGTHS),)
         else:
@@ -241,6 +243,15 @@ class SecondRoute:
         outcome.samples, outcome.max_error = holding.samples, holding.largest
         outcome.findings = (say(Kind.ON_A_BRANCH, holding=counts[0], configurations=counts[1]),)
         return True
+
+    def _on_a_branch_for_others(self, outcome: Outcome, branches: bool) -> tuple[int, int] | None:
+        """Return at how many of how many configurations it holds for the lengths for which it is a branch; None where for some it is none.
+
+        With ψ = arctan(k_2 / k_1) the sign of k_1, which is that of cos ψ, changes only where l_2 > l_1.
+        """
+        others = [e for e in self._for_other_lengths(outcome, branches) if e.wrong(TOLERANCE)]
+        counts = [e.on_a_branch(TOLERANCE) for e in others]
+        return counts[0] if counts and all(counts) else None
 
     def is_solved_for(self, node: n.Node, by: n.Node) -> bool:
         """Whether a left side is what inverse kinematics solves for: a joint variable, a sum of such, or cos, sin, tan of it.
