@@ -117,7 +117,7 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
         heard.append(OTHER_POINT)
     if says("OTHER_FRAME", words):
         heard.append(OTHER_FRAME)
-    if IS_OVER.search(sentence) is None or hears("ASKED_FOR", words):
+    if IS_OVER.search(sentence) is None or hears("ASKED_FOR", words_of(_ARGUMENTS.sub(" ", sentence))):
         heard += _subjects(sentence, words)
     if DENIED not in heard and is_strange_before(_plain(sentence)):
         heard.append(STRANGE + sentence)
