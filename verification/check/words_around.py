@@ -68,7 +68,7 @@ class WordsAround:
         """Whether a name is taken as of the base, and no index and no front matter says so."""
         return (
             name.key not in self.names.quantities
-            and self.names.quantity(name) is not None
+            and self.names.quantity(replace(name, dots=0)) is not None
             and not re.search(r"\^|_[bs]\b", name.key)
         )
 

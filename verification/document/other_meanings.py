@@ -12,10 +12,11 @@ from math import inf
 
 from armproof.verification.document.hearing import MOST_CHARACTERS, hears, hears_denied, says, with_axes, words_of
 from armproof.verification.document.model import Display, Document
+from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, subjects
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
     r"horizontal|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
-    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from"
+    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|transpos|invers|masse?\b|gravit|bar[iy]c|schwerp|acc[eé]l|beschl|jacobi|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from"
 )
 _SENTENCE = re.compile(r"(?:\$[^$\n]+\$|\\[;!]|[^.;!?\n]|[.;!?](?!\s)|\n(?![^\S\n]*\n))+[.;!?]?")
 _SHOWN = re.compile(  # what is no sentence
@@ -39,6 +40,11 @@ _OMEGA_ABOVE = re.compile(  # (ω, v), [ω; v]
     r"(?:[(\[]|matrix\})\s*(?:\\(?:boldsymbol|mathbf|vec|bm)\s*\{?\s*)?\\omega\b(?:_\w)?\}?(?:\^T)?\s*(?:,|;|&|\\\\)\s*(?:\\[,;: ])?(?:\\(?:boldsymbol|mathbf|vec|bm|dot)\s*\{?\s*)?[vp]\b"
 )
 _ANGLE = re.compile(r"\\(?!hat|vec)[a-z]+(?:_\{?\w\}?)?|(?:q|t)_\{?\d\}?")  # α, θ_1, q_2
+_TELLS = re.compile(  # what a sentence begins with that is of the display beside it
+    r"(?:where |here |où |wobei |donde |dove |onde )?(?:this|these|that|which|it|¤|ce|c'|cela|ceci|das|dies|esto|questo|isto)"
+    r" (?:is|are|denotes|gives|est|sont|désigne|donne|ist|sind|es|son|è|sono|é)\b",
+    re.IGNORECASE,
+)
 _PLURAL = re.compile(
     r"\b(?:angles|(?:second|third|last|elbow|other) angle|both|all|each|every|chaque|rotations?|turns|positi[fv]e?|winkel|ángulos|deux|number(?:ed)?|roles)\b",
     re.IGNORECASE,
@@ -53,12 +59,12 @@ _NEAR_ABOVE, _NEAR_BELOW = 4, 8  # lines between a sentence and a display beside
 
 @dataclass(frozen=True)
 class Meaning:
-    """What a sentence says on a line: letters that have another meaning, the frame whose origin it is of, the order of rotations, another point, frame or origin."""
+    """What a sentence says on a line: letters that have another meaning, the frame whose origin it is of, what it is of `beside`, another point, frame or origin."""
 
     line: int
     letters: tuple[str, ...] = ()
     frame: str = ""
-    turns: str = ""
+    beside: str = ""
     is_place: bool = False
     is_origin: bool = False
 
@@ -91,8 +97,8 @@ def _with(display: Display, said: Iterable[tuple[Meaning, int, float]]) -> Displ
         is_near = is_near and begins <= display.line < ends
         if each.frame and is_near:
             letters.append(f"{FRAME} {each.frame}")
-        if each.turns and is_near:
-            letters.append(f"{TURNS} {each.turns}")
+        if each.beside and is_near:
+            letters.append(each.beside)
         if each.letters and (display.line >= begins or display.file):
             letters += each.letters
         is_elsewhere |= each.is_place and is_near
@@ -115,7 +121,11 @@ def _meanings(text: str) -> Iterator[Meaning]:
         if (frame := _OF_FRAME.search(words)) is not None:
             yield Meaning(line, frame=frame[1])
         if turns := _turns(plain, words):
-            yield Meaning(line, turns=turns)
+            yield Meaning(line, beside=f"{TURNS} {turns}")
+        if _TELLS.match(words):
+            for heard in subjects(words, formulas):
+                of_place = heard in (OTHER_PLACE, OTHER_BASE)
+                yield Meaning(line, is_place=True) if of_place else Meaning(line, beside=heard)
         is_over = words.rstrip()[-1:] in ".!"
         if is_over and any(says(each, words) for each in ("OTHER_POINT", "OTHER_FRAME")):
             yield Meaning(line, is_place=True)

@@ -605,7 +605,7 @@ ASKED_FOR = """
 ^ (question/exercise/exercice/aufgabe/frage/ejercicio/esercizio) (#) (.) (:) calcolare/calcola/trovare/trova/determinare/determina/mostrare/ricavare
 """
 OTHER_POINT = """
-position/positions/coordinate/coordinates/height/heights/abscissa~/ordinate~/location/velocity/speed/jacobian/coordonnées/hauteur/abscisse/ordonnée/vitesse/posición/coordenadas/velocidad of/du/del (the) elbow/coude/codo
+height/heights/abscissa~/ordinate~/hauteur/abscisse/ordonnée of/du/del (the) elbow/coude/codo
 elbow/elbow' (s) itself/position/coordinates/height/velocity/speed
 elbow/coude/codo/ellbogen is/lies/sits/has/est/se/a/está/tiene/liegt at/bei/en/in/position/velocity/height/with/pour/by/trouve/situe/given
 elbow/coude/codo/ellbogen is/lies/has/est/está $

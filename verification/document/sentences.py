@@ -60,6 +60,7 @@ _ARGUMENTS = re.compile(  # \begin{frame}<2->[fragile]{Title}, \section{Inverse}
     r"\\begin\s*\{\w+\*?\}(?:<[^<>]*>|\[[^\[\]]*\]|\{[^{}]*\})*|\\(?:(?:sub)*section|chapter|paragraph|label|\w*ref|cite|includegraphics|caption|[vh]space|setcounter)\*?"
     r"(?:\[[^\[\]]*\])?\{[^{}]*\}|!\[[^\[\]]*\]\([^()]*\)|<[^<>\s][^<>]{0,200}>"
 )
+_MOST_OF_LABEL = 4  # words with their stop: "The elbow."
 MOST_KNOWN = 4096  # sentences, so that those of a text that is read again are heard once
 _LONGEST_QUOTED = 40  # characters of a formula in one that is quoted
 
@@ -117,7 +118,8 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
         heard.append(OTHER_POINT)
     if says("OTHER_FRAME", words):
         heard.append(OTHER_FRAME)
-    if IS_OVER.search(sentence) is None or hears("ASKED_FOR", words_of(_ARGUMENTS.sub(" ", sentence))):
+    is_label = words.count(" ") <= _MOST_OF_LABEL
+    if is_label or IS_OVER.search(sentence) is None or hears("ASKED_FOR", words_of(_ARGUMENTS.sub(" ", sentence))):
         heard += _subjects(sentence, words)
     if DENIED not in heard and is_strange_before(_plain(sentence)):
         heard.append(STRANGE + sentence)
@@ -127,6 +129,16 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
     if found is not None and is_of_singularities(sentence[: found.start()].rstrip()):
         heard.append(SINGULAR)
     return tuple(heard)
+
+
+@lru_cache(maxsize=MOST_KNOWN)
+def said_of_place(text: str) -> tuple[str, ...]:
+    """Return of what place or quantity a heading is, or words within a display."""
+    words = words_of(text)
+    heard = [
+        marker for marker, name in ((OTHER_POINT, "OTHER_POINT"), (OTHER_FRAME, "OTHER_FRAME")) if says(name, words)
+    ]
+    return (*heard, *_subjects(text, words))
 
 
 def _subjects(sentence: str, words: str) -> Iterator[str]:

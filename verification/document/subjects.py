@@ -16,6 +16,8 @@ OTHER_BASE = "other base"  # seen from what is not the base
 OPERATED = "operated"  # with the letters of what is transposed, inverted, or differentiated
 ACCELERATION = "acceleration"
 
+MOST_OF_LABEL = 2  # words of one that stands alone before a display: "Elbow:"
+
 # A line is a class and its words; ~ ends a stem.
 _CLASSES = """
 QUANTITY position~ coordinate~ location~ velocit~ speed~ acceleration~ jacobi~ pose poses orientation~ rotation~ attitude~ twist~ transform~ coordonnée~ vitesse~ accélération~ situation lage koordinaten geschwindigkeit~ winkelgeschwindigkeit~ beschleunigung~ orientierung~ stellung posición posiciones coordenadas velocidad~ aceleración orientación rotación posizione coordinate velocità accelerazione orientamento rotazione posição velocidade aceleração orientação rotação matrice~ matrix matriz
@@ -32,6 +34,7 @@ BE is are reads becomes equals est sont s'écrit vaut ist lautet liegt sind es e
 AT at in en bei liegt auf em
 RELATIVE relative relativ relativa relativo respect rapport seen vue bezüglich respecto rispetto
 IN in dans im en nel nella no
+KIND manipulator~ robot~ arm arms configuration~ type singularit~
 AXES axes axis frame coordinates repère~ achsen koordinaten ejes assi eixos
 ALONG in into along onto to on dans selon sur suivant im in entlang en según nel nella negli lungo nos
 FROM from du von dal del do
@@ -70,6 +73,13 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
             yield OTHER_PLACE
         if _is(word, "RELATIVE"):
             yield from _seen_from(said, place)
+    label = [each for each in _unskipped(said) if each not in _ENDS]
+    if (
+        0 < len(label) <= MOST_OF_LABEL
+        and "joint" not in label
+        and not any(_is(e, k) for e in label for k in ("BE", "QUANTITY"))
+    ):
+        yield from _of_place(label)
     yield from _of_two_frames(said)
     spoken = [each for each in said if each not in _ENDS]
     clause = said[len(said) - 1 - said[:-1][::-1].index(",") :] if "," in said[:-1] else said
@@ -126,7 +136,9 @@ def _of_two_frames(said: Sequence[str]) -> Iterator[str]:
 def _of_place(phrase: Sequence[str]) -> Iterator[str]:
     """Yield of what place a phrase is, by the first noun in it that tells: "end of the first link" is link 1."""
     number = _number(phrase)
-    for word in phrase:
+    for word, behind in zip(phrase, (*phrase[1:], ""), strict=True):
+        if _is(word, "OTHER") and _is(behind, "KIND"):  # the elbow manipulator
+            return
         if (found := _POINT.fullmatch(word.removeprefix("¤"))) and word.startswith("¤"):
             yield f"{LINK} {found[1]}"
             return

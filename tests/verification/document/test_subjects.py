@@ -69,11 +69,29 @@ def verdicts(text: str, display: str, head: str = "---\narm: planar_2r\n---\n") 
         (R, "The orientation of link 2 is", "The orientation of link 1 is"),
         (R, "L'orientation du second corps est", "L'orientation du second corps par rapport au premier est"),
         (V, "The velocity is", "The acceleration is"),
+        (V, "## Velocity of the tool", "## Velocity of the centre of mass"),
+        (V, "## Jacobian of the elbow manipulator", "## In the frame of link 2"),
+        (V, "Tool:", "**Elbow.**"),
+        (V, "Question 2. Give the velocity of the tip.", "Question 2. Give the velocity of the elbow."),
+        (V, "The rate at which the hand moves is", "The rate at which the elbow moves is"),
+        (V, "Along the axes of the base the velocity is", "Along the axes of the hand the velocity is"),
         (V, "La velocità della pinza è", "La velocità del baricentro è"),
     ],
 )
 def test_what_is_of_another_point_frame_or_quantity_is_left_open(display: str, right: str, wrong: str) -> None:
     assert [verdicts(each, display) for each in (right, wrong)] == [["proved"], ["unchecked"]]
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong"),
+    [
+        (r"\quad \text{(tip)}", r"\quad \text{(elbow)}"),
+        (r"\tag{tip}", r"\tag{elbow}"),
+        ("$$\n\nThis is the velocity of the tip.\n\n$$ a = a", "$$\n\nThis is the velocity of the centre of mass.\n\n$$ a = a"),
+    ],
+)  # fmt: skip
+def test_words_in_a_display_and_behind_it_tell_of_what_it_is(right: str, wrong: str) -> None:
+    assert [verdicts("", f"{V} {each}")[0] for each in (right, wrong)] == ["proved", "unchecked"]
 
 
 @pytest.mark.parametrize(
