@@ -725,10 +725,10 @@ linear/translational (velocity/velocities/part/block/component/components/rows) 
 first/zuerst/primero/prima come/comes/stand/stands … angular~/rotation~/winkel~/angolar~
 on top stand/stands/come/comes/is/are (the) angular
 rows 1 to/- 3 … angular/rotational/rotation
-oben … winkelgeschwindigkeit~/drehgeschwindigkeit~
-en haut … angulaire~
-arriba … angular
-in alto … angolare
+oben steht/stehen/ist/kommt/kommen (die) winkelgeschwindigkeit~/drehgeschwindigkeit~
+en haut (se) est/trouve/figure/vient (la) (vitesse/partie) angulaire
+arriba está/va/queda (la) (velocidad/parte) angular
+in alto sta/è/va (la) (velocità/parte) angolare
 angulaire~/rotation … haut/dessus/au-dessus/abord/premier/première/avant
 angulaire~ (,) puis/ensuite/suivie/suivi (de/par/d') (la/les) (vitesse/vitesses/partie) linéaire~
 trois premières/premiers lignes/composantes … angulaire~/rotation
