@@ -20,7 +20,6 @@ from armproof.verification.conditions.implication import (
 from armproof.verification.conditions.implications import Implications, Judgement
 from armproof.verification.conditions.wording import is_alternative, is_concluded, tell_words_that_change
 from armproof.verification.display.claims import Claims
-from armproof.verification.display.claims_at_values import ClaimsAtValues
 from armproof.verification.display.prepared import asked, beside_arcs, of_all_joints, prepared
 from armproof.verification.equations.cells_left_out import with_cells
 from armproof.verification.equations.chain import ChainChecker
@@ -92,7 +91,6 @@ class Statements:
         self.names = checker.names
         self.ring = checker.exact.ring
         self.claims = Claims(checker)
-        self.at_values = ClaimsAtValues(self.claims)
 
     @cached_property
     def implications(self) -> Implications:
@@ -119,7 +117,8 @@ class Statements:
             statements = [of_all_joints(statement) for statement in statements]
         if len(statements) > 1 or any(isinstance(each, n.Chain) and len(each.members) > 2 for each in statements):
             statements = prepared(statements, self.names)
-        statements = [with_rank_first(statement) for statement in statements]
+        if any(map(n.is_rank, (member for each in statements if isinstance(each, n.Chain) for member in each.members))):
+            statements = [with_rank_first(statement) for statement in statements]
         told = self.names.state.told
         of_singularities = told.of_singularities and self._are_conditions(statements)
         if of_singularities and told.line == line and (found := self._of_singularities(statements, line)):
@@ -240,10 +239,10 @@ class Statements:
         given = dict(self.names.state.configuration)
         is_connected = display.is_connected
         alternative = is_connected and is_alternative(statements, index)
-        found = self.at_values.claim(chain, display.equation, display.line, display.define and not alternative)
+        found = self.claims.claim(chain, display.equation, display.line, display.define and not alternative)
         found = [outcome.unless_refuted(say(Kind.ONE_OF_TWO)) for outcome in found] if alternative else found
         under_words = is_connected and is_under_words(statements, index)
-        if under_words or any(map(self.claims.decision.given.places_joints, (each for _, each in display.stated))):
+        if under_words or any(map(self.claims.given.places_joints, (each for _, each in display.stated))):
             found = self._without_numbers(found)  # for θ_2 = π/2, w = 0
         if is_connected and is_concluded(statements, index):
             self.names.state.configuration = given  # what is concluded is no data

@@ -30,7 +30,7 @@ from armproof.verification.equations.rates import SPEAKS_OF_RATES, seen_from_fra
 from armproof.verification.equations.sides import Member
 from armproof.verification.equations.spellings import POINTS, Spellings
 from armproof.verification.equations.usual_judge import UsualJudge
-from armproof.verification.equations.usual_meanings import UsualMeanings, plain_name
+from armproof.verification.equations.usual_meanings import UsualMeanings
 from armproof.verification.errors import EvaluationError, ShapeError, TooComplex, UnboundName
 from armproof.verification.evaluation.blocks import partition, rows_of_letters, written_rows
 from armproof.verification.findings import Kind, say
@@ -53,10 +53,17 @@ class Conventions:
         self.equality = equality
         self.members = equality.members
         self.names = equality.names
-        self.meanings = UsualMeanings(self.members)
-        self.usual_judge = UsualJudge(equality, self.meanings)
         self.doubts = Doubts(self.names)
         self.before: dict[str, Quantity] = {}  # what names that stand alone in the chain meant
+
+    @cached_property
+    def meanings(self) -> UsualMeanings:
+        """Tells what names that only convention binds may mean; made where one is met."""
+        return UsualMeanings(self.members)
+
+    @cached_property
+    def _judge(self) -> UsualJudge:
+        return UsualJudge(self.equality, self.meanings)
 
     @cached_property
     def spellings(self) -> Spellings:
@@ -73,7 +80,7 @@ class Conventions:
         known = keys & self.names.state.conventional
         self.before = {key: self.names.state.inferred[key] for key in known if key in self.names.state.inferred}
         self.names.state.forget_usual(known)  # a name that stands alone is asked anew
-        for key in filter(self.meanings.usual, keys):
+        for key in filter(self.meanings.usual, keys) if self.names.state.usual else ():
             self.names.state.definitions.pop(key, None)
         self.take_coordinates(chain.members)
         members = (self.spellings.read(each) if _is_spelt(each) else each for each in chain.members)
@@ -110,7 +117,7 @@ class Conventions:
         Or what equations under others have, if that is always the same and what convention says first: B = p_z in a summary.
         """
         for place, member in enumerate(members):
-            name = plain_name(member.node)
+            name = n.plain_name(member.node)
             usual = (
                 self.meanings.shown(member.node, name)
                 if name is not None and isinstance(member.problem, UnboundName)
@@ -127,7 +134,7 @@ class Conventions:
         """p = (X, Y, 0)^T: a usual name beside nothing but letters and numbers, of its size, is what it usually is."""
         sizes = [(len(rows), len(rows[0])) for each in members if (rows := rows_of_letters(each.node))]
         for place, member in enumerate(members):
-            name = plain_name(member.node)
+            name = n.plain_name(member.node)
             for quantity in (
                 self.meanings.candidates(member.node, name) if sizes and name is not None and is_usual(name) else ()
             ):
@@ -139,7 +146,7 @@ class Conventions:
 
     def _bound_inside(self, member: Member) -> Member:
         """A formula's coordinates and points are those of the tool, where they can hardly be anything else."""
-        if not isinstance(member.problem, UnboundName) or plain_name(member.node) is not None:
+        if not isinstance(member.problem, UnboundName) or n.plain_name(member.node) is not None:
             return member
         between = [each for each in n.walk(member.node) if isinstance(each, n.Name) and "to" in each.sub]  # O_2O_3
         of_names = any(isinstance(bare(cell), n.Name) for row in written_rows(member.node) for cell in row)
@@ -151,7 +158,7 @@ class Conventions:
             self.names.state.forget_usual(added)
             return member
         inferred = self.names.state.inferred
-        open_ = {key for key in added if inferred[key].frame != self.meanings.base}  # {}^0v_0 = 0
+        open_ = {key for key in added if inferred[key].frame != self.names.base}  # {}^0v_0 = 0
         shown = {key: {each for (name, _), each in self.names.state.usual.items() if name == key} for key in open_}
         self.doubts.weak |= {key for key in open_ if shown[key] != {inferred[key]}}
         return bound
@@ -160,17 +167,17 @@ class Conventions:
         """Take the coordinates and points in formulas that nothing gives a meaning for those of the tool, and return their names."""
         added = columns_beside_rates(self.names, nodes := [*nodes])
         for below in (each for node in nodes for each in n.walk(node)):
-            name = plain_name(below)
+            name = n.plain_name(below)
             if name is None or not is_usual(name) or not self.names.is_open(name):
                 continue
             quantities = self.meanings.candidates(below, name)
-            if quantities and (quantities[0].frame != self.meanings.base or quantities[0].kind == "velocity"):
+            if quantities and (quantities[0].frame != self.names.base or quantities[0].kind == "velocity"):
                 self.names.state.infer_usual(name.key, quantities[0])
                 added.add(name.key)
         return added
 
     def _bound(self, member: Member, known: list[Member]) -> Member:
-        name = plain_name(member.node)
+        name = n.plain_name(member.node)
         if not isinstance(member.problem, UnboundName):
             return member
         if name is None:
@@ -235,7 +242,7 @@ class Conventions:
             return member
         for block in blocks:
             cell = self.members.evaluate(block.cell)
-            name = plain_name(block.cell)
+            name = n.plain_name(block.cell)
             if name is not None and not cell.known and name.base not in ENTRIES:
                 same = (each for each in known if isinstance(each.value, Matrix) and each.value.shape == value.shape)
                 bound = self._bound(cell, [Member(each.node, block.of(each.value)) for each in same])  # type: ignore[arg-type]
@@ -262,7 +269,8 @@ class Conventions:
 
     def judge(self, outcome: Outcome) -> Outcome:
         """Leave undecided what rests on a usual meaning that does not fit."""
-        return self.usual_judge.judge(outcome, self.doubts)
+        may_rest = outcome.verdict is Verdict.REFUTED or outcome.gives_numbers or (outcome.defines and self.doubts.open)
+        return self._judge.judge(outcome, self.doubts) if may_rest else outcome
 
     def restore(self, outcomes: Iterable[Outcome]) -> None:
         """Let a slip show nothing: where it looks like the point of another frame, the name keeps what it meant.
@@ -272,7 +280,7 @@ class Conventions:
         state = self.names.state
         shown = {quantity.frame for (_, section), quantity in state.usual.items() if section == state.section}
         for outcome in outcomes:
-            name = plain_name(outcome.true.node) if outcome.verdict is Verdict.REFUTED and outcome.true else None
+            name = n.plain_name(outcome.true.node) if outcome.verdict is Verdict.REFUTED and outcome.true else None
             now = state.inferred.get(name.key) if name is not None and name.key in state.conventional else None
             if name is None or now is None or self.names.arm is None or now.frame in shown:
                 continue
@@ -315,5 +323,5 @@ def _has_rows(member: Member) -> int:
 
 
 def _plain_key(node: n.Node) -> str:
-    name = plain_name(node)
+    name = n.plain_name(node)
     return name.key if name is not None else ""

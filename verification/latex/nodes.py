@@ -320,6 +320,14 @@ def bare(node: Node) -> Node:
     return node
 
 
+def plain_name(node: Node) -> Name | None:
+    """Return the name that a node is, without its dots and arguments, or None."""
+    node = bare(node)
+    if isinstance(node, Call) and node.function == "name" and isinstance(node.arguments[0], Name):
+        node = node.arguments[0]
+    return node.undotted if isinstance(node, Name) and node.base not in ("words", "=") else None
+
+
 def bare_key(node: Node) -> str | None:
     """Return the key of a node that is one name, whatever brackets stand around it."""
     node = bare(node)
