@@ -127,7 +127,7 @@ class DisplayChecker:
 
     def _judge(self, record: Record, display: Display, statements: list[n.Statement]) -> Record:
         outcomes, extra = self._with_later_definitions(statements, display)
-        if display.is_spoken_of:
+        if _is_spoken_of(display):
             outcomes = [self.words.judge(outcome, display) for outcome in outcomes]
         if not outcomes:
             return replace(record, verdict=Verdict.UNCHECKED, findings=(say(Kind.NO_EQUATION), say(Kind.BEYOND)))
@@ -274,3 +274,10 @@ def _unreadable(display: Display, error: ReadError) -> Finding:
     if display.cell is None or display.file:
         return say(Kind.UNREADABLE, **place)
     return say(Kind.UNREADABLE_IN_CELL, cell=display.cell, **place)
+
+
+def _is_spoken_of(display: Display) -> bool:
+    """Whether the text around a display may say that it is so elsewhere, in a case, of something else, or not at all."""
+    elsewhere = display.of_other_point or display.in_other_frame
+    says = display.said_next or display.supposed or display.meant or display.denied or display.strange
+    return bool(elsewhere or says)

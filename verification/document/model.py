@@ -77,12 +77,6 @@ class Display:
         """Its cell and its line."""
         return self.cell, self.line
 
-    @property
-    def is_spoken_of(self) -> bool:
-        """Whether the text around it may say that it is so elsewhere, in a case, of something else, or not at all."""
-        elsewhere = self.of_other_point or self.in_other_frame
-        return bool(elsewhere or self.said_next or self.supposed or self.meant or self.denied or self.strange)
-
 
 INLINE = "$"  # the opening of what stands in the text: readers hand it over in its place among the displays
 CODE = "```"  # that of code, which they hand over likewise

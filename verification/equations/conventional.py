@@ -63,7 +63,7 @@ class Conventions:
 
     @cached_property
     def _judge(self) -> UsualJudge:
-        return UsualJudge(self.equality, self.meanings)
+        return UsualJudge(self.equality)
 
     @cached_property
     def spellings(self) -> Spellings:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cached_property
 
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import (
@@ -29,10 +30,14 @@ from armproof.verification.verdict import Verdict
 class UsualJudge:
     """Judges what is decided by names that only convention binds."""
 
-    def __init__(self, equality: Equality, meanings: UsualMeanings) -> None:
+    def __init__(self, equality: Equality) -> None:
         self.equality = equality
-        self.meanings = meanings
         self.members, self.names = equality.members, equality.names
+
+    @cached_property
+    def meanings(self) -> UsualMeanings:
+        """Tells what names that only convention binds may mean; made where one is met."""
+        return UsualMeanings(self.members)
 
     def judge(self, outcome: Outcome, doubts: Doubts) -> Outcome:
         """Leave undecided what rests on a usual meaning that does not fit."""
