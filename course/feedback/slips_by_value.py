@@ -202,7 +202,7 @@ def _places_of_terms(node: n.Node) -> tuple[n.Node, ...]:
     """Return the parts of a node at which a term may be missing."""
     if isinstance(node, n.Quotient):
         return (node.numerator, node.denominator)
-    if isinstance(node, n.Call) and node.function == "sqrt":
+    if n.is_call(node, "sqrt"):
         return (bare(node.arguments[0]),)
     return (bare(node.base),) if isinstance(node, n.Power) and isinstance(bare(node.base), n.Sum) else ()
 

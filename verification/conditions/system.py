@@ -168,7 +168,7 @@ def _of_squares(checker: ChainChecker, root: Scalar, right: n.Node, evaluator: E
     (powers, factor), *more = [*checker.exact.ring.terms(root.numerator)] or [({}, Fraction(0))]
     if more or factor != 1 or not root.denominator.is_one() or [kind for kind, _ in powers] != ["radical"]:
         return None
-    absolute = isinstance(inner := bare(right), n.Call) and inner.function == "abs"
+    absolute = n.is_call(inner := bare(right), "abs")
     value = as_scalar(evaluator.evaluate(inner.arguments[0] if isinstance(inner, n.Call) and absolute else right))
     if absolute:
         return root * root - value * value if isinstance(value, Scalar) else None
@@ -183,7 +183,7 @@ def _of_squares(checker: ChainChecker, root: Scalar, right: n.Node, evaluator: E
 
 def _gram_factor(node: n.Node) -> n.Node | None:
     """The A of det(A Aᵀ), or the Aᵀ of det(Aᵀ A)."""
-    if not (isinstance(node, n.Call) and node.function in ("det", "abs")):
+    if not n.is_call(node, "det", "abs"):
         return None
     product = bare(node.arguments[0])
     if not isinstance(product, n.Product) or len(product.factors) != 2 or "×" in product.operators:

@@ -110,7 +110,7 @@ def on_all(root: n.Node, rule: Callable[[n.Node], Iterator[Change]]) -> Iterator
 
 def is_trigonometric(node: n.Node) -> TypeGuard[n.Call]:
     """Whether a node is a sine or a cosine."""
-    return isinstance(node, n.Call) and node.function in ("cos", "sin")
+    return n.is_call(node, "cos", "sin")
 
 
 def is_scalar_product(node: n.Node) -> TypeGuard[n.Product]:
@@ -179,7 +179,7 @@ def _entries(node: n.Node) -> Iterator[Change]:
 
 
 def _exchanged_arguments(node: n.Node) -> Iterator[Change]:
-    if isinstance(node, n.Call) and node.function == "atan2" and len(node.arguments) == 2:
+    if n.is_call(node, "atan2") and len(node.arguments) == 2:
         yield replace(node, arguments=node.arguments[::-1]), "function", say(Kind.ARGUMENTS_EXCHANGED)
 
 

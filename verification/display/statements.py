@@ -386,7 +386,7 @@ def _as_alternatives(statements: list[n.Statement]) -> list[n.Statement]:
 
 def _angle_without_unit(nodes: list[n.Statement]) -> str:
     """Return the whole number that a sine, cosine or tangent is taken of, as of an angle in degrees: 30 of cos 30; "" without."""
-    calls = (b for node in nodes for b in n.walk(node) if isinstance(b, n.Call) and b.function in ("cos", "sin", "tan"))
+    calls = (b for node in nodes for b in n.walk(node) if n.is_call(b, "cos", "sin", "tan"))
     numbers = (n.ungrouped(argument) for call in calls for argument in call.arguments)
     found = (each for each in numbers if isinstance(each, n.Number) and not each.decimals and each.value >= _DEGREES)
     return next((str(each.value) for each in found), "")

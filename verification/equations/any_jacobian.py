@@ -115,7 +115,7 @@ def _may_be_of_jacobian(chain: n.Chain) -> bool:
 def _usual(node: n.Node, spoken: set[tuple[str, str]]) -> n.Node:
     """Return a tree with one name for what is of a kind; collect the kinds with the names that they have."""
     node = bare(node)
-    if isinstance(node, n.Call) and node.function == "name":
+    if n.is_call(node, "name"):
         node = bare(node.arguments[0])
     if isinstance(node, n.Derivative) and isinstance(name := bare(node.operand), n.Name):
         in_time = isinstance(node.variable, n.Name) and node.variable.key == "t" and node.order == 1

@@ -154,7 +154,7 @@ def _follows(one: _Step, other: _Step) -> bool:
 
 def _pair(node: n.Node, reference: str) -> tuple[str, str] | None:
     """Return (reference, frame) of a transform or its inverse, with its joint variables or without: {}^0T_1(q_1)."""
-    if isinstance(node, n.Call) and node.function == "name":
+    if n.is_call(node, "name"):
         node = node.arguments[0]
     if isinstance(node, n.Postfix) and node.operator in ("-1", "T"):
         inner = bare(node.base)

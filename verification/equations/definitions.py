@@ -118,10 +118,10 @@ class Definitions:
         """sin γ = k_2/r behind cos γ = k_1/r, of which the squares make 1, gives γ the sign that its cosine leaves open."""
         for side, other in permutations(outcome.sides if outcome.verdict is Verdict.REFUTED else (), 2):
             sine = bare(side.node)
-            key = bare_key(sine.arguments[0]) if isinstance(sine, n.Call) and sine.function == "sin" else None
+            key = bare_key(sine.arguments[0]) if n.is_call(sine, "sin") else None
             definition = self.names.state.definitions.get(key or "")
             angle = definition.formula if definition is not None else None
-            if key is None or definition is None or not (isinstance(angle, n.Call) and angle.function == "acos"):
+            if key is None or definition is None or not n.is_call(angle, "acos"):
                 continue
             values = other.value, self.members.evaluate(angle.arguments[0]).value
             sine_of, cosine_of = map(as_scalar, values)
@@ -332,9 +332,7 @@ def _solved(member: Member, true: n.Node) -> tuple[str, n.Node] | None:
         return root, n.Call("sqrt", (true,), "\\sqrt", span=true.span)
     key = member.problem.name if isinstance(member.problem, UnboundName) else ""
     spoken = [below for below in n.walk(member.node) if isinstance(below, n.Name) and below.key == key]
-    cosines = [
-        b for b in n.walk(member.node) if isinstance(b, n.Call) and b.function == "cos" and b.arguments == (*spoken,)
-    ]
+    cosines = [b for b in n.walk(member.node) if n.is_call(b, "cos") and b.arguments == (*spoken,)]
     is_matrix = any(isinstance(below, n.Matrix) for side in (member.node, true) for below in n.walk(side))
     if is_matrix or len(spoken) != 1 or len(cosines) != 1 or not _is_angle(spoken[0]):
         return None
@@ -367,7 +365,7 @@ def squared_name(node: n.Node) -> str | None:
 
 def angle_of_tangent(node: n.Node, value: n.Node) -> tuple[n.Name, n.Node] | None:
     """Return the β of tan β = y/x, and what it is: that of the arctangent, or half a turn beside it."""
-    angle = bare(node.arguments[0]) if isinstance(node, n.Call) and node.function == "tan" else None
+    angle = bare(node.arguments[0]) if n.is_call(node, "tan") else None
     if not isinstance(angle, n.Name) or angle.dots or any(isinstance(below, n.Matrix) for below in n.walk(value)):
         return None
     return angle, n.placed(n.Call("atan", (value,), "arctan"), value.span)

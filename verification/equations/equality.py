@@ -199,7 +199,7 @@ def _distance(a: Any, b: Any) -> Any:
 
 def _is_made_of_rotations(node: n.Node) -> bool:
     """Whether a tree is an elementary rotation or a product of such: 3×3 or 4×4, as the document prints it."""
-    calls = [below for below in n.walk(node) if isinstance(below, n.Call) and below.function in ("Rot", "Rot3")]
+    calls = [below for below in n.walk(node) if n.is_call(below, "Rot", "Rot3")]
     factors = node.factors if isinstance(node, n.Product) else (node,)
     return bool(calls) and all(factor in calls for factor in factors)
 

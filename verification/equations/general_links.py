@@ -33,7 +33,7 @@ LENGTHS = frozenset(["a", "d", "l", "b", "r"])
 
 def _letters(node: n.Node) -> frozenset[tuple[str, str]]:
     """The names of a tree but for π and the axes of elementary matrices."""
-    axes = {id(b.arguments[0]) for b in n.walk(node) if isinstance(b, n.Call) and b.function in ELEMENTARY}
+    axes = {id(b.arguments[0]) for b in n.walk(node) if n.is_call(b, *ELEMENTARY)}
     names = (below for below in n.walk(node) if isinstance(below, n.Name) and id(below) not in axes)
     return frozenset((name.base, name.sub) for name in names if name.key != "pi")
 
@@ -155,7 +155,7 @@ class GeneralStatements:
         a condition of its figure, and counts only where it is an identity.
         """
         members = [(_letters(member), member) for member in chain.members]
-        elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for _, m in members for b in n.walk(m))
+        elementary = any(n.is_call(b, *ELEMENTARY) for _, m in members for b in n.walk(m))
         known = ANGLES | (LENGTHS if elementary else frozenset())
         letters = frozenset[tuple[str, str]]().union(*(found for found, _ in members))
         if not letters or any(base not in known for base, _ in letters) or any(map(_has_q_alone, chain.members)):

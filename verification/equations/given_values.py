@@ -99,7 +99,7 @@ class GivenValues:
     @staticmethod
     def _is_linear(node: n.Node) -> bool:
         """Whether a tree is a sum of names, each with a number, such as π/2 − 2 θ_1, √2 l_2."""
-        if isinstance(node, n.Call) and node.function == "sqrt":
+        if n.is_call(node, "sqrt"):
             return is_number(node)
         if isinstance(node, n.Product | n.Quotient) and sum(_is_letter(below) for below in n.walk(node)) > 1:
             return False
@@ -179,7 +179,7 @@ class GivenValues:
         """Return the values that an equation gives: none where a determinant is set to zero or a coordinate is asked for."""
         if (pairs := self._entries(left, right)) is not None:
             return self._together(pairs)
-        if isinstance(left, n.Call) and left.function == "det" and isinstance(right, n.Number) and right.value == 0:
+        if n.is_call(left, "det") and isinstance(right, n.Number) and right.value == 0:
             at_values = any(isinstance(below, n.At) for below in n.walk(left))  # det J|_{θ_3 = 0} = 0 is a claim
             return None if at_values or self._vanishes(left) else {}
         if self.names.arm is None or not isinstance(left, n.Name):

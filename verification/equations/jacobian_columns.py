@@ -38,9 +38,7 @@ def _columns_in_a_row(names: Names, node: n.Node) -> Iterator[tuple[n.Name, Quan
 
 def _column_beside_rate(names: Names, product: n.Product) -> Iterator[tuple[n.Name, Quantity]]:
     """Yield the open J_i that stands beside the rate of joint i, and no other, with the column that it is."""
-    factors = [
-        f.arguments[0] if isinstance(f, n.Call) and f.function == "name" else f for f in map(bare, product.factors)
-    ]
+    factors = [n.unapplied(bare(factor)) for factor in product.factors]
     written = [factor for factor in factors if isinstance(factor, n.Name)]
     rates = {names.known_symbol(each.undotted.key) for each in written if each.dots == 1}
     for name in (each for each in written if each.base == "J" and names.is_open(each)):

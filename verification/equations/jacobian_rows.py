@@ -47,7 +47,7 @@ class RowsOfJacobians:
                 shown[replace(below, dots=0).key] = JacobianRows(rows, self.names.state.section, printed=False)
         for below in [*n.walk(chain)]:
             inverted = isinstance(below, n.Postfix) and below.operator == "-1"
-            if not inverted and not (isinstance(below, n.Call) and below.function in ("det", "adj", "com", "abs")):
+            if not inverted and not n.is_call(below, "det", "adj", "com", "abs"):
                 continue
             inner = below.base if isinstance(below, n.Postfix) else below.arguments[0]  # type: ignore[attr-defined]
             name = self.members.jacobian_name(inner, True)

@@ -150,7 +150,7 @@ def _on_both_sides(outcome: Outcome, names: Names) -> Finding | None:
 def _function_or_factor(chain: n.Chain) -> Finding | None:
     """x(t + 2) = x(t), u(-t) = -u(t): what is applied in one place is no factor of the brackets behind it in another."""
     below = [each for member in chain.members for each in n.walk(member)]
-    applied = {bare_key(each.arguments[0]) for each in below if isinstance(each, n.Call) and each.function == "name"}
+    applied = {bare_key(each.arguments[0]) for each in below if n.is_call(each, "name")}
     pairs = (
         (pair for each in below if isinstance(each, n.Product) for pair in pairwise(each.factors)) if applied else ()
     )
@@ -185,9 +185,7 @@ def _own_name(chain: n.Chain, names: Names) -> Finding | None:
         if not (isinstance(alone, n.Call) and alone.style == "index" and alone.head in ("s", "S", "c", "C")):
             continue
         others = [below for other in chain.members if other is not member for below in n.walk(other)]
-        moves = any(
-            isinstance(b, n.JointAngles) or (isinstance(b, n.Call) and b.function in TRIGONOMETRY) for b in others
-        )
+        moves = any(isinstance(b, n.JointAngles) or n.is_call(b, *TRIGONOMETRY) for b in others)
         unknown = any(isinstance(b, n.Name) and b.key != "pi" and not _is_bound(b, names) for b in others)
         is_no_cosine = any(isinstance(b, n.Matrix) for b in others) or not _has_its_joints(alone, names)
         if is_no_cosine or (unknown and not moves):
@@ -214,7 +212,7 @@ def sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Findi
     in_sum = outcome.findings[0].kind is Kind.SUM_WITH_SCALAR  # x_6 of x_6 - d_6 r_13 is a coordinate, and no axis
     explicit = all(_is_explicit(name) and not (in_sum and name.base in tuple("xyz")) for name in by_convention)
     points = outcome.findings[0].kind is Kind.PRODUCT_OF_SIZES  # O_0 O_2 is a vector between points, and no product
-    elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for m in chain.members for b in n.walk(m))
+    elementary = any(n.is_call(b, *ELEMENTARY) for m in chain.members for b in n.walk(m))
     understood = all(held) or elementary or _are_columns(outcome)
     axes = outcome.findings[0].kind is Kind.SUM_WITH_SCALAR and any(_is_axis(name, names) for name in by_convention)
     if not by_convention or (explicit and not points and not axes and understood):
@@ -281,10 +279,10 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
         if _breaks_rotation(outcome):
             return None
         return say(Kind.DEFINED_ELSEWHERE, name=other[0][0], line=other[0][1])
-    elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for b in below)
+    elementary = any(n.is_call(b, *ELEMENTARY) for b in below)
     first, *others = [letters_held(member, names) for member in chain.members]
     defined = [names.state.definitions[key].node for key, _ in names.state.consulted if key in names.state.definitions]
-    angles = any(isinstance(b, n.JointAngles) or (isinstance(b, n.Call) and b.function in TRIGONOMETRY) for b in below)
+    angles = any(isinstance(b, n.JointAngles) or n.is_call(b, *TRIGONOMETRY) for b in below)
     of_letters = any(_is_of_letters(node) for node in defined if node is not None)  # a rotation obeys more than they do
     numbers = [m for m in chain.members if not letters_held(m, names) and not _is_nought(m)]
     has_value = bool(numbers) and any(map(bare_key, chain.members))  # that of a name alone

@@ -324,7 +324,7 @@ def _spelt(node: n.Node) -> str:
 
 def _turns(node: n.Node, names: Names) -> bool:
     """Whether a node is a joint's angle, or the sine or the cosine of one."""
-    angle = node.arguments[0] if isinstance(node, n.Call) and node.function in ("sin", "cos") else node
+    angle = node.arguments[0] if n.is_call(node, "sin", "cos") else node
     if not isinstance(angle, n.JointAngles):
         return _is_joint(angle, names)
     return len(angle.terms) == 1 and names.is_angle(names.joint_angle(angle.terms[0][1]))

@@ -81,6 +81,6 @@ def _is_shorthand(node: n.Node) -> bool:
 
 def _defines(call: n.Call, other: n.Node) -> bool:
     """Whether a side may say what a shorthand stands for: it holds a sine or a cosine that is written out, or a formula for one of several digits."""
-    turns = [each for each in n.walk(other) if isinstance(each, n.Call) and each.function in ("cos", "sin")]
+    turns = [each for each in n.walk(other) if n.is_call(each, "cos", "sin")]
     is_formula = len(angles_of(call)) > 1 and not _is_shorthand(bare(other))
     return any(not _is_shorthand(each) or is_formula for each in turns)

@@ -104,7 +104,7 @@ def is_exponential(node: n.Node) -> n.Node | None:
     """Return the exponent of e^{…} or exp(…), None of another node."""
     if isinstance(node, n.Power) and isinstance(node.base, n.Name) and node.base.key == "e":
         return node.exponent
-    is_call = isinstance(node, n.Call) and node.function == "exp" and len(node.arguments) == 1
+    is_call = n.is_call(node, "exp") and len(node.arguments) == 1
     return node.arguments[0] if is_call else None  # type: ignore[attr-defined]
 
 

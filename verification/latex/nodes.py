@@ -320,11 +320,14 @@ def bare(node: Node) -> Node:
     return node
 
 
+def unapplied(node: Node) -> Node:
+    """Return what a name applied to arguments is without them: q of q(t)."""
+    return node.arguments[0] if isinstance(node, Call) and node.function == "name" else node
+
+
 def plain_name(node: Node) -> Name | None:
     """Return the name that a node is, without its dots and arguments, or None."""
-    node = bare(node)
-    if isinstance(node, Call) and node.function == "name" and isinstance(node.arguments[0], Name):
-        node = node.arguments[0]
+    node = unapplied(bare(node))
     return node.undotted if isinstance(node, Name) and node.base not in ("words", "=") else None
 
 
@@ -373,7 +376,7 @@ def call_key(node: Call) -> str:
 ARCS = ("acos", "asin", "atan", "atan2")
 
 
-def is_call(node: Node, *functions: str) -> TypeGuard[Call]:
+def is_call(node: Node | None, *functions: str) -> TypeGuard[Call]:
     """Whether a node is a call of one of these functions."""
     return isinstance(node, Call) and node.function in functions
 

@@ -185,7 +185,7 @@ class _Reader:
 
     def _joint(self, node: n.Node) -> str:
         """Return the joint whose angle or cosine this is."""
-        if isinstance(node, n.Call) and node.function == "cos" and len(node.arguments) == 1:
+        if n.is_call(node, "cos") and len(node.arguments) == 1:
             node = bare(node.arguments[0])
         if isinstance(node, n.JointAngles) and len(node.terms) == 1:
             return f"{self.names.reader.spelling.angle}_{node.terms[0][1]}"

@@ -82,7 +82,7 @@ def _multiplies_moves(node: n.Node, members: Members) -> bool:
     """Whether a node multiplies a Jacobian or a velocity by one, or takes its size: J J^T and |v| are the same of -x."""
     if isinstance(node, n.Power):
         return _moves(node.base, members)
-    if isinstance(node, n.Call) and node.function in ("abs", "norm"):
+    if n.is_call(node, "abs", "norm"):
         return any(_moves(each, members) for each in node.arguments)
     factors = node.factors if isinstance(node, n.Product) else ()
     return sum(_moves(factor, members) for factor in factors) > 1
