@@ -9,7 +9,7 @@ from fractions import Fraction
 from functools import partial, reduce
 from typing import Any
 
-from armproof.verification.algebra.matrix import Matrix, column
+from armproof.verification.algebra.matrix import Matrix, column, pose_of
 from armproof.verification.algebra.protocol import Value, elementary, identity
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.equations.chain import ChainChecker, no_samples
@@ -175,8 +175,7 @@ class _AnyFrames:
         if meaning.kind != "pose":
             return rotation if meaning.kind == "rotation" else place
         one, zero = self.algebra.rational(Fraction(1)), self.algebra.rational(Fraction(0))
-        rows = [(*row, at) for row, (at,) in zip(rotation.rows, place.rows, strict=True)]
-        return Matrix((*rows, (zero, zero, zero, one)))
+        return pose_of(rotation, place, zero, one)
 
     def _letters(self, what: str) -> Matrix:
         return column([self.algebra.symbol(f"{axis} of the {what}") for axis in "xyz"])

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
-from armproof.verification.algebra.matrix import Matrix, inverse_pose, is_zero
+from armproof.verification.algebra.matrix import Matrix, inverse_pose, is_zero, pose_of
 from armproof.verification.algebra.protocol import Algebra, identity
 from armproof.verification.evaluation.evaluating import Evaluating
 from armproof.verification.latex import nodes as n
@@ -59,7 +59,7 @@ class Twist:
         omega, v = (Matrix(tuple((each,) for each in part)) for part in (self.omega, self.v))
         along = (omega @ (omega.transpose @ v)) if turns else v
         place = (unit + -turn) @ (skew @ v) + along.map(lambda cell: cell * amount)
-        return Matrix((*((*row, *at) for row, at in zip(turn.rows, place.rows, strict=True)), (zero, zero, zero, one)))
+        return pose_of(turn, place, zero, one)
 
     def column(self, direction_first: bool) -> tuple[Any, ...]:
         """Return the six components, ω above v or below."""

@@ -28,6 +28,7 @@ from armproof.verification.tables.arms.matrices import (
     poses_that_are_links,
 )
 from armproof.verification.tables.arms.other_case import in_other_case
+from armproof.verification.tables.arms.rates import rates_in
 from armproof.verification.tables.arms.rows import candidates
 from armproof.verification.tables.arms.support import Inference
 from armproof.verification.tables.arms.variables import in_variables, told_variables
@@ -40,7 +41,6 @@ from armproof.verification.verdict import TakenArm
 _LENGTH_UNIT = re.compile(r"(?<![A-Za-z])[mc]m(?![A-Za-z])")
 _NUMBER = re.compile(r"(?<![\d._{])[1-9]\d*(?:\.\d+)?(?![\d.])")
 _AT_REST = re.compile(r"\\dot\s*\{?\s*\\?(?:theta|q)\s*_\s*\{?\d+[\s}]*=\s*0(?![\d.])")  # of what does not move
-_RATE = re.compile(r"\\d{1,2}ot\s*\{?\s*([A-Za-z])\s*\}?\s*_\s*\{?\s*(\w+)")
 _INDEXED = re.compile(r"(?:theta|(?<![A-Za-z])[qcsCS])\s*_\s*\{?\s*(\d+)(?!\d|\s*\\times)")
 
 
@@ -233,12 +233,6 @@ def joints_used(displays: Iterable[Display]) -> set[int]:
     """Return the indices of joint variables in displays, as in θ_3 or c_{23}; a rate that is zero is that of none."""
     texts = (_AT_REST.sub("", normalise_unicode(d.latex)) for d in displays if not (d.erratum or d.denied))
     return {int(digit) for text in texts for part in _INDEXED.findall(text) for digit in part}
-
-
-def rates_in(displays: Iterable[Display]) -> set[str]:
-    r"""Return the letters whose rates stand in displays: d_2 of \dot{d}_2."""
-    texts = (normalise_unicode(d.latex) for d in displays if not (d.erratum or d.denied))
-    return {f"{base}_{index}" for text in texts for base, index in _RATE.findall(text)}
 
 
 def _stated(document: Document) -> tuple[str, ...]:

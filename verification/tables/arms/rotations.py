@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.matrix import Matrix, column, pose_of
 from armproof.verification.latex import nodes as n
 
 _TRANSFORMS = "TAHM"
@@ -24,4 +24,4 @@ def _is_placed(name: n.Name) -> bool:
 def without_lengths(rotation: Matrix) -> Matrix:
     """Return the pose that turns so about one point."""
     ring = rotation.cells[0].ring
-    return Matrix((*((*row, ring.zero) for row in rotation.rows), (ring.zero, ring.zero, ring.zero, ring.one)))
+    return pose_of(rotation, column([ring.zero] * 3), ring.zero, ring.one)
