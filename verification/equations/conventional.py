@@ -177,6 +177,7 @@ class Conventions:
         return added
 
     def _bound(self, member: Member, known: list[Member]) -> Member:
+        """Return a side with its open name in the usual meaning that fits what is known, or in the one that it is a slip away from."""
         name = n.plain_name(member.node)
         if not isinstance(member.problem, UnboundName):
             return member
@@ -184,11 +185,8 @@ class Conventions:
             return self._with_entries(member, known)
         if name.key in self.names.state.inferred and _is_rate(member.node):  # of the other side: ṗ = ∂p/∂q q̇
             return self.members.evaluate(member.node)
-        near, usual, candidates = None, self.meanings.usual(name.key), self.meanings.candidates(member.node, name)
-        candidates = tuple(sorted(candidates, key=lambda each: not self.meanings.is_beside_shown(name, each)))
-        if at_numbers := _is_at_numbers(member.node):  # at one configuration many points agree, and more nearly
-            candidates = (usual,) if usual is not None else candidates[:1]
-        for quantity in candidates:
+        near: Quantity | None = None
+        for quantity in self._in_turn(member.node, name):
             tried = self._tried(member.node, name, quantity)
             if quantity.kind in _MEASURES and tried.known and is_zero(tried.value):
                 continue  # w of a frame that moves in no direction
@@ -199,40 +197,68 @@ class Conventions:
                 if pair is None and not isinstance(other.problem, OutsideAlgebra):
                     continue
                 if self._agree(tried, other, pair):
-                    self.names.state.usual[name.key, self.names.state.section] = quantity
-                    return tried
-                if quantity != usual and (
-                    self.meanings.is_named_in(other, quantity, name.key) or self.meanings.is_of_own_letter(name)
-                ):
-                    continue  # z = P_z - d_1 is no P_z, and then z_w is no height of the wrist
-                if pair is not None and self.names.state.configuration:
-                    there = self.equality.compare(tried, other, 1, False)
-                    if there.verdict is Verdict.CONFIRMED or (
-                        quantity in self.meanings.meant(name.key) and is_mostly_right(there, MANY)
-                    ):
-                        return tried
-                    if there.verdict is Verdict.REFUTED and self.meanings.is_usual(name) and is_constant(pair.printed):
-                        self.doubts.open.setdefault(name.key, quantity)
-                is_shown = quantity == usual and _is_rate(member.node)  # y has no other rate than its own
-                if pair is not None and self.meanings.measures_otherwise(quantity, pair.printed):
+                    return self._shown_by(tried, name, quantity)
+                if pair is None or self._means_otherwise(name, quantity, other):
                     continue
-                is_told = (
-                    self.meanings.is_usual(name) or is_shown or self.meanings.is_beside_shown(name, quantity)
-                )  # d_y behind d_x
-                if pair is not None and is_told and not is_constant(pair.printed):
-                    if self.doubts.open.setdefault(name.key, quantity) == quantity:
-                        self.doubts.tried[name.key] = tried
-                    may_be_near = quantity == usual or not (at_numbers or quantity.kind == "angle")
-                    near = near or (quantity if is_shown or (may_be_near and is_near(pair)) else None)
+                if self.names.state.configuration and self._holds_there(name, quantity, tried, other, pair):
+                    return tried
+                close = self._slip_away(member.node, name, quantity, tried, pair)
+                near = near or close
         for quantity in self.meanings.that_values_tell(member.node, name) if near is None else ():
             tried = self._tried(member.node, name, quantity)
             if any(self._agree(tried, other, self.meanings.closest(tried, other)) for other in known if tried.known):
-                self.names.state.usual[name.key, self.names.state.section] = quantity
-                return tried
+                return self._shown_by(tried, name, quantity)
         self.names.state.forget_usual({name.key})
+        usual = self.meanings.usual(name.key)
         if near is None or (near != usual and self.meanings.is_of_another(known)):
             return member
         return self._tried(member.node, name, usual or near)  # what is wrong of all shows none anew
+
+    def _in_turn(self, node: n.Node, name: n.Name) -> list[Quantity]:
+        """Return the usual meanings of a name in the order in which they are tried."""
+        candidates = sorted(
+            self.meanings.candidates(node, name), key=lambda each: not self.meanings.is_beside_shown(name, each)
+        )
+        if _is_at_numbers(node):  # at one configuration many points agree, and more nearly
+            usual = self.meanings.usual(name.key)
+            return [usual] if usual is not None else candidates[:1]
+        return candidates
+
+    def _shown_by(self, tried: Member, name: n.Name, quantity: Quantity) -> Member:
+        """Return a side whose name an equation shows to be what it is taken for."""
+        self.names.state.usual[name.key, self.names.state.section] = quantity
+        return tried
+
+    def _means_otherwise(self, name: n.Name, quantity: Quantity, other: Member) -> bool:
+        """Whether the other side tells that a name is something else: z = P_z - d_1 is no P_z, and then z_w is no height of the wrist."""
+        if quantity == self.meanings.usual(name.key):
+            return False
+        return self.meanings.is_named_in(other, quantity, name.key) or self.meanings.is_of_own_letter(name)
+
+    def _holds_there(self, name: n.Name, quantity: Quantity, tried: Member, other: Member, pair: Pair) -> bool:
+        """Whether an equation holds at the values that are stated, or mostly does in a meaning that has been shown."""
+        there = self.equality.compare(tried, other, 1, False)
+        if there.verdict is Verdict.CONFIRMED:
+            return True
+        if quantity in self.meanings.meant(name.key) and is_mostly_right(there, MANY):
+            return True
+        if there.verdict is Verdict.REFUTED and self.meanings.is_usual(name) and is_constant(pair.printed):
+            self.doubts.open.setdefault(name.key, quantity)
+        return False
+
+    def _slip_away(self, node: n.Node, name: n.Name, quantity: Quantity, tried: Member, pair: Pair) -> Quantity | None:
+        """Return a usual meaning from which an equation is a slip away; one that may be meant is in doubt."""
+        if self.meanings.measures_otherwise(quantity, pair.printed):
+            return None
+        is_usual_here = quantity == self.meanings.usual(name.key)
+        is_shown = is_usual_here and _is_rate(node)  # y has no other rate than its own
+        is_beside = self.meanings.is_beside_shown(name, quantity)  # d_y behind d_x
+        if not (self.meanings.is_usual(name) or is_shown or is_beside) or is_constant(pair.printed):
+            return None
+        if self.doubts.open.setdefault(name.key, quantity) == quantity:
+            self.doubts.tried[name.key] = tried
+        may_be_near = is_usual_here or not (_is_at_numbers(node) or quantity.kind == "angle")
+        return quantity if is_shown or (may_be_near and is_near(pair)) else None
 
     def _with_entries(self, member: Member, known: list[Member]) -> Member:
         """[x; y] = …: each entry that is a name by itself, by the entry that stands in its place."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import partial
 from itertools import permutations
@@ -38,6 +38,15 @@ from armproof.verification.verdict import HOLDS, Role, Verdict
 Check = Callable[[n.Chain], list[Outcome]]
 _PLACE = re.compile(r"(\d),?([1-6]),?([1-6])")  # of an entry: its matrix, row and column
 MOST_WRONG = 2  # entries of a pose that is a slip away, where it holds letters without a value too
+
+
+@dataclass
+class _Entries:
+    """What is found of the entries of a matrix: what a name is where it stands first, what is wrong, why one is not known."""
+
+    first: dict[str, Value] = field(default_factory=dict)
+    wrong: list[tuple[int, int]] = field(default_factory=list)
+    unknown: EvaluationError | None = None
 
 
 @dataclass(frozen=True)
@@ -161,34 +170,11 @@ class Definitions:
             return None
         if (unclear := self._rows_unclear(true, blocks)) is not None:
             return Outcome(Verdict.UNCHECKED, (unclear,), equation, true, member)
-        first: dict[str, Value] = {}  # what a name is where it stands first
-        wrong: list[tuple[int, int]] = []
-        unknown: EvaluationError | None = None
+        found = _Entries()
         written = [block for block in blocks if not _is_unwritten(block.cell)]
         for block in written:
-            cell, key = self.members.evaluate(block.cell), bare_key(block.cell)
-            if key in self.fresh:
-                cell = Member(block.cell, None, UnboundName(str(key)))
-            if cell.known:
-                if not self.readings.equality.equals_block(block.of(value), cell.value):
-                    wrong.append((block.row, block.column))
-            elif isinstance(cell.problem, NoValue):
-                wrong.append((block.row, block.column))
-            elif key is None or not isinstance(cell.problem, UnboundName) or self._is_nothing(block, blocks, value):
-                unknown = cell.problem
-            elif key in first or _holds(
-                block.of(value), key
-            ):  # J = [γ_1 …] once more: it is what it is, and no entry of J
-                itself = first[key] if key in first else self.members.exact.symbol(key)
-                if not self.readings.equality.equals_block(itself, block.of(value)):
-                    wrong.append((block.row, block.column))
-            else:
-                first[key] = block.of(value)
-                if defines:
-                    meaning = self.members.meaning(true.node, block)
-                    of_section = block.is_larger and not self.members.is_of_tool(true.node)
-                    self.names.define(key, meaning, self.line, by_place=True, of_section=of_section, whole=true.node)
-                    self._define_components(block)
+            self._compare(found, block, blocks, true, value, defines)
+        first, wrong, unknown = found.first, found.wrong, found.unknown
         if (other := self._of_series(blocks, wrong, first)) is not None:
             self.names.forget(first if defines else ())
             return Outcome(Verdict.UNCHECKED, (other,), equation, true, member)
@@ -205,6 +191,32 @@ class Definitions:
             return Outcome(Verdict.PROVED, (), equation, true, member)
         said = say(Kind.DEFINES_ENTRIES, names=list(first))
         return Outcome(Verdict.DEFINED, (said,), equation, true, member, defines=tuple(first))
+
+    def _compare(
+        self, found: _Entries, block: Block, blocks: Iterable[Block], true: Member, value: Matrix, defines: bool
+    ) -> None:
+        """Compare what is known of an entry with what stands in its place; a bare name is defined by that."""
+        cell, key = self.members.evaluate(block.cell), bare_key(block.cell)
+        if key in self.fresh:
+            cell = Member(block.cell, None, UnboundName(str(key)))
+        if cell.known or isinstance(cell.problem, NoValue):
+            if not (cell.known and self.readings.equality.equals_block(block.of(value), cell.value)):
+                found.wrong.append((block.row, block.column))
+        elif key is None or not isinstance(cell.problem, UnboundName) or self._is_nothing(block, blocks, value):
+            found.unknown = cell.problem
+        elif key in found.first or _holds(
+            block.of(value), key
+        ):  # J = [γ_1 …] once more: it is what it is, and no entry of J
+            itself = found.first[key] if key in found.first else self.members.exact.symbol(key)
+            if not self.readings.equality.equals_block(itself, block.of(value)):
+                found.wrong.append((block.row, block.column))
+        else:
+            found.first[key] = block.of(value)
+            if defines:
+                meaning = self.members.meaning(true.node, block)
+                of_section = block.is_larger and not self.members.is_of_tool(true.node)
+                self.names.define(key, meaning, self.line, by_place=True, of_section=of_section, whole=true.node)
+                self._define_components(block)
 
     def _is_nothing(self, block: Block, blocks: Iterable[Block], value: Matrix) -> bool:
         """Whether a letter without a usual meaning stands beside formulas where a value has a zero: nobody writes a length that is none."""

@@ -29,10 +29,10 @@ def own_shorthands(members: Members, said: Iterable[str]) -> Iterator[Shorthand]
         of_any = _ANY.search(latex) is not None
         numbered = _ANY.sub(lambda found: f"_{{{(found[1] or found[2]).translate(_NUMBERS)}}}", latex)
         with suppress(ReadError, EvaluationError, RecursionError):
-            for chain in members.names.reader.read(numbered):
-                if isinstance(chain, n.Chain) and set(chain.relations) in ({"="}, {"≡"}):
-                    for call in _said_otherwise(members, chain):
-                        yield call.function, len(angles_of(call)) if of_any else angles_of(call)
+            chains = [each for each in members.names.reader.read(numbered) if isinstance(each, n.Chain)]
+            for chain in (each for each in chains if set(each.relations) in ({"="}, {"≡"})):
+                for call in _said_otherwise(members, chain):
+                    yield call.function, len(angles_of(call)) if of_any else angles_of(call)
 
 
 def shorthands_in_row(cells: Iterable[str]) -> Iterator[str]:
