@@ -292,37 +292,48 @@ class Statements:
         moved, self.names.state.told = self.names.state.told, told
         self.claims.begin()
         premised = [outcome for found in steps for outcome in found]
-        judged = self.implications.judge(implication, premised, display.equation, display.links)
-        judged = self.implications.beside(judged, implication, display.above, display.equation)
-        if judged is None or judged[0].verdict is Verdict.UNCHECKED:
-            of_the_tool = self.implications.of_the_tool(implication, premised, display.equation, display.links)
-            judged = of_the_tool or judged
-        if judged is None or judged[0].verdict not in HOLDS:
-            there = self.claims.circumstances.at_premised(implication, display.equation)
-            judged = (there, {}) if there is not None else judged
-        if judged is not None:
-            judged = (
-                self.claims.circumstances.of_implication(self.claims.unless_doubted(judged[0]), implication),
-                judged[1],
-            )
-        if judged is not None and any(outcome.holds_there for outcome in premised):
-            judged = self._unless_meant_there(display, implication, judged)
+        judged = self._judged(display, implication, premised)
         display.above.append(implication)
         if judged is None:  # a step of a derivation: it is a claim of its own, and so is what follows
             self.names.state.told = moved
-            steps = [*map(self._without_numbers, steps)]
-            display.assumed = all(outcome.is_condition for found in steps for outcome in found)
-            for chain, found in zip(premises, steps, strict=True):
-                display.outcomes.extend(with_role(outcome, chain, self.names) for outcome in found)
-            display.equation += sum(len(chain.relations) for chain in premises)
-            display.links = []
-            display.index += len(premises) + connectives_among(display.statements, display.index, len(premises))
+            self._take_steps(display, premises, steps)
             return
         display.under = implication if implication.kind in ("⇒", "if") else None
         self.names.state.comparisons = compared
         self.names.state.configuration = given  # a premise holds in its implication alone, and so does what it defines
         self.names.forget(key for found in steps for o in found for key in o.defines if not o.is_condition)
-        outcome, counterexample = judged
+        self._conclude(display, implication, *judged)
+
+    def _judged(self, display: _Display, implication: Implication, premised: list[Outcome]) -> Judgement:
+        """Return what becomes of an implication with its counterexample; None where it is a step of a derivation."""
+        judged = self.implications.judge(implication, premised, display.equation, display.links)
+        judged = self.implications.beside(judged, implication, display.above, display.equation)
+        if judged is None or judged[0].verdict is Verdict.UNCHECKED:
+            of_the_tool = self.implications.of_the_tool(implication, premised, display.equation, display.links)
+            judged = of_the_tool or judged
+        circumstances = self.claims.circumstances
+        if judged is None or judged[0].verdict not in HOLDS:
+            there = circumstances.at_premised(implication, display.equation)
+            judged = (there, {}) if there is not None else judged
+        if judged is None:
+            return None
+        judged = circumstances.of_implication(self.claims.unless_doubted(judged[0]), implication), judged[1]
+        if any(outcome.holds_there for outcome in premised):
+            return self._unless_meant_there(display, implication, judged)
+        return judged
+
+    def _take_steps(self, display: _Display, premises: list[n.Chain], steps: list[list[Outcome]]) -> None:
+        steps = [*map(self._without_numbers, steps)]
+        display.assumed = all(outcome.is_condition for found in steps for outcome in found)
+        for chain, found in zip(premises, steps, strict=True):
+            display.outcomes.extend(with_role(outcome, chain, self.names) for outcome in found)
+        display.equation += sum(len(chain.relations) for chain in premises)
+        display.links = []
+        display.index += len(premises) + connectives_among(display.statements, display.index, len(premises))
+
+    def _conclude(
+        self, display: _Display, implication: Implication, outcome: Outcome, counterexample: dict[str, float]
+    ) -> None:
         read_as = together(dict.fromkeys(filter(None, map(self.checker.members.read_as, implication.chains))))
         sides = tuple(member for chain in implication.chains for member in chain.members)
         of_all = replace(outcome, role=Role.CONDITION, uses=self.claims.consulted(), read_as=read_as, conditions=sides)
@@ -330,7 +341,8 @@ class Statements:
         display.counterexample.update(counterexample)
         leads_on = goes_on(display.statements, implication)
         display.links = [*display.links, implication] if leads_on else []
-        display.equation += sum(len(chain.relations) for chain in (premises if leads_on else implication.chains))
+        chains = implication.premises if leads_on else implication.chains
+        display.equation += sum(len(chain.relations) for chain in chains)
         display.index = implication.behind_at if leads_on else implication.after
 
     def _without_numbers(self, step: list[Outcome]) -> list[Outcome]:
