@@ -222,7 +222,7 @@ def _multiplied(cell: n.Node) -> Iterator[Edit]:
 
 def _exchanged(cell: n.Node) -> Iterator[Edit]:
     """Yield the entry with two of its letters exchanged."""
-    names = {name.key: name for name in n.walk(cell) if isinstance(name, n.Name)}
+    names = {name.key: name for name in n.names(cell)}
     for one, other in combinations(names.values(), 2):
         changed = renamed(cell, {one.key: other, other.key: one})
         yield Edit(changed, "length", say(Kind.SWAPPED_LENGTHS, one=one.text or one.key, other=other.text or other.key))

@@ -113,7 +113,7 @@ class Worked:
     @cached_property
     def letters(self) -> frozenset[str]:
         """The letters of the formula."""
-        return frozenset(node.key for node in n.walk(self._tree) if isinstance(node, n.Name))
+        return frozenset(node.key for node in n.names(self._tree))
 
     @cached_property
     def taken(self) -> frozenset[str]:

@@ -233,7 +233,7 @@ class DisplayChecker:
         """Return the names in an equation, and those that stand behind names that the document defines."""
         keys = {name.key for name in names_in(outcome)}
         made = (self.names.state.definitions[key].node for key in keys & self.names.state.definitions.keys())
-        behind = {b.key for node in made if node is not None for b in n.walk(node) if isinstance(b, n.Name)}
+        behind = {b.key for node in made if node is not None for b in n.names(node)}
         return frozenset(keys | behind)
 
     def _with_array_corrected(self, record: Record, display: Display) -> Record:

@@ -152,7 +152,7 @@ class Heeding:
         """The text behind a display says what a letter of it is: "p_x = ρ c_1", where ρ = …."""
         chains = [each for each in statements if isinstance(each, n.Chain)]
         alone = {bare_key(member) for chain in chains for member in chain.members}
-        held = {b.key for chain in chains for b in n.walk(chain) if isinstance(b, n.Name) and self.names.is_open(b)}
+        held = {b.key for chain in chains for b in n.names(chain) if self.names.is_open(b)}
         if self.names.arm is None or not (held := held - alone):
             return
         for latex in said:
@@ -233,7 +233,7 @@ class Heeding:
     def _begin(self, names: set[str], conditions: Sequence[n.Chain], in_words: bool, line: int = 0) -> None:
         """Forget what is given anew: a length by its name, a configuration as a whole."""
         state = self.names.state
-        held = names | {b.key for each in conditions for b in n.walk(each) if isinstance(b, n.Name)}
+        held = names | {b.key for each in conditions for b in n.names(each)}
         angles = any(isinstance(below, n.JointAngles) for each in conditions for below in n.walk(each))
         moves = in_words or angles or not held.isdisjoint((*self.given.joints, "q", "theta"))
         over = [key for key in state.configuration if key in names or (moves and key not in self.given.lengths)]

@@ -258,8 +258,8 @@ def _of_every_integer(checker: ChainChecker, left: n.Node, right: n.Node, evalua
     """θ = α + kβ for every integer k: sin(m(θ − α)) where β = π/m, 1 − cos(m(θ − α)) where β = 2π/m."""
     free = [
         below
-        for below in n.walk(right)
-        if isinstance(below, n.Name) and below.key in WHOLE_NUMBERS and checker.names.known_symbol(below.key) is None
+        for below in n.names(right)
+        if below.key in WHOLE_NUMBERS and checker.names.known_symbol(below.key) is None
     ]
     if not free:
         return None

@@ -170,7 +170,7 @@ class Diagnostician:
 
     def _has_lengths(self, side: Member | None) -> bool:
         """Whether a formula is one of the author's: it holds lengths of the arm beside its quantities."""
-        names = [each for each in n.walk(side.node) if isinstance(each, n.Name)] if side is not None else []
+        names = [*n.names(side.node)] if side is not None else []
         lengths = self.checker.names.arm.lengths if self.checker.names.arm is not None else {}
         return any(self.checker.names.known_symbol(each.key) in lengths for each in names)
 

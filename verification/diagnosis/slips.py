@@ -310,7 +310,7 @@ def _angle_sums(node: n.Call, letters: Letters) -> Iterator[Change]:
 
 def swapped_lengths(root: n.Node, letters: Letters) -> Iterator[Edit]:
     """Two lengths, exchanged throughout."""
-    present = {below.key for below in n.walk(root) if isinstance(below, n.Name)}
+    present = {below.key for below in n.names(root)}
     for a, b in combinations([length for length in letters.lengths if length.key in present], 2):
         swapped = renamed(root, {a.key: b, b.key: a})
         yield Edit(swapped, "length", say(Kind.SWAPPED_LENGTHS, one=_show(a), other=_show(b)))
@@ -318,7 +318,7 @@ def swapped_lengths(root: n.Node, letters: Letters) -> Iterator[Edit]:
 
 def renamed(node: n.Node, names: dict[str, n.Name]) -> n.Node:
     """Return a tree with other names, by their keys."""
-    found = [below for below in n.walk(node) if isinstance(below, n.Name) and below.key in names]
+    found = [below for below in n.names(node) if below.key in names]
     return n.substitute_each(node, {id(old): replace(names[old.key], span=old.span) for old in found})
 
 

@@ -229,9 +229,7 @@ class Claims:
 
     def _holds_there(self, chain: n.Chain, equation: int, line: int) -> Outcome | None:
         """Return θ_1 + θ_2 = π/2 as a claim behind values of θ_1 and θ_2 with which it holds: it ends no configuration."""
-        symbols = {
-            self.names.known_symbol(each.key) for m in chain.members for each in n.walk(m) if isinstance(each, n.Name)
-        }
+        symbols = {self.names.known_symbol(each.key) for m in chain.members for each in n.names(m)}
         if len(chain.members) != 2 or not symbols & set(self.given.joints) <= self.names.state.configuration.keys():
             return None
         outcomes = self.checker.check(chain, equation, line, define=False)

@@ -169,7 +169,7 @@ class Statements:
                 self.names.state.signs.name(sign, line)
             elif isinstance(name, n.Name) and name.key in spoken and self.names.is_open(name) and not is_usual(name):
                 self.claims.chain(each, 1, line, define=True)
-            spoken |= {below.key for below in n.walk(each) if isinstance(below, n.Name)}
+            spoken |= {below.key for below in n.names(each)}
 
     def _own_shorthand(self, statements: list[n.Statement]) -> Finding | None:
         """Return the doubt where a c_{12} is written that the text says to be something else than it usually is."""

@@ -51,7 +51,7 @@ def direction_of_any_frames(names: Names, chain: n.Chain) -> str | None:
     chain = replace(chain, members=tuple(map(_seen, chain.members)))
     if len(chain.members) < 2 or set(chain.relations) != {"="} or not any(map(_composes, chain.members)):
         return None
-    below = (each for member in chain.members for each in n.walk(member) if isinstance(each, n.Name))
+    below = (each for member in chain.members for each in n.names(member))
     written = {each.key: each for each in below if each.key != "I"}
     own = set(names.arm.frames) if names.arm is not None else set()
     for direction in [names.state.transforms] if names.state.transforms else DIRECTIONS:

@@ -51,7 +51,7 @@ def is_composition(chain: n.Chain, frames: Collection[str]) -> bool:
 
 def _with_whole(chain: n.Chain, reference: str) -> Sequence[n.Node]:
     """Return the members with R, the whole rotation that R_6^3 = (R_3^0)^T R is about, from the first frame named to the last."""
-    named = [each for member in chain.members for each in n.walk(member) if isinstance(each, n.Name)]
+    named = [each for member in chain.members for each in n.names(member)]
     scripts = {script for each in named for script in each.scripts if script.isdigit()}
     if _WHOLE not in named or len(scripts) < FEWEST:
         return chain.members

@@ -148,7 +148,7 @@ class Conventions:
         """A formula's coordinates and points are those of the tool, where they can hardly be anything else."""
         if not isinstance(member.problem, UnboundName) or n.plain_name(member.node) is not None:
             return member
-        between = [each for each in n.walk(member.node) if isinstance(each, n.Name) and "to" in each.sub]  # O_2O_3
+        between = [each for each in n.names(member.node) if "to" in each.sub]  # O_2O_3
         of_names = any(isinstance(bare(cell), n.Name) for row in written_rows(member.node) for cell in row)
         if of_names and not between:
             return member
@@ -338,7 +338,7 @@ def _fit_together(members: list[Member]) -> bool:
 def _is_spelt(node: n.Node) -> bool:
     """Whether a side may be a name, or hold one, that is spelt otherwise."""
     inner = bare(node)
-    points = (below for below in n.walk(node) if isinstance(below, n.Name) and set(below.base) <= POINTS)
+    points = (below for below in n.names(node) if set(below.base) <= POINTS)
     applied = isinstance(inner, n.Product) and isinstance(inner.factors[1], n.Group | n.Sequence)
     dotted = isinstance(inner, n.Product) and any(isinstance(factor, n.Dots) for factor in inner.factors)
     return applied or dotted or isinstance(inner, n.Power) or next(points, None) is not None

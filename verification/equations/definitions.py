@@ -257,7 +257,7 @@ class Definitions:
 
     def _rows_unclear(self, true: Member, blocks: list[Block]) -> Finding | None:
         """Say that a Jacobian of six rows stands beside two or three components: nothing tells which rows it is to have."""
-        named = (below for below in n.walk(true.node) if isinstance(below, n.Name))
+        named = n.names(true.node)
         jacobian = next((name for name in named if self.members.jacobian_name(name) is not None), None)
         if jacobian is None or not stand_for_scalars(blocks, self.names):
             return None
@@ -343,7 +343,7 @@ def _solved(member: Member, true: n.Node) -> tuple[str, n.Node] | None:
     if (root := squared_name(member.node)) is not None:
         return root, n.Call("sqrt", (true,), "\\sqrt", span=true.span)
     key = member.problem.name if isinstance(member.problem, UnboundName) else ""
-    spoken = [below for below in n.walk(member.node) if isinstance(below, n.Name) and below.key == key]
+    spoken = [below for below in n.names(member.node) if below.key == key]
     cosines = [b for b in n.walk(member.node) if n.is_call(b, "cos") and b.arguments == (*spoken,)]
     is_matrix = any(isinstance(below, n.Matrix) for side in (member.node, true) for below in n.walk(side))
     if is_matrix or len(spoken) != 1 or len(cosines) != 1 or not _is_angle(spoken[0]):
@@ -404,7 +404,7 @@ class Redefinitions:
         state = self.names.state
         key = bare_key(chain.members[0]) if len(chain.members) > 1 and self.enabled else None
         definition = state.definitions.get(key) if key is not None else None
-        others = (below for member in chain.members[1:] for below in n.walk(member) if isinstance(below, n.Name))
+        others = (below for member in chain.members[1:] for below in n.names(member))
         if key is None or definition is None or definition.by_place or any(other.key == key for other in others):
             return None
         if definition.has_two_meanings and definition.section != state.section:

@@ -62,7 +62,7 @@ def index_of(chain: n.Chain) -> str:
 
 
 def _names(chain: n.Chain) -> Iterator[n.Name]:
-    yield from (below for below in n.walk(chain) if isinstance(below, n.Name))
+    yield from n.names(chain)
 
 
 def _instance(chain: n.Chain, letter: str, number: int) -> n.Chain:

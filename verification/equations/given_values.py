@@ -224,7 +224,7 @@ class GivenValues:
         return [n.Name(*symbol.partition("_")[::2], dots=name.dots) for symbol in self.joints]
 
     def _is_joint_value(self, value: n.Node) -> bool:
-        names = [below.key for below in n.walk(value) if isinstance(below, n.Name)]
+        names = [below.key for below in n.names(value)]
         calls = any(isinstance(below, n.Call | n.JointAngles | n.Matrix) for below in n.walk(value))
         return (not calls or is_number(value)) and all(key in ("pi", "k", "n") for key in names)
 
@@ -333,13 +333,7 @@ def keys_alone(node: n.Node) -> frozenset[str]:
 
 def keys_beside(chain: n.Chain, member: n.Node) -> set[str]:
     """The names that the other members of a chain hold."""
-    return {
-        b.key
-        for other in chain.members
-        if member not in (other, bare(other))
-        for b in n.walk(other)
-        if isinstance(b, n.Name)
-    }
+    return {b.key for other in chain.members if member not in (other, bare(other)) for b in n.names(other)}
 
 
 def named_sign(chain: n.Chain) -> str | None:

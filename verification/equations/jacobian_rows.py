@@ -102,7 +102,7 @@ class RowsOfJacobians:
         self, chain: n.Chain, outcomes: list[Outcome], check: Callable[[n.Chain], list[Outcome]]
     ) -> list[Outcome]:
         """A product with J, whose rows nothing has told, that only fits with fewer of them is read so; J Jᵀ with square ones."""
-        whole = [below for below in n.walk(chain) if isinstance(below, n.Name) and self._is_open(below)]
+        whole = [below for below in n.names(chain) if self._is_open(below)]
         whole = whole or self._planar_factors(chain)
         if not whole or any(member is below for member in chain.members for below in whole):
             return outcomes

@@ -132,7 +132,7 @@ def _on_both_sides(outcome: Outcome, names: Names) -> Finding | None:
     """
     for alone, other in (outcome.nodes, outcome.nodes[::-1]) if len(outcome.nodes) == 2 else ():
         name = _of_degrees(bare(alone))
-        again = [below for below in n.walk(other) if isinstance(below, n.Name) and below == name]
+        again = [below for below in n.names(other) if below == name]
         if again and name is not bare(alone):  # θ^∘ = θ · 180/π: how many degrees it is
             return say(Kind.ON_BOTH_SIDES, name=name.text or name.key)  # type: ignore[attr-defined]
         if not again or names.known_symbol(again[0].key) is not None:
@@ -205,7 +205,7 @@ def sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Findi
         return say(Kind.NO_ARM_TO_COMPARE)  # a letter may be a column, and a row of letters a matrix
     if not _tells_sizes(outcome):
         return None
-    held = [[b for b in n.walk(side) if isinstance(b, n.Name) and _quantity(b, names)] for side in chain.members]
+    held = [[b for b in n.names(side) if _quantity(b, names)] for side in chain.members]
     if outcome.findings[0].kind is not Kind.SUM_WITH_SCALAR:  # there the scalar may be a vector: ẍ - J̇ q̇
         held = [side if len(side) == 1 else [b for b in side if not _is_scalar(b, names)] for side in held]
     by_convention = [name for side in held for name in side if replace(name, dots=0).key not in names.quantities]
@@ -224,7 +224,7 @@ def sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Findi
 
 def _of_other_size(chain: n.Chain, names: Names) -> Finding | None:
     """What is said of a J that was printed as a matrix of another size may be meant of that one."""
-    held = (b.key for member in chain.members for b in n.walk(member) if isinstance(b, n.Name))
+    held = (b.key for member in chain.members for b in n.names(member))
     return next((names.state.other_sizes[key] for key in held if key in names.state.other_sizes), None)
 
 
@@ -348,7 +348,7 @@ def _is_said_anew(chain: n.Chain, names: Names) -> bool:
     told = keys_alone(first) & made.keys()
     if told and any(made[key].section not in ("", names.state.section) for key in told):
         return True
-    spoken = [below for member in chain.members for below in n.walk(member) if isinstance(below, n.Name)]
+    spoken = [below for member in chain.members for below in n.names(member)]
     nodes = [made[each.key].node for each in spoken if each.key in made]
     return len(nodes) == sum(each.key != "I" for each in spoken) and any(map(_is_any_matrix, nodes))
 

@@ -60,7 +60,7 @@ def _part(statement: n.Statement) -> tuple[str, n.Name, n.Name, n.Node] | None:
         calls = [each for each in factors if n.is_call(each, "cos", "sin")]
         if len(factors) != 2 or not names or not calls or not isinstance(angle := bare(calls[0].arguments[0]), n.Name):
             continue
-        letters = {each.key for each in n.walk(other) if isinstance(each, n.Name)}
+        letters = {each.key for each in n.names(other)}
         if letters and letters.isdisjoint((names[0].key, angle.key)):
             return calls[0].function, names[0], angle, other
     return None

@@ -73,7 +73,7 @@ def _otherwise(one: n.Node, other: n.Node, members: Members) -> Finding | None:
         return None
     if not (entry := _entry(values[id(name)], values[id(matrix)])):
         return None
-    text = next((each.text for each in n.walk(name) if isinstance(each, n.Name)), "")
+    text = next((each.text for each in n.names(name)), "")
     return say(Kind.FACTOR_OTHERWISE, name=text, row=entry[0], column=entry[1])
 
 

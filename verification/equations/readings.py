@@ -73,7 +73,7 @@ class Readings:
     def as_product_of_links(self, chain: n.Chain, outcomes: list[Outcome], check: Check) -> list[Outcome]:
         """A_{23} beside A_2 and A_3 may be their product: it is where that fits better than the link from frame 2 to 3."""
         inferred = self.names.state.inferred
-        spoken = (each for member in chain.members for each in n.walk(member) if isinstance(each, n.Name))
+        spoken = (each for member in chain.members for each in n.names(member))
         found = {each.key: q for each in spoken if (q := _product_of_links(each, self.names)) is not None}
         if not found:
             return outcomes

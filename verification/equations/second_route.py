@@ -189,7 +189,7 @@ class SecondRoute:
 
     def _rests_on_roots(self, node: n.Node) -> bool:
         """Whether a name in a tree was defined by a square root."""
-        named = (self._named(b) for b in n.walk(node) if isinstance(b, n.Name))
+        named = (self._named(b) for b in n.names(node))
         return any(n.is_call(b, *ROOTS) for each in named for b in n.walk(each))
 
     def _holds_for_negative(self, letter: str, outcome: Outcome, branches: bool) -> bool:

@@ -84,7 +84,7 @@ class UsualJudge:
 
     def _is_of_triangle(self, outcome: Outcome, doubts: Doubts) -> bool:
         """Whether the usual letter of the tool's direction stands alone in a cosine: h² = l_1² + l_2² - 2 l_1 l_2 cos φ."""
-        spoken = [b for node in outcome.nodes for b in n.walk(node) if isinstance(b, n.Name) and b.key in doubts.weak]
+        spoken = [b for node in outcome.nodes for b in n.names(node) if b.key in doubts.weak]
         cosines = [b for node in outcome.nodes for b in n.walk(node) if n.is_call(b, "cos")]
         quantity = self.names.quantity(spoken[0]) if len(spoken) == 1 else None
         in_sum = any(isinstance(bare(node), n.Sum) for node in outcome.nodes)

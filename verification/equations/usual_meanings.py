@@ -108,7 +108,7 @@ class UsualMeanings:
 
     def is_named_in(self, member: Member, quantity: Quantity, key: str) -> bool:
         """Whether a side holds another name of a quantity: then an author who has both means something else by this one."""
-        names = (below for below in n.walk(member.node) if isinstance(below, n.Name) and below.key != key)
+        names = (below for below in n.names(member.node) if below.key != key)
         return any(self.names.quantity(each) == quantity for each in names)
 
     def is_of_own_letter(self, name: n.Name) -> bool:

@@ -188,12 +188,12 @@ def written_out(node: n.Product) -> n.Product:
 def _index(factor: n.Node) -> int:
     """Return the one index of the names in an exponential, 0 without."""
     exponent = is_exponential(factor)
-    found = {below.sub for below in n.walk(exponent) if isinstance(below, n.Name)} if exponent is not None else set()
+    found = {below.sub for below in n.names(exponent)} if exponent is not None else set()
     return int(index) if len(found) == 1 and (index := found.pop()).isdigit() else 0
 
 
 def _with_index(factor: n.Node, old: int, new: int) -> n.Node:
-    names = [below for below in n.walk(factor) if isinstance(below, n.Name) and below.sub == str(old)]
+    names = [below for below in n.names(factor) if below.sub == str(old)]
     return n.substitute_each(factor, {id(name): replace(name, sub=str(new)) for name in names})
 
 

@@ -289,12 +289,17 @@ def walk(node: Node) -> Iterator[Node]:
         return iter(node._walked)
 
 
+def names(node: Node) -> Iterator[Name]:
+    """Yield the names in a tree, depth first."""
+    return (below for below in walk(node) if isinstance(below, Name))
+
+
 def letters(node: Node) -> frozenset[str]:
     """Return the letters of the names in a tree, without indices and accents: what a rule never speaks of, it is not asked about."""
     try:
         return node._letters
     except AttributeError:
-        object.__setattr__(node, "_letters", frozenset(each.base for each in walk(node) if isinstance(each, Name)))
+        object.__setattr__(node, "_letters", frozenset(each.base for each in names(node)))
         return node._letters
 
 

@@ -50,7 +50,7 @@ def value_in_letters(node: n.Node, names: Names, algebra: ExactAlgebra) -> tuple
     """
     if any(_is_of_half_an_angle(below) for below in n.walk(node)):
         return None
-    letters = tuple(below for below in n.walk(node) if isinstance(below, n.Name) and below.key != "pi")
+    letters = tuple(below for below in n.names(node) if below.key != "pi")
     try:
         return Evaluator(replace(names, symbols={name.key: name.key for name in letters}), algebra).evaluate(
             node

@@ -55,7 +55,7 @@ def pose_of_tool(document: Document, names: Names) -> tuple[Display, frozenset[s
             name, printed = unapplied(chain.members[0]), n.bare(chain.members[-1])
             rows = printed.rows if isinstance(printed, n.Matrix) else ()
             if isinstance(name, n.Name) and frame_of_tool(name) and [len(row) for row in rows] == [4] * 4:
-                return display, frozenset(each.key for each in n.walk(printed) if isinstance(each, n.Name))
+                return display, frozenset(each.key for each in n.names(printed))
     return None
 
 

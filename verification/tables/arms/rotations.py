@@ -12,7 +12,7 @@ _TRANSFORMS = "TAHM"
 
 def as_transforms(chain: n.Chain) -> n.Chain:
     """Return a chain with {}^3T_4 for {}^3R_4, in which transforms of other letters are none."""
-    named = [each for each in n.walk(chain) if isinstance(each, n.Name) and each.base in ("R", *_TRANSFORMS)]
+    named = [each for each in n.names(chain) if each.base in ("R", *_TRANSFORMS)]
     found = {id(each): replace(each, base="T" if each.base == "R" and _is_placed(each) else "R") for each in named}
     return n.substitute_each(chain, found)  # type: ignore[return-value]
 
