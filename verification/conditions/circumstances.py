@@ -12,7 +12,7 @@ from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import as_matrix
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.heeding import Heeding, unbraced, value_of
-from armproof.verification.conditions.holding_there import holds_where
+from armproof.verification.conditions.holding_there import holds_where, postures_of
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.conditions.postures import vanish_at_quarter_turns
 from armproof.verification.document.postures import THERE
@@ -68,8 +68,9 @@ class Circumstances:
                 conditions += [condition for chain in found for condition in self.text.conditions_of(chain)]
                 if not found and self._may_hold_there(outcome, THERE in latex):
                     return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
-        if conditions and self._follows(conditions, outcome) and not self._vanishes(conditions, outcome):
-            return outcome.left_open(say(Kind.HOLDS_AS_BEHIND))
+        for posture in postures_of(conditions) if conditions else ():
+            if self._follows(posture, outcome) and not self._vanishes(posture, outcome):
+                return outcome.left_open(say(Kind.HOLDS_AS_BEHIND))
         return outcome
 
     def judge_before(self, outcome: Outcome, behind: Sequence[n.Chain]) -> Outcome:
@@ -147,9 +148,9 @@ class Circumstances:
         if lengths and (again := self._together(lengths, implication, judged)) is not None:
             return replace(again, equation=judged.equation)
         given = self.names.state.told.conditions
-        if not given or self._together([*lengths, *given], implication, judged) is None:
-            return judged
-        return judged.left_open(say(Kind.HOLDS_AS_TOLD))
+        if given and any(self._together([*lengths, *each], implication, judged) for each in postures_of(given)):
+            return judged.left_open(say(Kind.HOLDS_AS_TOLD))
+        return judged
 
     def _together(self, given: Sequence[n.Chain], implication: Implication, judged: Outcome) -> Outcome | None:
         """Return what becomes of an implication under more conditions; None where it fails, or they are never met."""
@@ -206,11 +207,12 @@ class Circumstances:
 
     def _told(self, told: Told) -> Iterator[tuple[n.Chain, ...]]:
         """Yield the conditions that the text gives, alone and with what was stated before; one of several postures each."""
-        if told.conditions:
-            yield from dict.fromkeys([told.conditions, (*told.earlier, *told.conditions)])
-            for at, condition in enumerate(told.conditions):
-                for posture in self._postures(condition):
-                    yield (*told.conditions[:at], posture, *told.conditions[at + 1 :])
+        if not told.conditions:
+            return
+        yield from dict.fromkeys([*postures_of(told.conditions), *postures_of((*told.earlier, *told.conditions))])
+        for at, condition in enumerate(told.conditions):
+            for posture in self._postures(condition):
+                yield from postures_of((*told.conditions[:at], posture, *told.conditions[at + 1 :]))
 
     def _follows(self, conditions: Sequence[n.Chain], outcome: Outcome) -> bool:
         """Whether an equation holds, or nobody can tell, under conditions."""

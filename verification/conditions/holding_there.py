@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from itertools import product
+from math import prod
 
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.equations.chain import ChainChecker
@@ -17,3 +20,19 @@ def holds_where(checker: ChainChecker, conditions: Sequence[n.Chain], claim: n.C
 
     implication = Implication("⇒", [[*conditions]], [[claim]])
     return check_implication(checker, implication, 1)[0].verdict is not Verdict.REFUTED
+
+
+MOST_POSTURES = 16
+
+
+def postures_of(conditions: Sequence[n.Chain]) -> Iterator[tuple[n.Chain, ...]]:
+    """Yield the conditions for each of several values that one name has: "θ_2 = 0 or θ_2 = π" are two postures, and no contradiction."""
+    values: defaultdict[str, list[n.Chain]] = defaultdict(list)
+    for condition in conditions:
+        name = condition.members[0]
+        has_value = condition.relations == ("=",) and isinstance(name, n.Name)
+        values[n.bare_key(name) if has_value else str(len(values))].append(condition)
+    if prod(map(len, values.values())) > MOST_POSTURES:
+        yield tuple(conditions)
+    else:
+        yield from product(*values.values())
