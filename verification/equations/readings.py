@@ -136,7 +136,7 @@ class Readings:
     def of_the_tool(self, chain: n.Chain, outcomes: list[Outcome], settled: Set[str], check: Check) -> list[Outcome]:
         """A Jacobian that names no frame is that of the last one, or of the tool behind it: as the first equation says.
 
-        So is a part of one, J_1 or J_{12}; `settled` are the names that earlier equations have given a meaning.
+        If that is of neither, it is of the one of which fewer entries are wrong. So is a part of one, J_1 or J_{12}; `settled` are the names that earlier equations have given a meaning.
         """
         arm, state = self.names.arm, self.names.state
         left_open = self._of_last_frame([chain], settled)
@@ -153,7 +153,7 @@ class Readings:
             tried = check(chain)
         finally:
             self.reads_of_tool = False
-        if not any(outcome.verdict is Verdict.REFUTED for outcome in tried):
+        if _count_wrong(tried) < _count_wrong(outcomes):
             self._settle({key: state.inferred[key] for key in left_open})
             return tried
         state.shown = before
