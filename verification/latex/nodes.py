@@ -15,11 +15,12 @@ from typing import Any, TypeGuard
 
 
 class _Walked:
-    """Keeps the nodes below one that was walked, the letters in them, which stands above which, and a name's key: a tree never changes."""
+    """Keeps the nodes below one that was walked, the names and letters in them, which stands above which, and a name's key: a tree never changes."""
 
-    __slots__ = ("_key", "_letters", "_parents", "_walked")
+    __slots__ = ("_key", "_letters", "_names", "_parents", "_walked")
     _key: str
     _letters: frozenset[str]
+    _names: tuple[Name, ...]
     _parents: dict[int, Node | None]
     _walked: tuple[Node, ...]
 
@@ -291,7 +292,11 @@ def walk(node: Node) -> Iterator[Node]:
 
 def names(node: Node) -> Iterator[Name]:
     """Yield the names in a tree, depth first."""
-    return (below for below in walk(node) if isinstance(below, Name))
+    try:
+        return iter(node._names)
+    except AttributeError:
+        object.__setattr__(node, "_names", tuple(below for below in walk(node) if isinstance(below, Name)))
+        return iter(node._names)
 
 
 def letters(node: Node) -> frozenset[str]:
