@@ -30,7 +30,7 @@ from armproof.verification.naming.state import Told
 from armproof.verification.verdict import HOLDS, Verdict
 
 ON_A_BRANCH = (Kind.ON_A_BRANCH, Kind.TO_DECIMALS_ON_A_BRANCH)
-OF_A_SIGN = frozenset("sqrt abs atan2 atan acos asin".split())  # a root or an angle that has another sign elsewhere
+OF_A_SIGN = ("sqrt", "abs", *n.ARCS)  # a root or an angle that has another sign elsewhere
 
 
 class Circumstances:
@@ -254,4 +254,4 @@ class Circumstances:
 
 
 def _has_a_sign(node: n.Node) -> bool:
-    return any(isinstance(below, n.Call) and below.function in OF_A_SIGN for below in n.walk(node))
+    return any(n.is_call(below, *OF_A_SIGN) for below in n.walk(node))
