@@ -161,7 +161,7 @@ LATER = (
     "verification/correction/test_corrector.py::test_a_condition_that_no_small_slip_explains_is_left_alone",
     "verification/running/test_watch.py::test_the_command_tells_verdicts_until_it_is_ended",
     "verification/singularities/test_singularities.py::test_intersections_have_the_rank_stated",
-    "verification/check/test_documents.py::test_two_of_anything_get_a_verdict",
+    "verification/check/test_document.py::test_two_of_anything_get_a_verdict",
     "verification/test_without_numpy.py::test_a_handout_is_proved_and_its_errata_refuted_without_numpy_and_drake",
     "verification/report/test_folder.py::test_kills_at_random_leave_a_whole_report",
     "verification/test_cli.py::test_a_report_that_nobody_takes_ends_without_a_traceback",

@@ -2,24 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import accumulate
 
-from armproof.verification.check.document_checker import DocumentChecker, load_arm_of
 from armproof.verification.document import Document
 from armproof.verification.findings import Kind, say
 from armproof.verification.tables.arms import Inference
 from armproof.verification.verdict import HOLDS, DocumentResult, Record, Verdict
 
 
-def plainly(part: Inference) -> DocumentResult:
-    """Return the verdicts of a part of a document, and nothing that takes time to find out besides."""
-    return DocumentChecker(part.document, load_arm_of(part.document), False, False, True, part).run()
+def unless_of_another_arm(
+    place: int, parts: Sequence[Inference], result: DocumentResult, plainly: Callable[[Inference], DocumentResult]
+) -> DocumentResult:
+    """Leave open what is refuted in the part of one arm, and holds of another that the document shows.
 
-
-def unless_of_another_arm(place: int, parts: Sequence[Inference], result: DocumentResult) -> DocumentResult:
-    """Leave open what is refuted in the part of one arm, and holds of another that the document shows."""
+    `plainly` gives the verdicts of a part.
+    """
     refuted = any(each.verdict is Verdict.REFUTED and not each.erratum for each in result.equations)
     others = [(part, part.arm) for k, part in enumerate(parts) if k != place and part.arm is not None]
     if parts[place].arm is None or not refuted:

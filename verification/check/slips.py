@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
+from typing import TYPE_CHECKING
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.check.limits import SECONDS_ON_SLIPS, SECONDS_TO_EXPLAIN, WORK_ON_SLIPS
-from armproof.verification.check.on_demand import OnDemand
+from armproof.verification.display.statements import Statements
 from armproof.verification.document import Display
 from armproof.verification.equations.outcome import AsUsual, Outcome
 from armproof.verification.errors import TooComplex
@@ -19,13 +20,16 @@ from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.naming.state import Definition
 from armproof.verification.verdict import HOLDS, EquationResult, Record, SlipBefore, Verdict
 
+if TYPE_CHECKING:
+    from armproof.verification.diagnosis.diagnosis import Diagnostician
+
 
 class Slips:
     """Seeks the one slip with which an equation of a display holds, and tells which displays clear a definition of one."""
 
-    def __init__(self, on_demand: OnDemand) -> None:
-        self.on_demand = on_demand
-        self.checker, self.statements = on_demand.checker, on_demand.statements
+    def __init__(self, statements: Statements, diagnostician: Callable[[], Diagnostician]) -> None:
+        self.diagnostician = diagnostician
+        self.checker, self.statements = statements.checker, statements
         self.names, self.budget = self.checker.names, self.checker.exact.budget
 
     # -- in the equation, its names as usual --------------------------------------------------------------------------
@@ -40,7 +44,7 @@ class Slips:
         try:
             with self.budget.of(SECONDS_TO_EXPLAIN):
                 holds = partial(self._holds_so, equation=outcome.equation)
-                slips = [*self.on_demand.diagnostician.slip_as_usual(normalise_unicode(display.latex), outcome, holds)]
+                slips = [*self.diagnostician().slip_as_usual(normalise_unicode(display.latex), outcome, holds)]
         except TooComplex:
             return None
         if not slips:
@@ -61,7 +65,7 @@ class Slips:
         try:
             with self.budget.of(SECONDS_ON_SLIPS, WORK_ON_SLIPS):
                 again = partial(self._holds_again, display, outcome.equation)
-                slip = self.on_demand.diagnostician.slip_before(Record(0, "", Verdict.REFUTED), refuted, again)
+                slip = self.diagnostician().slip_before(Record(0, "", Verdict.REFUTED), refuted, again)
         except TooComplex:
             return None
         finally:
@@ -89,7 +93,7 @@ class Slips:
                 is_open = outcome.verdict in (Verdict.UNCHECKED, Verdict.DEFINED)
                 if is_open and outcome.tells(Kind.SECOND_MEANING) and outcome.uses:
                     again = partial(self._holds_again, display, outcome.equation)
-                    slip = self.on_demand.diagnostician.slip_before(record, outcome, again)
+                    slip = self.diagnostician().slip_before(record, outcome, again)
                     found[place] = replace(found[place], slip_before=slip)
         return replace(record, outcomes=tuple(found))
 
@@ -98,7 +102,7 @@ class Slips:
         if outcome.verdict is not Verdict.REFUTED or not outcome.uses:
             return None
         again = partial(self._holds_again, display, outcome.equation)
-        return self.on_demand.diagnostician.slip_before(record, outcome, again)
+        return self.diagnostician().slip_before(record, outcome, again)
 
     def is_cleared(self, record: Record, slip: SlipBefore) -> bool:
         """Whether a display that holds does so as it stands, and not if a definition has a slip: it clears it of that."""

@@ -14,7 +14,7 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.heeding import Heeding, unbraced, value_of
 from armproof.verification.conditions.holding_there import holds_where, postures_of
 from armproof.verification.conditions.implication import Implication
-from armproof.verification.conditions.postures import MOST_JOINTS, vanish_at_quarter_turns
+from armproof.verification.conditions.postures import vanish_at_quarter_turns
 from armproof.verification.document.postures import THERE
 from armproof.verification.document.sentences import FROM_VALUES
 from armproof.verification.equations.case_conditions import comparisons_of
@@ -30,7 +30,7 @@ from armproof.verification.naming.state import Told
 from armproof.verification.verdict import HOLDS, Verdict
 
 ON_A_BRANCH = (Kind.ON_A_BRANCH, Kind.TO_DECIMALS_ON_A_BRANCH)
-OF_A_SIGN = frozenset("sqrt abs atan2 atan acos asin".split())  # a root or an angle that has another sign elsewhere
+OF_A_SIGN = ("sqrt", "abs", *n.ARCS)  # a root or an angle that has another sign elsewhere
 
 
 class Circumstances:
@@ -45,16 +45,14 @@ class Circumstances:
     def judge(self, outcome: Outcome) -> Outcome:
         """Leave open what is refuted, and may be meant where the text before it says."""
         told = self.names.state.told
-        if outcome.true is None or outcome.printed is None:
+        if outcome.true is None or outcome.printed is None or outcome.states_values:
             return outcome
-        if not outcome.states_values and any(self._follows(each, outcome) for each in self._told(told)):
+        if any(self._follows(each, outcome) for each in self._told(told)):
             return self._proved_there(outcome) or outcome.left_open(say(Kind.HOLDS_AS_TOLD))
-        if told.in_words and self._may_hold_there(outcome, told.begins_there):
-            return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
-        if outcome.states_values:
-            return outcome
         if self.names.arm is None and told.conditions and any(map(bare_key, outcome.nodes)):
             return outcome.left_open(say(Kind.OTHER_AS_TOLD))  # what a name is, or is there: either may hold the slip
+        if told.in_words and self._may_hold_there(outcome, told.begins_there):
+            return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
         if told.bounds and any(map(_has_a_sign, (outcome.true.node, outcome.printed.node))):
             return self._within(told.bounds, outcome)
         return outcome
@@ -226,19 +224,16 @@ class Circumstances:
     def _may_hold_there(self, outcome: Outcome, begins_there: bool) -> bool:
         """Whether an equation may hold in a posture that words name.
 
-        A joint moves one side alone; or both agree at quarter turns, and the sentence begins with the posture. Of what says
-        itself where it holds, J|_{θ_2 = 0}, words may tell the joints that still move, and no more.
+        A joint moves one side alone; or both agree at quarter turns, and the sentence begins with the posture. What says
+        itself where it holds, J|_{θ_2 = 0}, needs no words for it.
         """
-        if outcome.pair is None:
+        if outcome.pair is None or outcome.states_values:
             return False
         true, printed = outcome.pair.true.cells, outcome.pair.printed.cells
-        joints = self.names.arm.joints if self.names.arm is not None else ()
-        differences = [a - b for a, b in zip(true, printed, strict=True)]
-        if outcome.states_values:
-            moving = symbols_in(differences) & set(self.given.joints)
-            return len(moving) > MOST_JOINTS or vanish_at_quarter_turns(self.checker.exact, joints, differences)
         if symbols_in(true) & set(self.given.joints) != symbols_in(printed) & set(self.given.joints):
             return True
+        joints = self.names.arm.joints if self.names.arm is not None else ()
+        differences = [a - b for a, b in zip(true, printed, strict=True)] if begins_there else []
         return begins_there and vanish_at_quarter_turns(self.checker.exact, joints, differences)
 
     def _postures(self, condition: n.Chain) -> tuple[n.Chain, ...]:
@@ -256,4 +251,4 @@ class Circumstances:
 
 
 def _has_a_sign(node: n.Node) -> bool:
-    return any(isinstance(below, n.Call) and below.function in OF_A_SIGN for below in n.walk(node))
+    return any(n.is_call(below, *OF_A_SIGN) for below in n.walk(node))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 from armproof.verification.algebra.calculus import symbols_in
@@ -35,6 +35,18 @@ POSTURE = r"\text{posture}"  # one that the text names, and nobody can tell
 _HELD = re.compile(r"\s*(?:\\\{(?P<set>(?:(?!\\[{}]).)*=(?:(?!\\[{}]).)*)\\\}|\((?P<list>[^()]*=[^()]*)\))\s*")
 
 
+@dataclass
+class _Heard:
+    """What a text says: the names that it equates, what it gives, and whether it names a posture in words."""
+
+    names: set[str] = field(default_factory=set)
+    conditions: list[n.Chain] = field(default_factory=list)
+    velocities: list[n.Chain] = field(default_factory=list)
+    bounds: list[n.Chain] = field(default_factory=list)
+    in_words: bool = False
+    kind: str = ""
+
+
 class Heeding:
     """Takes what the text says into the document's state."""
 
@@ -61,65 +73,65 @@ class Heeding:
             self._heed(said[above:], line)
 
     def _heed(self, said: Iterable[str], line: int) -> None:
-        names: set[str] = set()
-        conditions: list[n.Chain] = []
-        velocities: list[n.Chain] = []
-        bounds: list[n.Chain] = []
-        in_words = False
-        kind = ""
-        of_arm = self.names.arm is not None
         said = tuple(said)
-        is_last = said[-1:] == (SINGULAR,)
+        heard = _Heard()
         for latex in self.in_letters(said):
             if latex in (SINGULAR, FROM_VALUES):
                 continue
             if latex == GENERAL:
                 self._end_configuration(line)
-                continue
-            if latex.startswith("\\text{") and (of_joints := kind_of_joints(latex)):
-                kind = of_joints
-                continue
-            try:
-                found = [each for each in self.names.reader.read(unbraced(latex)) if isinstance(each, n.Chain)]
-                chains = [chain for chain in found if not self.given.repeats(chain)]
-                bounding = [chain for chain in chains if _is_bound(chain)]
-                for bound in bounding:
-                    self.names.state.compare(bound, self.given.lengths)
-                bounds += (bound for bound in bounding if of_arm and "≠" not in bound.relations)
-                if any(map(self.moves, bounding)):  # where θ_2 ≠ 0, nothing is said of θ_2 = π any more
-                    names |= {*self.given.joints}
-                    self.names.state.told = replace(self.names.state.told, conditions=(), earlier=())
-                chains = [chain for chain in chains if not _is_bound(chain)]
-                if found and not chains:
-                    continue
-            except ReadError:
-                names |= {*self.given.joints, *self.given.lengths}
-                chains = []
-            names |= {name for chain in chains for name in _equated(chain)}
-            velocities += filter(UnderRates(self.checker.members, Told()).velocity_in, chains) if of_arm else ()
-            for chain in (
-                chains if of_arm else ()
-            ):  # without one a letter of the text is any: it says where things hold, and no more
-                heed_forces(self.names, chain)
-                self._define(chain, line, conditions)
-            chains = [self._without_letters(chain, line) for chain in chains]
-            conditions += [condition for chain in chains for condition in self.conditions_of(chain)]
-            in_words = in_words or not chains
-        self._begin(names, conditions, in_words, line)
-        before = self.names.state.told
+            elif latex.startswith("\\text{") and (of_joints := kind_of_joints(latex)):
+                heard.kind = of_joints
+            else:
+                self._hear(latex, heard, line)
+        self._begin(heard.names, heard.conditions, heard.in_words, line)
+        before, is_last = self.names.state.told, said[-1:] == (SINGULAR,)
         self.names.state.told = replace(
             before,
             of_singularities=is_last,
             begins_there=any(THERE in latex for latex in said),
-            velocities=tuple(velocities) or before.velocities,
-            bounds=tuple(bounds) or before.bounds,
-            kind=kind or before.kind,
-            is_direct=bool(conditions) and not in_words and FROM_VALUES in said,
-            line=line if velocities or is_last else before.line,
+            velocities=tuple(heard.velocities) or before.velocities,
+            bounds=tuple(heard.bounds) or before.bounds,
+            kind=heard.kind or before.kind,
+            is_direct=bool(heard.conditions) and not heard.in_words and FROM_VALUES in said,
+            line=line if heard.velocities or is_last else before.line,
         )
-        told = self._values(conditions)
+        told = self._values(heard.conditions)
         self.names.state.given_last |= told
         self.names.state.told_lengths |= {name: told[name] for name in told if name in self.given.lengths}
+
+    def _hear(self, latex: str, heard: _Heard, line: int) -> None:
+        """Take an equation, a bound or a posture: what is none of the first two is one in words."""
+        try:
+            found = [each for each in self.names.reader.read(unbraced(latex)) if isinstance(each, n.Chain)]
+            chains = [chain for chain in found if not self.given.repeats(chain)]
+            self._hear_bounds([chain for chain in chains if _is_bound(chain)], heard)
+            chains = [chain for chain in chains if not _is_bound(chain)]
+            if found and not chains:
+                return
+        except ReadError:
+            heard.names |= {*self.given.joints, *self.given.lengths}
+            chains = []
+        heard.names |= {name for chain in chains for name in _equated(chain)}
+        if (
+            self.names.arm is not None
+        ):  # without one a letter of the text is any: it says where things hold, and no more
+            heard.velocities += filter(UnderRates(self.checker.members, Told()).velocity_in, chains)
+            for chain in chains:
+                heed_forces(self.names, chain)
+                self._define(chain, line, heard.conditions)
+        chains = [self._without_letters(chain, line) for chain in chains]
+        heard.conditions += [condition for chain in chains for condition in self.conditions_of(chain)]
+        heard.in_words = heard.in_words or not chains
+
+    def _hear_bounds(self, bounding: Sequence[n.Chain], heard: _Heard) -> None:
+        for bound in bounding:
+            self.names.state.compare(bound, self.given.lengths)
+        if self.names.arm is not None:
+            heard.bounds += (bound for bound in bounding if "≠" not in bound.relations)
+        if any(map(self.moves, bounding)):  # where θ_2 ≠ 0, nothing is said of θ_2 = π any more
+            heard.names |= {*self.given.joints}
+            self.names.state.told = replace(self.names.state.told, conditions=(), earlier=())
 
     def in_letters(self, said: Iterable[str]) -> Iterator[str]:
         """Yield what a text says, the values of joints in words in the arm's letters; those of an arm that is not known as a posture."""
@@ -140,7 +152,7 @@ class Heeding:
         """The text behind a display says what a letter of it is: "p_x = ρ c_1", where ρ = …."""
         chains = [each for each in statements if isinstance(each, n.Chain)]
         alone = {bare_key(member) for chain in chains for member in chain.members}
-        held = {b.key for chain in chains for b in n.walk(chain) if isinstance(b, n.Name) and self.names.is_open(b)}
+        held = {b.key for chain in chains for b in n.names(chain) if self.names.is_open(b)}
         if self.names.arm is None or not (held := held - alone):
             return
         for latex in said:
@@ -221,7 +233,7 @@ class Heeding:
     def _begin(self, names: set[str], conditions: Sequence[n.Chain], in_words: bool, line: int = 0) -> None:
         """Forget what is given anew: a length by its name, a configuration as a whole."""
         state = self.names.state
-        held = names | {b.key for each in conditions for b in n.walk(each) if isinstance(b, n.Name)}
+        held = names | {b.key for each in conditions for b in n.names(each)}
         angles = any(isinstance(below, n.JointAngles) for each in conditions for below in n.walk(each))
         moves = in_words or angles or not held.isdisjoint((*self.given.joints, "q", "theta"))
         over = [key for key in state.configuration if key in names or (moves and key not in self.given.lengths)]

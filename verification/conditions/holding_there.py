@@ -12,6 +12,8 @@ from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.latex import nodes as n
 from armproof.verification.verdict import Verdict
 
+MOST_POSTURES = 16
+
 
 def holds_where(checker: ChainChecker, conditions: Sequence[n.Chain], claim: n.Chain) -> bool:
     """Whether a claim holds under conditions, or nobody can tell."""
@@ -22,16 +24,15 @@ def holds_where(checker: ChainChecker, conditions: Sequence[n.Chain], claim: n.C
     return check_implication(checker, implication, 1)[0].verdict is not Verdict.REFUTED
 
 
-MOST_POSTURES = 16
-
-
 def postures_of(conditions: Sequence[n.Chain]) -> Iterator[tuple[n.Chain, ...]]:
     """Yield the conditions for each of several values that one name has: "θ_2 = 0 or θ_2 = π" are two postures, and no contradiction."""
     values: defaultdict[str, list[n.Chain]] = defaultdict(list)
     for condition in conditions:
         name = condition.members[0]
-        has_value = condition.relations == ("=",) and isinstance(name, n.Name)
-        values[n.bare_key(name) if has_value else str(len(values))].append(condition)
+        if condition.relations == ("=",) and isinstance(name, n.Name):
+            values[name.key].append(condition)
+        else:
+            values[str(len(values))].append(condition)
     if prod(map(len, values.values())) > MOST_POSTURES:
         yield tuple(conditions)
     else:

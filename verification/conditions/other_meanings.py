@@ -33,7 +33,7 @@ class OtherMeanings:
 
     def judge(self, outcome: Outcome, meant: Sequence[str]) -> Outcome:
         """Leave open what is written with a letter that the text gives another meaning than the arm has for it."""
-        written = {below.key for node in outcome.nodes for below in n.walk(node) if isinstance(below, n.Name)}
+        written = {below.key for node in outcome.nodes for below in n.names(node)}
         if JACOBIAN in meant and JACOBIAN in written:
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=JACOBIAN))
         sides = (outcome.pair.true, outcome.pair.printed) if outcome.pair is not None else ()

@@ -3,24 +3,39 @@
 from __future__ import annotations
 
 from collections.abc import Set
+from dataclasses import replace
 from functools import partial
+from math import remainder, tau
 
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.circumstances import Circumstances
-from armproof.verification.display.chain_readings import ChainReadings
+from armproof.verification.display.at_values import at_told_values, of_worked_example, under_given_rates
 from armproof.verification.display.decision import Decision
+from armproof.verification.display.equal_numbers import unequal_numbers, with_wrong_numbers
 from armproof.verification.display.taken_arm import names_in
+from armproof.verification.display.two_readings import either_reading, one_or_apart
+from armproof.verification.equations.case_conditions import check_cases
 from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.differentials import of_small_ones
 from armproof.verification.equations.doubts import is_of_arm
 from armproof.verification.equations.elementary import axis_of_another_frame
+from armproof.verification.equations.general_links import is_sum_of_indices
 from armproof.verification.equations.given_targets import asked_of_the_tool
+from armproof.verification.equations.given_values import named_sign
+from armproof.verification.equations.inequalities import check_relation, parts_of
 from armproof.verification.equations.named_signs import unless_of_a_sign
 from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.readings import counted, side_by_side, without_count
+from armproof.verification.equations.under_rates import UnderRates
+from armproof.verification.equations.vectors import crossed_letters, of_vectors
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare
+from armproof.verification.latex.nodes import bare, bare_key, is_number
 from armproof.verification.naming.conventions import AXES
 from armproof.verification.naming.state import Key
-from armproof.verification.verdict import DECIDED, HOLDS, Verdict
+from armproof.verification.verdict import DECIDED, HOLDS, Role, Verdict
+
+CLOSE = 1e-9  # so near are angles that are the same
 
 
 class Claims:
@@ -30,18 +45,64 @@ class Claims:
         self.checker = checker
         self.names = checker.names
         self.decision = Decision(checker)
-        self.readings = ChainReadings(self.decision)
+        self.given = self.decision.given
 
     @property
     def circumstances(self) -> Circumstances:
         """Heeds what the text between displays says."""
         return self.decision.circumstances
 
+    def claim(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        """Return the outcomes of a chain that is no condition: numbers may be those of given values, and of rates in a column."""
+        state = self.names.state
+        if rates := self.given.rates_of_column(chain):
+            stated = state.configuration
+            state.configuration = {**self.given.stated(rates), **stated}
+            outcomes = self._at_values(chain, equation, line, define)
+            state.configuration = stated
+            return outcomes
+        under = UnderRates(self.checker.members, state.told)
+        if self.names.arm is None or not n.has_rates(chain) or not under.concerns(chain):
+            return self._at_values(chain, equation, line, define)
+        before = state.copy()
+        outcomes = self._at_values(chain, equation, line, define)
+        is_open = not outcomes or any(outcome.verdict not in HOLDS for outcome in outcomes)
+        if not is_open or any(outcome.verdict is Verdict.REFUTED for outcome in outcomes):
+            return outcomes
+        return under_given_rates(state, self.chain, under, chain, before, equation, line) or outcomes
+
+    def _at_values(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        self.begin()
+        if _is_of_rank(chain):
+            return self.circumstances.of_ranks(chain, self.chain(chain, equation, line, define), line)
+        told, there = self.names.state.told, list[Outcome]()
+        if told.standing or self.names.state.told_lengths:
+            there = at_told_values(
+                self.names.state, self.circumstances.text.told_values(), self._read, chain, equation, line
+            )
+        if any(outcome.verdict in DECIDED for outcome in there):
+            return [replace(self.unless_doubted(outcome), uses=self.consulted()) for outcome in there]
+        outcomes = self.chain(chain, equation, line, define)
+        is_open = any(each.verdict not in HOLDS for each in outcomes) and not any(
+            each.verdict is Verdict.REFUTED and each.true is not None and not is_number(each.true.node)
+            for each in outcomes
+        )
+        if is_open and self.names.state.given_last:
+            worked = of_worked_example(self.names.state, self._read, chain, equation, line)
+            if worked:
+                return [replace(self.unless_doubted(each), uses=self.consulted()) for each in worked]
+        if any(each.verdict is Verdict.UNCHECKED for each in outcomes):
+            outcomes = with_wrong_numbers(self.decision.of, chain, outcomes, equation, line)
+        for outcome in outcomes if there else ():
+            if outcome.tells(Kind.NUMBERS_OF_NOWHERE):
+                outcome.findings = there[0].findings
+        return outcomes
+
     def chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         """Return the outcomes of a chain, each with the definitions that it rests on."""
         self.begin()
-        outcomes = self.readings.outcomes(chain, equation, line, define)
-        again = partial(self.readings.outcomes, chain, equation, line, False)
+        outcomes = self._read(chain, equation, line, define)
+        again = partial(self._read, chain, equation, line, False)
         if self.names.state.signs.read:
             outcomes = unless_of_a_sign(self.names, outcomes, again)
         if self.names.state.given():
@@ -115,6 +176,101 @@ class Claims:
             return outcome
         return outcome.left_open(say(Kind.OWN_SUM, digits=digits))
 
+    def _read(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        """Return the outcomes of a chain in the reading in which it holds."""
+        unclear = [below for below in n.walk(chain) if isinstance(below, n.Ambiguous)]
+        if unclear:
+            return either_reading(self._read_clear, chain, unclear, equation, line, define)
+        if self.names.arm is None and (letters := crossed_letters(self.names, chain)):
+            check = partial(self._read_clear, chain, equation, line)
+            return of_vectors(self.names, chain, letters, line, define, check)
+        if parts := side_by_side(chain):
+            return one_or_apart(self._read_clear, chain, parts, equation, line, define)
+        return self._read_clear(chain, equation, line, define)
+
+    def _read_clear(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        if (plain := without_count(chain, self.names)) is not None:
+            outcomes = self._read_clear(plain, equation, line, False)
+            if outcomes and all(outcome.verdict in HOLDS for outcome in outcomes):
+                outcomes[0].also(say(Kind.COUNTS_SOLUTIONS))
+                self.decision.of(chain, equation, line, define)  # what is said of that solution from here on
+                return outcomes
+        if (said := self._stated(chain, equation, line, define)) is not None:
+            return [said, *self._numbers_behind(chain, said, equation, line)]
+        if any(relation != "=" for relation in chain.relations):
+            parts = [(equation + at, part) for at, part in parts_of(chain)]
+            return [outcome for number, part in parts for outcome in self._related(part, number, line, define)]
+        if any(isinstance(member, n.Cases) for member in chain.members):
+            return check_cases(self.checker, chain, equation, line, define)
+        return self.decision.of(chain, equation, line, define)
+
+    def _stated(self, chain: n.Chain, equation: int, line: int, define: bool) -> Outcome | None:
+        """Return what becomes of a chain that claims nothing: a sign, a configuration, a condition, a doubt; else None."""
+        sign = named_sign(chain)
+        if sign is not None and self.names.defines_sign(sign):
+            if define:
+                self.names.state.signs.name(sign, line)
+            return Outcome(Verdict.DEFINED, (say(Kind.SIGN, name=sign),), equation, defines=(sign,))
+        if any(relation != "=" for relation in chain.relations):
+            return None
+        if isinstance(bare(chain.members[-1]), n.Call) and is_sum_of_indices(chain):
+            return Outcome(Verdict.PROVED, (), equation, role=Role.LAW)
+        if (doubt := counted(chain, self.names)) is not None:
+            return Outcome(Verdict.UNCHECKED, (doubt,), equation)
+        if (given := self.given.read(chain, line, define)) is not None:
+            return Outcome(Verdict.DEFINED, (say(Kind.CONFIGURATION),), equation, defines=given)
+        if not self.given.is_condition(chain):
+            return None
+        if (known := self._holds_there(chain, equation, line)) is not None:
+            return known
+        if define:
+            self._relate(chain, line)
+        return Outcome(Verdict.DEFINED, (say(Kind.CONDITION),), equation)
+
+    def _holds_there(self, chain: n.Chain, equation: int, line: int) -> Outcome | None:
+        """Return θ_1 + θ_2 = π/2 as a claim behind values of θ_1 and θ_2 with which it holds: it ends no configuration."""
+        symbols = {self.names.known_symbol(each.key) for m in chain.members for each in n.names(m)}
+        if len(chain.members) != 2 or not symbols & set(self.given.joints) <= self.names.state.configuration.keys():
+            return None
+        outcomes = self.checker.check(chain, equation, line, define=False)
+        return outcomes[0] if [each.verdict for each in outcomes] == [Verdict.CONFIRMED] else None
+
+    def _relate(self, chain: n.Chain, line: int) -> None:
+        """Keep what joints, or lengths, are said to be: l_1 = l_2, of which l may be the letter."""
+        related = self.given.related(chain)
+        if not related:
+            return
+        self.circumstances.text.of_display(
+            replace(chain, members=tuple(related), relations=("=",) * (len(related) - 1))
+        )
+        for letter in (bare_key(each) for each in chain.members if each not in related):
+            self.names.define(str(letter), self.checker.members.meaning(related[0]), line, node=related[0])
+
+    def _numbers_behind(self, chain: n.Chain, said: Outcome, equation: int, line: int) -> list[Outcome]:
+        """θ_1 = atan2(1, 0) = 90°: the numbers of a value that is given are to be equal."""
+        if len(chain.members) < 3 or said.role is not Role.CLAIM or not all(map(is_number, chain.members[1:])):
+            return []
+        found = unequal_numbers(self.decision.of, chain, 1, equation, line)
+        return [each for each in found if not (self.given.places_joints(chain) and self._are_turns_apart(each))]
+
+    def _related(self, part: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        if part.relations[0] == "=":
+            return self._read_clear(part, equation, line, define)
+        if (small := of_small_ones(part, self.names)) is not None:
+            near = self.decision.of(small, equation, line, False)
+            if all(each.verdict in DECIDED for each in near):
+                near[0].also(say(Kind.FIRST_ORDER))
+                return near
+        return [check_relation(self.checker, part, equation)]
+
+    def _are_turns_apart(self, outcome: Outcome) -> bool:
+        """Whether two numbers are the same angle: -90° = 270°."""
+        pair = outcome.pair
+        return pair is not None and pair.is_scalar and self._is_turn(pair.true.rows[0][0] - pair.printed.rows[0][0])
+
+    def _is_turn(self, apart: Scalar) -> bool:
+        return abs(remainder(self.checker.members.number(apart), tau)) < CLOSE
+
 
 def _defined_beside(outcome: Outcome, own: Set[str], line: int) -> Set[Key]:
     """Return what a chain defines that is on no side of one of its equations."""
@@ -125,3 +281,9 @@ def _is_label(chain: n.Chain) -> bool:
     """Whether a number in brackets stands alone, as equations are numbered: (3)."""
     (member,) = chain.members
     return isinstance(member, n.Group) and isinstance(member.inner, n.Number)
+
+
+def _is_of_rank(chain: n.Chain) -> bool:
+    """Whether a rank stands in a chain that does not say itself at which values."""
+    below = [*n.walk(chain)]
+    return any(map(n.is_rank, below)) and not any(isinstance(each, n.At) for each in below)

@@ -201,7 +201,7 @@ class Decision:
 
 def _has_letter_index(chain: n.Chain) -> bool:
     """Whether a name in a chain has a letter for its index, as what is said of any link does: A_n, {}^jT_{j+1}."""
-    names = (below for below in n.walk(chain) if isinstance(below, n.Name))
+    names = n.names(chain)
     return any(script[:1] in {*"ijkn"} for name in names for script in (name.sub, name.pre_sub))
 
 

@@ -20,7 +20,6 @@ from armproof.verification.conditions.implication import (
 from armproof.verification.conditions.implications import Implications, Judgement
 from armproof.verification.conditions.wording import is_alternative, is_concluded, tell_words_that_change
 from armproof.verification.display.claims import Claims
-from armproof.verification.display.claims_at_values import ClaimsAtValues
 from armproof.verification.display.prepared import asked, beside_arcs, of_all_joints, prepared
 from armproof.verification.equations.cells_left_out import with_cells
 from armproof.verification.equations.chain import ChainChecker
@@ -92,7 +91,6 @@ class Statements:
         self.names = checker.names
         self.ring = checker.exact.ring
         self.claims = Claims(checker)
-        self.at_values = ClaimsAtValues(self.claims)
 
     @cached_property
     def implications(self) -> Implications:
@@ -119,7 +117,8 @@ class Statements:
             statements = [of_all_joints(statement) for statement in statements]
         if len(statements) > 1 or any(isinstance(each, n.Chain) and len(each.members) > 2 for each in statements):
             statements = prepared(statements, self.names)
-        statements = [with_rank_first(statement) for statement in statements]
+        if any(map(n.is_rank, (member for each in statements if isinstance(each, n.Chain) for member in each.members))):
+            statements = [with_rank_first(statement) for statement in statements]
         told = self.names.state.told
         of_singularities = told.of_singularities and self._are_conditions(statements)
         if of_singularities and told.line == line and (found := self._of_singularities(statements, line)):
@@ -170,7 +169,7 @@ class Statements:
                 self.names.state.signs.name(sign, line)
             elif isinstance(name, n.Name) and name.key in spoken and self.names.is_open(name) and not is_usual(name):
                 self.claims.chain(each, 1, line, define=True)
-            spoken |= {below.key for below in n.walk(each) if isinstance(below, n.Name)}
+            spoken |= {below.key for below in n.names(each)}
 
     def _own_shorthand(self, statements: list[n.Statement]) -> Finding | None:
         """Return the doubt where a c_{12} is written that the text says to be something else than it usually is."""
@@ -240,10 +239,10 @@ class Statements:
         given = dict(self.names.state.configuration)
         is_connected = display.is_connected
         alternative = is_connected and is_alternative(statements, index)
-        found = self.at_values.claim(chain, display.equation, display.line, display.define and not alternative)
+        found = self.claims.claim(chain, display.equation, display.line, display.define and not alternative)
         found = [outcome.unless_refuted(say(Kind.ONE_OF_TWO)) for outcome in found] if alternative else found
         under_words = is_connected and is_under_words(statements, index)
-        if under_words or any(map(self.claims.decision.given.places_joints, (each for _, each in display.stated))):
+        if under_words or any(map(self.claims.given.places_joints, (each for _, each in display.stated))):
             found = self._without_numbers(found)  # for θ_2 = π/2, w = 0
         if is_connected and is_concluded(statements, index):
             self.names.state.configuration = given  # what is concluded is no data
@@ -293,37 +292,48 @@ class Statements:
         moved, self.names.state.told = self.names.state.told, told
         self.claims.begin()
         premised = [outcome for found in steps for outcome in found]
-        judged = self.implications.judge(implication, premised, display.equation, display.links)
-        judged = self.implications.beside(judged, implication, display.above, display.equation)
-        if judged is None or judged[0].verdict is Verdict.UNCHECKED:
-            of_the_tool = self.implications.of_the_tool(implication, premised, display.equation, display.links)
-            judged = of_the_tool or judged
-        if judged is None or judged[0].verdict not in HOLDS:
-            there = self.claims.circumstances.at_premised(implication, display.equation)
-            judged = (there, {}) if there is not None else judged
-        if judged is not None:
-            judged = (
-                self.claims.circumstances.of_implication(self.claims.unless_doubted(judged[0]), implication),
-                judged[1],
-            )
-        if judged is not None and any(outcome.holds_there for outcome in premised):
-            judged = self._unless_meant_there(display, implication, judged)
+        judged = self._judged(display, implication, premised)
         display.above.append(implication)
         if judged is None:  # a step of a derivation: it is a claim of its own, and so is what follows
             self.names.state.told = moved
-            steps = [*map(self._without_numbers, steps)]
-            display.assumed = all(outcome.is_condition for found in steps for outcome in found)
-            for chain, found in zip(premises, steps, strict=True):
-                display.outcomes.extend(with_role(outcome, chain, self.names) for outcome in found)
-            display.equation += sum(len(chain.relations) for chain in premises)
-            display.links = []
-            display.index += len(premises) + connectives_among(display.statements, display.index, len(premises))
+            self._take_steps(display, premises, steps)
             return
         display.under = implication if implication.kind in ("⇒", "if") else None
         self.names.state.comparisons = compared
         self.names.state.configuration = given  # a premise holds in its implication alone, and so does what it defines
         self.names.forget(key for found in steps for o in found for key in o.defines if not o.is_condition)
-        outcome, counterexample = judged
+        self._conclude(display, implication, *judged)
+
+    def _judged(self, display: _Display, implication: Implication, premised: list[Outcome]) -> Judgement:
+        """Return what becomes of an implication with its counterexample; None where it is a step of a derivation."""
+        judged = self.implications.judge(implication, premised, display.equation, display.links)
+        judged = self.implications.beside(judged, implication, display.above, display.equation)
+        if judged is None or judged[0].verdict is Verdict.UNCHECKED:
+            of_the_tool = self.implications.of_the_tool(implication, premised, display.equation, display.links)
+            judged = of_the_tool or judged
+        circumstances = self.claims.circumstances
+        if judged is None or judged[0].verdict not in HOLDS:
+            there = circumstances.at_premised(implication, display.equation)
+            judged = (there, {}) if there is not None else judged
+        if judged is None:
+            return None
+        judged = circumstances.of_implication(self.claims.unless_doubted(judged[0]), implication), judged[1]
+        if any(outcome.holds_there for outcome in premised):
+            return self._unless_meant_there(display, implication, judged)
+        return judged
+
+    def _take_steps(self, display: _Display, premises: list[n.Chain], steps: list[list[Outcome]]) -> None:
+        steps = [*map(self._without_numbers, steps)]
+        display.assumed = all(outcome.is_condition for found in steps for outcome in found)
+        for chain, found in zip(premises, steps, strict=True):
+            display.outcomes.extend(with_role(outcome, chain, self.names) for outcome in found)
+        display.equation += sum(len(chain.relations) for chain in premises)
+        display.links = []
+        display.index += len(premises) + connectives_among(display.statements, display.index, len(premises))
+
+    def _conclude(
+        self, display: _Display, implication: Implication, outcome: Outcome, counterexample: dict[str, float]
+    ) -> None:
         read_as = together(dict.fromkeys(filter(None, map(self.checker.members.read_as, implication.chains))))
         sides = tuple(member for chain in implication.chains for member in chain.members)
         of_all = replace(outcome, role=Role.CONDITION, uses=self.claims.consulted(), read_as=read_as, conditions=sides)
@@ -331,7 +341,8 @@ class Statements:
         display.counterexample.update(counterexample)
         leads_on = goes_on(display.statements, implication)
         display.links = [*display.links, implication] if leads_on else []
-        display.equation += sum(len(chain.relations) for chain in (premises if leads_on else implication.chains))
+        chains = implication.premises if leads_on else implication.chains
+        display.equation += sum(len(chain.relations) for chain in chains)
         display.index = implication.behind_at if leads_on else implication.after
 
     def _without_numbers(self, step: list[Outcome]) -> list[Outcome]:
@@ -387,7 +398,7 @@ def _as_alternatives(statements: list[n.Statement]) -> list[n.Statement]:
 
 def _angle_without_unit(nodes: list[n.Statement]) -> str:
     """Return the whole number that a sine, cosine or tangent is taken of, as of an angle in degrees: 30 of cos 30; "" without."""
-    calls = (b for node in nodes for b in n.walk(node) if isinstance(b, n.Call) and b.function in ("cos", "sin", "tan"))
+    calls = (b for node in nodes for b in n.walk(node) if n.is_call(b, "cos", "sin", "tan"))
     numbers = (n.ungrouped(argument) for call in calls for argument in call.arguments)
     found = (each for each in numbers if isinstance(each, n.Number) and not each.decimals and each.value >= _DEGREES)
     return next((str(each.value) for each in found), "")

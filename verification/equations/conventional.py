@@ -30,7 +30,7 @@ from armproof.verification.equations.rates import SPEAKS_OF_RATES, seen_from_fra
 from armproof.verification.equations.sides import Member
 from armproof.verification.equations.spellings import POINTS, Spellings
 from armproof.verification.equations.usual_judge import UsualJudge
-from armproof.verification.equations.usual_meanings import UsualMeanings, plain_name
+from armproof.verification.equations.usual_meanings import UsualMeanings
 from armproof.verification.errors import EvaluationError, ShapeError, TooComplex, UnboundName
 from armproof.verification.evaluation.blocks import partition, rows_of_letters, written_rows
 from armproof.verification.findings import Kind, say
@@ -53,10 +53,17 @@ class Conventions:
         self.equality = equality
         self.members = equality.members
         self.names = equality.names
-        self.meanings = UsualMeanings(self.members)
-        self.usual_judge = UsualJudge(equality, self.meanings)
         self.doubts = Doubts(self.names)
         self.before: dict[str, Quantity] = {}  # what names that stand alone in the chain meant
+
+    @cached_property
+    def meanings(self) -> UsualMeanings:
+        """Tells what names that only convention binds may mean; made where one is met."""
+        return UsualMeanings(self.members)
+
+    @cached_property
+    def _judge(self) -> UsualJudge:
+        return UsualJudge(self.equality)
 
     @cached_property
     def spellings(self) -> Spellings:
@@ -73,7 +80,7 @@ class Conventions:
         known = keys & self.names.state.conventional
         self.before = {key: self.names.state.inferred[key] for key in known if key in self.names.state.inferred}
         self.names.state.forget_usual(known)  # a name that stands alone is asked anew
-        for key in filter(self.meanings.usual, keys):
+        for key in filter(self.meanings.usual, keys) if self.names.state.usual else ():
             self.names.state.definitions.pop(key, None)
         self.take_coordinates(chain.members)
         members = (self.spellings.read(each) if _is_spelt(each) else each for each in chain.members)
@@ -110,7 +117,7 @@ class Conventions:
         Or what equations under others have, if that is always the same and what convention says first: B = p_z in a summary.
         """
         for place, member in enumerate(members):
-            name = plain_name(member.node)
+            name = n.plain_name(member.node)
             usual = (
                 self.meanings.shown(member.node, name)
                 if name is not None and isinstance(member.problem, UnboundName)
@@ -127,7 +134,7 @@ class Conventions:
         """p = (X, Y, 0)^T: a usual name beside nothing but letters and numbers, of its size, is what it usually is."""
         sizes = [(len(rows), len(rows[0])) for each in members if (rows := rows_of_letters(each.node))]
         for place, member in enumerate(members):
-            name = plain_name(member.node)
+            name = n.plain_name(member.node)
             for quantity in (
                 self.meanings.candidates(member.node, name) if sizes and name is not None and is_usual(name) else ()
             ):
@@ -139,9 +146,9 @@ class Conventions:
 
     def _bound_inside(self, member: Member) -> Member:
         """A formula's coordinates and points are those of the tool, where they can hardly be anything else."""
-        if not isinstance(member.problem, UnboundName) or plain_name(member.node) is not None:
+        if not isinstance(member.problem, UnboundName) or n.plain_name(member.node) is not None:
             return member
-        between = [each for each in n.walk(member.node) if isinstance(each, n.Name) and "to" in each.sub]  # O_2O_3
+        between = [each for each in n.names(member.node) if "to" in each.sub]  # O_2O_3
         of_names = any(isinstance(bare(cell), n.Name) for row in written_rows(member.node) for cell in row)
         if of_names and not between:
             return member
@@ -151,7 +158,7 @@ class Conventions:
             self.names.state.forget_usual(added)
             return member
         inferred = self.names.state.inferred
-        open_ = {key for key in added if inferred[key].frame != self.meanings.base}  # {}^0v_0 = 0
+        open_ = {key for key in added if inferred[key].frame != self.names.base}  # {}^0v_0 = 0
         shown = {key: {each for (name, _), each in self.names.state.usual.items() if name == key} for key in open_}
         self.doubts.weak |= {key for key in open_ if shown[key] != {inferred[key]}}
         return bound
@@ -160,28 +167,26 @@ class Conventions:
         """Take the coordinates and points in formulas that nothing gives a meaning for those of the tool, and return their names."""
         added = columns_beside_rates(self.names, nodes := [*nodes])
         for below in (each for node in nodes for each in n.walk(node)):
-            name = plain_name(below)
+            name = n.plain_name(below)
             if name is None or not is_usual(name) or not self.names.is_open(name):
                 continue
             quantities = self.meanings.candidates(below, name)
-            if quantities and (quantities[0].frame != self.meanings.base or quantities[0].kind == "velocity"):
+            if quantities and (quantities[0].frame != self.names.base or quantities[0].kind == "velocity"):
                 self.names.state.infer_usual(name.key, quantities[0])
                 added.add(name.key)
         return added
 
     def _bound(self, member: Member, known: list[Member]) -> Member:
-        name = plain_name(member.node)
+        """Return a side with its open name in the usual meaning that fits what is known, or in the one that it is a slip away from."""
+        name = n.plain_name(member.node)
         if not isinstance(member.problem, UnboundName):
             return member
         if name is None:
             return self._with_entries(member, known)
         if name.key in self.names.state.inferred and _is_rate(member.node):  # of the other side: ṗ = ∂p/∂q q̇
             return self.members.evaluate(member.node)
-        near, usual, candidates = None, self.meanings.usual(name.key), self.meanings.candidates(member.node, name)
-        candidates = tuple(sorted(candidates, key=lambda each: not self.meanings.is_beside_shown(name, each)))
-        if at_numbers := _is_at_numbers(member.node):  # at one configuration many points agree, and more nearly
-            candidates = (usual,) if usual is not None else candidates[:1]
-        for quantity in candidates:
+        near: Quantity | None = None
+        for quantity in self._in_turn(member.node, name):
             tried = self._tried(member.node, name, quantity)
             if quantity.kind in _MEASURES and tried.known and is_zero(tried.value):
                 continue  # w of a frame that moves in no direction
@@ -192,40 +197,68 @@ class Conventions:
                 if pair is None and not isinstance(other.problem, OutsideAlgebra):
                     continue
                 if self._agree(tried, other, pair):
-                    self.names.state.usual[name.key, self.names.state.section] = quantity
-                    return tried
-                if quantity != usual and (
-                    self.meanings.is_named_in(other, quantity, name.key) or self.meanings.is_of_own_letter(name)
-                ):
-                    continue  # z = P_z - d_1 is no P_z, and then z_w is no height of the wrist
-                if pair is not None and self.names.state.configuration:
-                    there = self.equality.compare(tried, other, 1, False)
-                    if there.verdict is Verdict.CONFIRMED or (
-                        quantity in self.meanings.meant(name.key) and is_mostly_right(there, MANY)
-                    ):
-                        return tried
-                    if there.verdict is Verdict.REFUTED and self.meanings.is_usual(name) and is_constant(pair.printed):
-                        self.doubts.open.setdefault(name.key, quantity)
-                is_shown = quantity == usual and _is_rate(member.node)  # y has no other rate than its own
-                if pair is not None and self.meanings.measures_otherwise(quantity, pair.printed):
+                    return self._shown_by(tried, name, quantity)
+                if pair is None or self._means_otherwise(name, quantity, other):
                     continue
-                is_told = (
-                    self.meanings.is_usual(name) or is_shown or self.meanings.is_beside_shown(name, quantity)
-                )  # d_y behind d_x
-                if pair is not None and is_told and not is_constant(pair.printed):
-                    if self.doubts.open.setdefault(name.key, quantity) == quantity:
-                        self.doubts.tried[name.key] = tried
-                    may_be_near = quantity == usual or not (at_numbers or quantity.kind == "angle")
-                    near = near or (quantity if is_shown or (may_be_near and is_near(pair)) else None)
+                if self.names.state.configuration and self._holds_there(name, quantity, tried, other, pair):
+                    return tried
+                close = self._slip_away(member.node, name, quantity, tried, pair)
+                near = near or close
         for quantity in self.meanings.that_values_tell(member.node, name) if near is None else ():
             tried = self._tried(member.node, name, quantity)
             if any(self._agree(tried, other, self.meanings.closest(tried, other)) for other in known if tried.known):
-                self.names.state.usual[name.key, self.names.state.section] = quantity
-                return tried
+                return self._shown_by(tried, name, quantity)
         self.names.state.forget_usual({name.key})
+        usual = self.meanings.usual(name.key)
         if near is None or (near != usual and self.meanings.is_of_another(known)):
             return member
         return self._tried(member.node, name, usual or near)  # what is wrong of all shows none anew
+
+    def _in_turn(self, node: n.Node, name: n.Name) -> list[Quantity]:
+        """Return the usual meanings of a name in the order in which they are tried."""
+        candidates = sorted(
+            self.meanings.candidates(node, name), key=lambda each: not self.meanings.is_beside_shown(name, each)
+        )
+        if _is_at_numbers(node):  # at one configuration many points agree, and more nearly
+            usual = self.meanings.usual(name.key)
+            return [usual] if usual is not None else candidates[:1]
+        return candidates
+
+    def _shown_by(self, tried: Member, name: n.Name, quantity: Quantity) -> Member:
+        """Return a side whose name an equation shows to be what it is taken for."""
+        self.names.state.usual[name.key, self.names.state.section] = quantity
+        return tried
+
+    def _means_otherwise(self, name: n.Name, quantity: Quantity, other: Member) -> bool:
+        """Whether the other side tells that a name is something else: z = P_z - d_1 is no P_z, and then z_w is no height of the wrist."""
+        if quantity == self.meanings.usual(name.key):
+            return False
+        return self.meanings.is_named_in(other, quantity, name.key) or self.meanings.is_of_own_letter(name)
+
+    def _holds_there(self, name: n.Name, quantity: Quantity, tried: Member, other: Member, pair: Pair) -> bool:
+        """Whether an equation holds at the values that are stated, or mostly does in a meaning that has been shown."""
+        there = self.equality.compare(tried, other, 1, False)
+        if there.verdict is Verdict.CONFIRMED:
+            return True
+        if quantity in self.meanings.meant(name.key) and is_mostly_right(there, MANY):
+            return True
+        if there.verdict is Verdict.REFUTED and self.meanings.is_usual(name) and is_constant(pair.printed):
+            self.doubts.open.setdefault(name.key, quantity)
+        return False
+
+    def _slip_away(self, node: n.Node, name: n.Name, quantity: Quantity, tried: Member, pair: Pair) -> Quantity | None:
+        """Return a usual meaning from which an equation is a slip away; one that may be meant is in doubt."""
+        if self.meanings.measures_otherwise(quantity, pair.printed):
+            return None
+        is_usual_here = quantity == self.meanings.usual(name.key)
+        is_shown = is_usual_here and _is_rate(node)  # y has no other rate than its own
+        is_beside = self.meanings.is_beside_shown(name, quantity)  # d_y behind d_x
+        if not (self.meanings.is_usual(name) or is_shown or is_beside) or is_constant(pair.printed):
+            return None
+        if self.doubts.open.setdefault(name.key, quantity) == quantity:
+            self.doubts.tried[name.key] = tried
+        may_be_near = is_usual_here or not (_is_at_numbers(node) or quantity.kind == "angle")
+        return quantity if is_shown or (may_be_near and is_near(pair)) else None
 
     def _with_entries(self, member: Member, known: list[Member]) -> Member:
         """[x; y] = …: each entry that is a name by itself, by the entry that stands in its place."""
@@ -235,7 +268,7 @@ class Conventions:
             return member
         for block in blocks:
             cell = self.members.evaluate(block.cell)
-            name = plain_name(block.cell)
+            name = n.plain_name(block.cell)
             if name is not None and not cell.known and name.base not in ENTRIES:
                 same = (each for each in known if isinstance(each.value, Matrix) and each.value.shape == value.shape)
                 bound = self._bound(cell, [Member(each.node, block.of(each.value)) for each in same])  # type: ignore[arg-type]
@@ -262,7 +295,8 @@ class Conventions:
 
     def judge(self, outcome: Outcome) -> Outcome:
         """Leave undecided what rests on a usual meaning that does not fit."""
-        return self.usual_judge.judge(outcome, self.doubts)
+        may_rest = outcome.verdict is Verdict.REFUTED or outcome.gives_numbers or (outcome.defines and self.doubts.open)
+        return self._judge.judge(outcome, self.doubts) if may_rest else outcome
 
     def restore(self, outcomes: Iterable[Outcome]) -> None:
         """Let a slip show nothing: where it looks like the point of another frame, the name keeps what it meant.
@@ -272,7 +306,7 @@ class Conventions:
         state = self.names.state
         shown = {quantity.frame for (_, section), quantity in state.usual.items() if section == state.section}
         for outcome in outcomes:
-            name = plain_name(outcome.true.node) if outcome.verdict is Verdict.REFUTED and outcome.true else None
+            name = n.plain_name(outcome.true.node) if outcome.verdict is Verdict.REFUTED and outcome.true else None
             now = state.inferred.get(name.key) if name is not None and name.key in state.conventional else None
             if name is None or now is None or self.names.arm is None or now.frame in shown:
                 continue
@@ -304,7 +338,7 @@ def _fit_together(members: list[Member]) -> bool:
 def _is_spelt(node: n.Node) -> bool:
     """Whether a side may be a name, or hold one, that is spelt otherwise."""
     inner = bare(node)
-    points = (below for below in n.walk(node) if isinstance(below, n.Name) and set(below.base) <= POINTS)
+    points = (below for below in n.names(node) if set(below.base) <= POINTS)
     applied = isinstance(inner, n.Product) and isinstance(inner.factors[1], n.Group | n.Sequence)
     dotted = isinstance(inner, n.Product) and any(isinstance(factor, n.Dots) for factor in inner.factors)
     return applied or dotted or isinstance(inner, n.Power) or next(points, None) is not None
@@ -315,5 +349,5 @@ def _has_rows(member: Member) -> int:
 
 
 def _plain_key(node: n.Node) -> str:
-    name = plain_name(node)
+    name = n.plain_name(node)
     return name.key if name is not None else ""

@@ -6,7 +6,6 @@ from collections.abc import Iterable, Iterator
 
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.equations.readings import column_of_jacobian
-from armproof.verification.equations.usual_meanings import plain_name
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.names import Names
@@ -31,7 +30,7 @@ def _columns_in_a_row(names: Names, node: n.Node) -> Iterator[tuple[n.Name, Quan
     r"""Yield the open J_i of [J_1 \dots J_n], one a joint, with the columns that they are."""
     for below in n.walk(node):
         cells = below.rows[0] if isinstance(below, n.Matrix) and len(below.rows) == 1 else ()
-        written = [name for name in map(plain_name, cells) if name is not None and name.base == "J"]
+        written = [name for name in map(n.plain_name, cells) if name is not None and name.base == "J"]
         own = [(name, column_of_jacobian(name, names)) for name in written if names.is_open(name)]
         if len(own) == len(cells) == len(names.joints):
             yield from ((name, column) for name, column in own if column is not None)
@@ -39,9 +38,7 @@ def _columns_in_a_row(names: Names, node: n.Node) -> Iterator[tuple[n.Name, Quan
 
 def _column_beside_rate(names: Names, product: n.Product) -> Iterator[tuple[n.Name, Quantity]]:
     """Yield the open J_i that stands beside the rate of joint i, and no other, with the column that it is."""
-    factors = [
-        f.arguments[0] if isinstance(f, n.Call) and f.function == "name" else f for f in map(bare, product.factors)
-    ]
+    factors = [n.unapplied(bare(factor)) for factor in product.factors]
     written = [factor for factor in factors if isinstance(factor, n.Name)]
     rates = {names.known_symbol(each.undotted.key) for each in written if each.dots == 1}
     for name in (each for each in written if each.base == "J" and names.is_open(each)):

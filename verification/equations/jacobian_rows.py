@@ -53,7 +53,7 @@ class RowsOfJacobians:
                 shown[replace(below, dots=0).key] = JacobianRows(told, self.names.state.section, printed=False)
         for below in [*n.walk(chain)]:
             inverted = isinstance(below, n.Postfix) and below.operator == "-1"
-            if not inverted and not (isinstance(below, n.Call) and below.function in ("det", "adj", "com", "abs")):
+            if not inverted and not n.is_call(below, "det", "adj", "com", "abs"):
                 continue
             inner = below.base if isinstance(below, n.Postfix) else below.arguments[0]  # type: ignore[attr-defined]
             name = self.members.jacobian_name(inner, True)
@@ -112,7 +112,7 @@ class RowsOfJacobians:
         self, chain: n.Chain, outcomes: list[Outcome], check: Callable[[n.Chain], list[Outcome]]
     ) -> list[Outcome]:
         """A product with J, whose rows nothing has told, that only fits with fewer of them is read so; J Jᵀ with square ones."""
-        whole = [below for below in n.walk(chain) if isinstance(below, n.Name) and self._is_open(below)]
+        whole = [below for below in n.names(chain) if self._is_open(below)]
         whole = whole or self._planar_factors(chain)
         if not whole or any(member is below for member in chain.members for below in whole):
             return outcomes

@@ -73,7 +73,7 @@ class Readings:
     def as_product_of_links(self, chain: n.Chain, outcomes: list[Outcome], check: Check) -> list[Outcome]:
         """A_{23} beside A_2 and A_3 may be their product: it is where that fits better than the link from frame 2 to 3."""
         inferred = self.names.state.inferred
-        spoken = (each for member in chain.members for each in n.walk(member) if isinstance(each, n.Name))
+        spoken = (each for member in chain.members for each in n.names(member))
         found = {each.key: q for each in spoken if (q := _product_of_links(each, self.names)) is not None}
         if not found:
             return outcomes
@@ -324,7 +324,7 @@ def _spelt(node: n.Node) -> str:
 
 def _turns(node: n.Node, names: Names) -> bool:
     """Whether a node is a joint's angle, or the sine or the cosine of one."""
-    angle = node.arguments[0] if isinstance(node, n.Call) and node.function in ("sin", "cos") else node
+    angle = node.arguments[0] if n.is_call(node, "sin", "cos") else node
     if not isinstance(angle, n.JointAngles):
         return _is_joint(angle, names)
     return len(angle.terms) == 1 and names.is_angle(names.joint_angle(angle.terms[0][1]))

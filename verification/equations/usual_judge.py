@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cached_property
 
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import (
@@ -14,7 +15,7 @@ from armproof.verification.equations.doubts import Doubts
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.outcome import AsUsual, Outcome
 from armproof.verification.equations.sides import Member
-from armproof.verification.equations.usual_meanings import UsualMeanings, plain_name
+from armproof.verification.equations.usual_meanings import UsualMeanings
 from armproof.verification.evaluation.blocks import written_rows
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
@@ -29,15 +30,19 @@ from armproof.verification.verdict import Verdict
 class UsualJudge:
     """Judges what is decided by names that only convention binds."""
 
-    def __init__(self, equality: Equality, meanings: UsualMeanings) -> None:
+    def __init__(self, equality: Equality) -> None:
         self.equality = equality
-        self.meanings = meanings
         self.members, self.names = equality.members, equality.names
+
+    @cached_property
+    def meanings(self) -> UsualMeanings:
+        """Tells what names that only convention binds may mean; made where one is met."""
+        return UsualMeanings(self.members)
 
     def judge(self, outcome: Outcome, doubts: Doubts) -> Outcome:
         """Leave undecided what rests on a usual meaning that does not fit."""
         if outcome.gives_numbers and outcome.printed is not None:
-            self._give(plain_name(outcome.printed.node))
+            self._give(n.plain_name(outcome.printed.node))
         if outcome.verdict is Verdict.REFUTED and (meant := self._defined_otherwise(outcome)) is not None:
             return outcome.left_open(meant)
         near = outcome.pair is not None and is_near(outcome.pair)
@@ -55,7 +60,7 @@ class UsualJudge:
 
     def _as_usual(self, outcome: Outcome, doubts: Doubts) -> AsUsual | None:
         """Return what an equation that gives a name another value would be, if the name meant what it usually does."""
-        name = plain_name(outcome.printed.node) if outcome.printed is not None else None
+        name = n.plain_name(outcome.printed.node) if outcome.printed is not None else None
         tried = doubts.tried.get(name.key) if name is not None else None
         if name is None or tried is None or outcome.true is None:
             return None
@@ -79,8 +84,8 @@ class UsualJudge:
 
     def _is_of_triangle(self, outcome: Outcome, doubts: Doubts) -> bool:
         """Whether the usual letter of the tool's direction stands alone in a cosine: h² = l_1² + l_2² - 2 l_1 l_2 cos φ."""
-        spoken = [b for node in outcome.nodes for b in n.walk(node) if isinstance(b, n.Name) and b.key in doubts.weak]
-        cosines = [b for node in outcome.nodes for b in n.walk(node) if isinstance(b, n.Call) and b.function == "cos"]
+        spoken = [b for node in outcome.nodes for b in n.names(node) if b.key in doubts.weak]
+        cosines = [b for node in outcome.nodes for b in n.walk(node) if n.is_call(b, "cos")]
         quantity = self.names.quantity(spoken[0]) if len(spoken) == 1 else None
         in_sum = any(isinstance(bare(node), n.Sum) for node in outcome.nodes)
         return (
@@ -97,26 +102,26 @@ class UsualJudge:
 
     def _seen_from_elsewhere(self, outcome: Outcome) -> str:
         """Return a block of a pose seen from another frame than the base, T_2^1 = [R, p_2; 0, 1], that names no frame to be seen from."""
-        name = plain_name(outcome.true.node) if outcome.true is not None else None
+        name = n.plain_name(outcome.true.node) if outcome.true is not None else None
         quantity = self.names.quantity(name) if name is not None else None
         if (
             quantity is None
             or quantity.kind not in ("pose", "rotation")
-            or quantity.reference == self.meanings.base
+            or quantity.reference == self.names.base
             or outcome.printed is None
         ):
             return ""
-        blocks = (plain_name(cell) for row in written_rows(outcome.printed.node) for cell in row)
+        blocks = (n.plain_name(cell) for row in written_rows(outcome.printed.node) for cell in row)
         return next((each.key for each in blocks if each is not None and self._is_unseen(each)), "")
 
     def _is_unseen(self, name: n.Name) -> bool:
         """Whether a name is taken as seen from the base, and no index and no front matter says so."""
         quantity = None if name.sup or name.pre_sup or name.key in self.names.quantities else self.names.quantity(name)
-        return quantity is not None and quantity.reference == self.meanings.base
+        return quantity is not None and quantity.reference == self.names.base
 
     def _defined_otherwise(self, outcome: Outcome) -> Finding | None:
         """A name that the document gave another meaning is exactly what it usually is: nobody can tell which is meant."""
-        name = plain_name(outcome.true.node) if outcome.true is not None else None
+        name = n.plain_name(outcome.true.node) if outcome.true is not None else None
         definition = self.names.state.definitions.get(name.key) if name is not None else None
         arm = self.names.arm
         if name is None or name.base not in LETTERS or definition is None or arm is None or outcome.printed is None:

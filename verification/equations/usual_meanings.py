@@ -40,12 +40,6 @@ class UsualMeanings:
         self.members = members
         self.names = members.names
 
-    @property
-    def base(self) -> str:
-        """The frame that the arm stands on."""
-        assert self.names.arm is not None
-        return self.names.arm.frames[0]
-
     def usual(self, key: str) -> Quantity | None:
         """Return what an equation under this heading has shown a name to be, as convention says."""
         section, usual = self.names.state.section, self.names.state.usual
@@ -114,7 +108,7 @@ class UsualMeanings:
 
     def is_named_in(self, member: Member, quantity: Quantity, key: str) -> bool:
         """Whether a side holds another name of a quantity: then an author who has both means something else by this one."""
-        names = (below for below in n.walk(member.node) if isinstance(below, n.Name) and below.key != key)
+        names = (below for below in n.names(member.node) if below.key != key)
         return any(self.names.quantity(each) == quantity for each in names)
 
     def is_of_own_letter(self, name: n.Name) -> bool:
@@ -140,17 +134,9 @@ class UsualMeanings:
         assert self.names.arm is not None
         for kind in ("origin", "rotation", "pose"):
             for frame in self.names.arm.frames[1:]:
-                yield Quantity(kind, frame, self.base)
+                yield Quantity(kind, frame, self.names.base)
 
     def _equals(self, quantity: Quantity, value: Matrix) -> bool:
         whole = self.members.exact.quantity(quantity)
         same = isinstance(whole, Matrix) and whole.shape == value.shape
         return same and agree_exactly(Pair(whole, value))
-
-
-def plain_name(node: n.Node) -> n.Name | None:
-    """Return the name that a node is, without its dots and arguments, or None."""
-    node = bare(node)
-    if isinstance(node, n.Call) and node.function == "name" and isinstance(node.arguments[0], n.Name):
-        node = node.arguments[0]
-    return node.undotted if isinstance(node, n.Name) and node.base not in ("words", "=") else None

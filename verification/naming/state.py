@@ -352,7 +352,7 @@ class DocumentState:
 
     def compare(self, chain: n.Chain, lengths: Iterable[str]) -> None:
         """Remember a comparison if it is one of lengths: l_1 > l_2."""
-        names = {below.key for below in n.walk(chain) if isinstance(below, n.Name)}
+        names = {below.key for below in n.names(chain)}
         if names and names <= set(lengths) and set(chain.relations) <= {"<", "≤", ">", "≥"}:
             self.comparisons.append(chain)
 

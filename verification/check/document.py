@@ -1,4 +1,4 @@
-"""The displays and tables of one document to its result, with the names that those before define."""
+"""From a document, a file or a text to its verdicts: one record a display, one a DH table, with the names that those before define."""
 
 from __future__ import annotations
 
@@ -14,11 +14,12 @@ from armproof.models.catalogue import arm_of, load_arm
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.check.beforehand import Beforehand, lacks_base, shown_transforms
-from armproof.verification.check.display_checker import DisplayChecker
+from armproof.verification.check.display import DisplayChecker
 from armproof.verification.check.limits import SECONDS_TO_DECIDE
-from armproof.verification.check.on_demand import OnDemand
+from armproof.verification.check.parts import joined, unless_of_another_arm
+from armproof.verification.diagnosis.accepted import with_accepted
 from armproof.verification.display.statements import Statements
-from armproof.verification.document import Display, Document, Table
+from armproof.verification.document import Display, Document, Table, parse_document, read_document
 from armproof.verification.equations.chain import ChainChecker, no_samples
 from armproof.verification.equations.later_definitions import definitions_behind, names_lacking
 from armproof.verification.errors import DocumentError
@@ -28,11 +29,76 @@ from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.naming.settled import settle_definitions, settle_used
 from armproof.verification.naming.shown import settle_usual
 from armproof.verification.tables import check_table
-from armproof.verification.tables.arms import Inference, difference, settle_data, table_of_named
+from armproof.verification.tables.arms import (
+    Inference,
+    difference,
+    infer_arm,
+    scopes,
+    settle_data,
+    table_of_named,
+    unless_disputed,
+    with_armless,
+)
 from armproof.verification.verdict import DECIDED, DocumentResult, Record, TakenArm, Verdict
 
 if TYPE_CHECKING:
     from armproof.verification.evaluation.sampled import SampledAlgebra
+
+
+def verify(path: Path | str, *, confirm: bool = True, correct: bool = False) -> DocumentResult:
+    """Return the verdicts of a document file; raises DocumentError where the document as a whole cannot be checked."""
+    return check_document(read_document(Path(path)), confirm=confirm, correct=correct)
+
+
+def verify_text(
+    text: str, format: str = "", *, path: Path | str = "document.md", confirm: bool = True, correct: bool = False
+) -> DocumentResult:
+    """Return the verdicts of a document's text, as `verify` does of a file that holds it.
+
+    Args:
+        text: the document, front matter and all.
+        format: how it is read: md, qmd, ipynb, py, tex or rst; by default as the name of `path` says.
+        path: the file that it belongs to, which need not exist: it names the document in the result and in messages, and
+            arms that are given by a relative path are sought from its folder.
+        confirm, correct: as for `check_document`.
+
+    Raises:
+        DocumentError: the document as a whole cannot be checked.
+    """
+    return check_document(
+        parse_document(Path(path), text.removeprefix("\ufeff"), format), confirm=confirm, correct=correct
+    )
+
+
+def check_document(
+    document: Document, *, confirm: bool = True, correct: bool = False, arm: Arm | None = None, samples: bool = True
+) -> DocumentResult:
+    """Return the verdicts of a document.
+
+    Args:
+        document: what was read.
+        confirm: also evaluate each proved equation on the double plant.
+        correct: also seek what mends each refuted one.
+        arm: the document's arm, such as one read from a value; by default the one that its front matter names.
+        samples: whether samples may be taken. Without them neither NumPy nor Drake is needed, and what they alone
+            decide is unchecked.
+    """
+    seeks = arm is None and ("arms" in document.front or (samples and "arm" not in document.front))
+    parts = [infer_arm(part) for part in scopes(document)] if seeks else [Inference(document)]
+    options = confirm and samples, correct and samples, samples
+    results = [DocumentChecker(p.document, arm or load_arm_of(p.document), *options, p).run() for p in parts]
+    if samples and len(parts) > 1:
+        results = [unless_of_another_arm(k, parts, result, plainly) for k, result in enumerate(results)]
+    if seeks and samples:
+        results = [unless_disputed(part, result, plainly) for part, result in zip(parts, results, strict=True)]
+        results = [with_armless(part, result, plainly) for part, result in zip(parts, results, strict=True)]
+    result = results[0] if len(results) == 1 else joined(document, results)
+    return with_accepted(document, result) if document.accepts else result
+
+
+def plainly(part: Inference) -> DocumentResult:
+    """Return the verdicts of a part of a document, and nothing that takes time to find out besides."""
+    return DocumentChecker(part.document, load_arm_of(part.document), False, False, True, part).run()
 
 
 def load_arm_of(document: Document) -> Arm | None:
@@ -80,11 +146,10 @@ class DocumentChecker:
         self.checker = ChainChecker(self.names, self.exact, self.sampled)
         self.checker.confirm = confirm
         self.statements = Statements(self.checker)
-        self.on_demand = OnDemand(self.statements, samples)
         self.correct = correct
         self.samples = samples
         self.beforehand = Beforehand(self.checker, document, self.inferred)
-        self.displays = DisplayChecker(self.on_demand, self.inferred, self.beforehand.direction, correct)
+        self.displays = DisplayChecker(self.statements, self.inferred, self.beforehand.direction, correct, samples)
         self._lacked: set[tuple[int, str]] = set()
 
     def go_on_with(self, document: Document, inferred: Inference) -> None:

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import partial
+from functools import cached_property, partial
+from typing import TYPE_CHECKING
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.check.limits import SECONDS_TO_DECIDE, SECONDS_TO_EXPLAIN
-from armproof.verification.check.on_demand import OnDemand
 from armproof.verification.check.slips import Slips
 from armproof.verification.check.words_around import WordsAround
+from armproof.verification.conditions.circumstances import Circumstances
+from armproof.verification.display.statements import Statements
 from armproof.verification.display.taken_arm import OfTakenArm, names_in
 from armproof.verification.document import Display
 from armproof.verification.document.other_meanings import OMEGA_FIRST
@@ -25,6 +27,10 @@ from armproof.verification.tables import TWIST, check_array_table
 from armproof.verification.tables.arms import Inference, links_of, links_that_explain
 from armproof.verification.verdict import DECIDED, EquationResult, IfShown, Record, Verdict, worst
 
+if TYPE_CHECKING:
+    from armproof.verification.correction.corrector import Corrector
+    from armproof.verification.diagnosis.diagnosis import Diagnostician
+
 
 class DisplayChecker:
     """Checks displays of one document, each by what stands above it.
@@ -34,14 +40,50 @@ class DisplayChecker:
         direction: which index names the reference, and the line of the display that shows it.
     """
 
-    def __init__(self, on_demand: OnDemand, inferred: Inference, direction: tuple[str, int], correct: bool) -> None:
-        self.on_demand = on_demand
-        self.statements, self.checker = on_demand.statements, on_demand.checker
+    def __init__(
+        self, statements: Statements, inferred: Inference, direction: tuple[str, int], correct: bool, samples: bool
+    ) -> None:
+        self.statements, self.checker = statements, statements.checker
         self.names, self.ring = self.checker.names, self.checker.exact.ring
         self.inferred, self.direction, self.correct = inferred, direction, correct
-        self.slips = Slips(on_demand)
-        self.circumstances = self.statements.claims.circumstances
-        self.words = WordsAround(self.circumstances)
+        self.samples = samples
+
+    # What explains, corrects or limits is loaded where there is something to explain, to correct, to limit.
+
+    @cached_property
+    def diagnostician(self) -> Diagnostician:
+        """Says what is wrong with a refuted display."""
+        with self.checker.exact.budget.paused():
+            from armproof.verification.diagnosis.diagnosis import Diagnostician
+
+            if not self.samples:
+                return Diagnostician(self.checker)
+            from armproof.verification.diagnosis.by_samples import BySamples
+
+            return Diagnostician(self.checker, BySamples(self.checker))
+
+    @cached_property
+    def corrector(self) -> Corrector:
+        """Seeks what mends a refuted display."""
+        with self.checker.exact.budget.paused():
+            from armproof.verification.correction.corrector import Corrector
+
+            return Corrector(self.checker, self.diagnostician, self.statements.tried)
+
+    @cached_property
+    def slips(self) -> Slips:
+        """Seeks the one slip that mends an equation."""
+        return Slips(self.statements, lambda: self.diagnostician)
+
+    @cached_property
+    def words(self) -> WordsAround:
+        """Heeds what the words around a display say of it."""
+        return WordsAround(self.circumstances)
+
+    @property
+    def circumstances(self) -> Circumstances:
+        """Heeds what the text between displays says."""
+        return self.statements.claims.circumstances
 
     def check(self, display: Display) -> Record:
         """Return the record of one display by what stands above it."""
@@ -67,9 +109,7 @@ class DisplayChecker:
                 if TWIST.search(display.latex) and (table := check_array_table(self.checker, display)) is not None:
                     return self._with_array_corrected(table, display)
                 statements = self.names.reader.read(display.latex)
-                if (
-                    display.erratum and self.names.arm is None
-                ):  # it is quoted: what the text around says is not said of it
+                if display.erratum and self.names.arm is None:  # it is quoted: what the text says is not said of it
                     self.names.state.told = Told()
                 if display.said_behind:
                     self.circumstances.text.heed_behind(display.said_behind, statements, display.line)
@@ -89,7 +129,8 @@ class DisplayChecker:
 
     def _judge(self, record: Record, display: Display, statements: list[n.Statement]) -> Record:
         outcomes, extra = self._with_later_definitions(statements, display)
-        outcomes = [self.words.judge(outcome, display) for outcome in outcomes]
+        if _is_spoken_of(display):
+            outcomes = [self.words.judge(outcome, display) for outcome in outcomes]
         if not outcomes:
             return replace(record, verdict=Verdict.UNCHECKED, findings=(say(Kind.NO_EQUATION), say(Kind.BEYOND)))
         if self.direction == ("lower", display.line):
@@ -101,7 +142,7 @@ class DisplayChecker:
             unless_written_elsewhere(each, display, self.inferred.document) if each.tells(Kind.NO_SUCH_LENGTH) else each
             for each in outcomes
         ]
-        slips = [self.slips.as_usual(outcome, display) for outcome in outcomes]
+        slips = [None if each.as_usual is None else self.slips.as_usual(each, display) for each in outcomes]
         for place, slip in enumerate(slips):
             if slip is not None and not slip.meanings:  # what the text says is so: this follows from it but for a slip
                 outcomes[place] = slip.outcome
@@ -127,13 +168,16 @@ class DisplayChecker:
         """Return the record of a display with what became of its equations, and why."""
         judged = self._explained(self._record_of(record, outcomes, extra), display, outcomes)
         if judged.verdict is Verdict.REFUTED and self.correct:
-            judged = replace(judged, corrections=self.on_demand.corrector.correct(judged, statements, outcomes))
+            judged = replace(judged, corrections=self.corrector.correct(judged, statements, outcomes))
         found = [self._result(outcome, judged) for outcome in outcomes]
         if display.erratum:
             return replace(judged, outcomes=tuple(found))
         if judged.verdict is not Verdict.REFUTED:
-            return self.slips.before_second_meaning(replace(judged, outcomes=tuple(found)), display, outcomes)
-        self.slips.before_refuted(found, display, judged, outcomes)
+            says_anew = any(outcome.uses and outcome.tells(Kind.SECOND_MEANING) for outcome in outcomes)
+            judged = replace(judged, outcomes=tuple(found))
+            return self.slips.before_second_meaning(judged, display, outcomes) if says_anew else judged
+        if any(outcome.uses for outcome in outcomes):
+            self.slips.before_refuted(found, display, judged, outcomes)
         return replace(judged, outcomes=tuple(found))
 
     def _record_of(self, record: Record, outcomes: Sequence[Outcome], extra: dict[str, float]) -> Record:
@@ -157,7 +201,7 @@ class DisplayChecker:
         refuted = [outcome for outcome in outcomes if outcome.verdict is Verdict.REFUTED]
         try:
             with self.ring.budget.of(SECONDS_TO_EXPLAIN):
-                return self.on_demand.diagnostician.diagnose(record, normalise_unicode(display.latex), refuted)
+                return self.diagnostician.diagnose(record, normalise_unicode(display.latex), refuted)
         except TooComplex:
             return replace(record, findings=record.findings or (say(Kind.TOO_LARGE_TO_TELL),))
 
@@ -191,7 +235,7 @@ class DisplayChecker:
         """Return the names in an equation, and those that stand behind names that the document defines."""
         keys = {name.key for name in names_in(outcome)}
         made = (self.names.state.definitions[key].node for key in keys & self.names.state.definitions.keys())
-        behind = {b.key for node in made if node is not None for b in n.walk(node) if isinstance(b, n.Name)}
+        behind = {b.key for node in made if node is not None for b in n.names(node)}
         return frozenset(keys | behind)
 
     def _with_array_corrected(self, record: Record, display: Display) -> Record:
@@ -232,3 +276,10 @@ def _unreadable(display: Display, error: ReadError) -> Finding:
     if display.cell is None or display.file:
         return say(Kind.UNREADABLE, **place)
     return say(Kind.UNREADABLE_IN_CELL, cell=display.cell, **place)
+
+
+def _is_spoken_of(display: Display) -> bool:
+    """Whether the text around a display may say that it is so elsewhere, in a case, of something else, or not at all."""
+    elsewhere = display.of_other_point or display.in_other_frame
+    says = display.said_next or display.supposed or display.meant or display.denied or display.strange
+    return bool(elsewhere or says)
