@@ -6,6 +6,7 @@ import re
 from functools import cache
 
 import armproof.verification.document.phrases as phrases
+from armproof.verification.document.judgements import denies_what_is_above, denies_what_is_below
 from armproof.verification.document.heading import sections_around
 from armproof.verification.document.hearing import (
     IS_OVER,
@@ -38,7 +39,9 @@ def denies_below(text: str) -> bool:
 
 def denies_behind(words: str) -> bool:
     """Whether the words of a sentence deny the display that it stands behind."""
-    return hears("DENIED_BEHIND", words) is not None or _is_error(words) or _denies(words, is_behind=True)
+    if hears("DENIED_BEHIND", words) is not None or _is_error(words) or _denies(words, is_behind=True):
+        return True
+    return denies_what_is_above(without_harmless(words))
 
 
 def denies_later(text: str) -> bool:
@@ -52,7 +55,7 @@ def denies_before(sentence: str, words: str) -> bool:
     """Whether a sentence, with its words, denies the display that it leads to; one that is over does if it points below."""
     if IS_OVER.search(sentence) and words.count(" ") > 3 and not hears("POINTS_BELOW", words):
         return False
-    if hears("DENIED_BEFORE", words) or _denies(words):
+    if hears("DENIED_BEFORE", words) or _denies(words) or denies_what_is_below(without_harmless(words)):
         return True
     return not words.rstrip().endswith((":", ".")) and hears("NOT_AT_ITS_END", without_harmless(words)) is not None
 
