@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import re
-from functools import cache
 
-import armproof.verification.document.phrases as phrases
+from armproof.verification.document.denying_clauses import denies_beside, denies_what_is_above, denies_what_is_below
 from armproof.verification.document.heading import sections_around
 from armproof.verification.document.hearing import (
     IS_OVER,
@@ -14,15 +13,11 @@ from armproof.verification.document.hearing import (
     first_sentence,
     hears,
     leading,
-    tags_in,
     without_harmless,
     words_of,
 )
 
 _WORDS_WITHIN = re.compile(r"\\(tag\*?|text(?:rm|bf|it|sf|up|normal)?|mbox)\s*\{([^{}]*)\}")
-_LIGHT = frozenset(re.split(r"[/\s]+", phrases.LIGHT.strip()))
-_MOST = 14  # words before a denial of what stands above it
-_FARTHEST = 10  # and behind one of what stands below
 
 
 def denies_above(text: str) -> bool:
@@ -38,7 +33,9 @@ def denies_below(text: str) -> bool:
 
 def denies_behind(words: str) -> bool:
     """Whether the words of a sentence deny the display that it stands behind."""
-    return hears("DENIED_BEHIND", words) is not None or _is_error(words) or _denies(words, is_behind=True)
+    return (
+        hears("DENIED_BEHIND", words) is not None or _is_error(words) or denies_what_is_above(without_harmless(words))
+    )
 
 
 def denies_later(text: str) -> bool:
@@ -52,9 +49,7 @@ def denies_before(sentence: str, words: str) -> bool:
     """Whether a sentence, with its words, denies the display that it leads to; one that is over does if it points below."""
     if IS_OVER.search(sentence) and words.count(" ") > 3 and not hears("POINTS_BELOW", words):
         return False
-    if hears("DENIED_BEFORE", words) or _denies(words):
-        return True
-    return not words.rstrip().endswith((":", ".")) and hears("NOT_AT_ITS_END", without_harmless(words)) is not None
+    return hears("DENIED_BEFORE", words) is not None or denies_what_is_below(without_harmless(words))
 
 
 def denied_in(latex: str) -> bool:
@@ -70,13 +65,13 @@ def denies_within(text: str) -> bool:
     if len(text) > MOST_CHARACTERS:
         return True  # more than is read may deny
     words = words_of(text)
-    return _denies(words) or _is_error(words)
+    return _is_error(words) or denies_beside(without_harmless(words))
 
 
 def heading_denies(section: str) -> bool:
     """Whether a heading says that what stands below it is wrong: "A common mistake"."""
     words = words_of(section)
-    return hears("DENYING_HEADING", words) is not None or (hears("WRONG", words) is not None and _denies(words))
+    return hears("DENYING_HEADING", words) is not None or denies_beside(without_harmless(words))
 
 
 def is_denied_by_headings(section: str) -> bool:
@@ -87,31 +82,3 @@ def is_denied_by_headings(section: str) -> bool:
 
 def _is_error(words: str) -> bool:
     return re.fullmatch(r"(?:error|erreur|fehler|typo|nope|no|non|nein|×) (?:[!.] )?", words, re.IGNORECASE) is not None
-
-
-def _denies(words: str, is_behind: bool = False) -> bool:
-    """Whether a sentence denies: it has a word for what is wrong, or "not" and a word for what is true, and no remedy behind it.
-
-    "Nothing is wrong" and "not only" do not; behind a display what is denied must be that, and not so in some case alone.
-    """
-    tags = tags_in(words)
-    for place, (tag, start, end) in enumerate(tags):
-        follower, begin, stop = tags[place + 1] if place + 1 < len(tags) else ("", 0, 0)
-        if tag == "NOT" and follower == "TRUE" and words.count(" ", end, begin) <= 2:
-            end = stop
-        elif tag == "TRUE" and is_behind:
-            return False
-        elif tag not in ("WRONG", "DENIAL"):
-            continue
-        if is_behind:
-            before, behind = words[:start].split(), words[end:].split()
-            is_of_it = len(before) <= _MOST and all(not each.isalnum() or each.lower() in _LIGHT for each in before)
-            return is_of_it and behind[:1] != ["¤"] and (behind or [""])[0].lower() not in _elsewhere()
-        if words.count(" ", end) <= _FARTHEST and not any(other == "REMEDY" and at >= end for other, at, _ in tags):
-            return True
-    return False
-
-
-@cache
-def _elsewhere() -> frozenset[str]:
-    return frozenset(re.split(r"[/\s]+", phrases.ELSEWHERE.strip()))

@@ -87,18 +87,6 @@ def _harmless() -> re.Pattern[str]:
     return re.compile(_pattern(phrases.HARMLESS), re.IGNORECASE)
 
 
-def tags_in(words: str) -> list[tuple[str, int, int]]:
-    """Return the phrases that make up a denial in the words of a sentence, each with its kind, its begin and its end."""
-    return [(str(found.lastgroup), found.start(), found.end()) for found in _tagged().finditer(words.lower())]
-
-
-@cache
-def _tagged() -> re.Pattern[str]:
-    """Return the pattern of the phrases that make up a denial, a group a kind; what is harmless goes first."""
-    kinds = ("HARMLESS", "DENIAL", "WRONG", "NOT", "TRUE", "REMEDY")
-    return re.compile("|".join(f"(?P<{kind}>{_pattern(getattr(phrases, kind))})" for kind in kinds))
-
-
 @cache
 def _phrases(name: str) -> re.Pattern[str]:
     return re.compile(_pattern(getattr(phrases, name)))

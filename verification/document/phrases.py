@@ -1,4 +1,4 @@
-"""The phrases by which sentences change what a display says, each table by what they do there; `sentences.py` reads them.
+"""Phrases by which sentences change what a display says, where its clauses (`clauses.py`) do not tell; each table by what they do there.
 
 A line is a phrase in English, French, German or Spanish, its words as they stand. `a/b` is either word, `(a)` may be missing,
 `~` ends or begins a word in any way, `…` is up to four words, `*` any, `%` any but formulas, `¤` a formula, `#` a digit, `&` what joins sentences ("but",
@@ -17,49 +17,6 @@ pas/jamais/aucun/aucune/nullement/nicht/kein/keine/nie/niemals/nunca/jamás/non
 """
 TRUE = """
 true/right/correct/exact/so/valid/hold/holds
-the case
-what we want/need/mean
-vrai/vraie/exact/exacte/correcte/juste/richtig/wahr/cierto/cierta/verdad/correcto/correcta/vero/vera/valable
-"""
-WRONG = """
-wrong/wrongly/false/falsely/incorrect/incorrectly/untrue/erroneous/erroneously/mistaken/mistakenly/invalid/impossible/absurd/nonsense/mistake/mistakes/fallacy/fallacies/misconception~/misprint~/withdrawn
-reject
-common/frequent/typical/classic/classical/usual/sign/grave/bad/popular error~/slip~
-error to
-faux/fausse/fausses/faussement/erroné/erronée/erronés/incorrecte/inexact/inexacte/absurde
-à tort
-par erreur
-erreur/erreurs fréquente~/courante~/classique~/répandue~
-erreur de signe/calcul/frappe
-erreur d'/de écrire/poser/croire/dire/prendre
-falsch/falsche/falscher/falsches/fälschlich/fälschlicherweise/irrtümlich/unrichtig/falso/falsa/falsos/incorrecto/incorrecta/erróneo/errónea/sbagliato/sbagliata
-häufiger/häufige/typischer/typische fehler
-error/errores frecuente/frecuentes/común/comunes/típico/habitual
-✗/✘/❌
-blunder~/typo/typos/slip/untenable/meaningless/senseless/contradict~/errs/erred/nonsensical/bogus/flawed/faulty/inaccurate
-makes no sense
-index/sign/term/factor (is) missing
-piège (classique) (est)
-irrtum/denkfehler/trugschluss/unsinn/unzutreffend/widerspricht/contredit/contresens/bévue/aberrant/aberrante/equivocado/equivocada/disparate/contradice/errado/errada/errados/erradas/falsas
-"""
-DENIAL = """
-not/never/nobody/cannot/~n'/no-one/neither (t) (…) have/get/obtain/find/equal/use/write/say/conclude/believe/think/mean/follow/possible (that) $
-pas/jamais (…) écrire/avoir/conclure/croire/poser/dire (que) $
-n' écrivez/écris pas/jamais $
-nicht schreiben/setzen/sagen $
-no hay/debe/se que/debe escribir/poner $
-aurait/auriez/avez tort de/d'
-further from the truth
-n' a/ont/avons/aura pas/jamais $
-no/nicht reason/grund why/for/warum $
-tempted/tenté to/d'/de write/think/say/conclude/écrire
-confuse/confused/confuses/confusing/confondre/confondu … with/avec/by
-gardez-vous/garde-toi de
-s' ensuit pas/nullement
-(and) (but) not/non/nicht $
-(was) stimmt nicht
-nicht stimmt
-not/never/nobody/nothing/neither/no/cannot/~n'/rien/pas/jamais/aucun/aucune/nicht/kein/keine/nie/nunca/jamás/non * that/que/qu'/dass/che/is/est/ist $
 """
 HARMLESS = """
 pas sorcier
@@ -75,7 +32,7 @@ often/sometimes printed/written with a/the wrong sign
 not/nicht/pas/non/no only/just/merely/seulement/uniquement/nur/solo
 not/nicht/pas/no (so/too/very/si/très/sehr) difficult/hard/easy/surprising/difficile/facile/schwer/schwierig/difícil
 nothing/rien (is) wrong/false/incorrect
-no/not/without/sans/aucune/keine/sin (any/a/an/une) approximation/trivial/surprise/approximate
+no/not/without/sans/aucune/keine/sin (only/merely) (any/a/an/une) approximation/trivial/surprise/approximate
 not surprisingly
 not/no/never/cannot (…) wrong/wrongly/false/incorrect/mistake/mistaken/impossible/absurd
 pas/nicht/kein/no (…) faux/fausse/falsch/falscher/falso/incorrecto/inexact
@@ -83,28 +40,13 @@ avoid~/prevent~/remedy/without/éviter/évite~/sans/vermeide~/evitar (…) mista
 false/wrong position/ground/side/way/hand
 right inverse/angle/angles/side/hand/triangle
 error metric/norm/signal/measure/model/bound/function
-not/no/nobody/cannot/never/~n'/pas/nul/nulle/nicht/kein/keine/ohne/sans (…) doubt~/deny/denied/denies/dispute~/doute/difficult/difficulty/hard/surprise~/surprising/wonder~/secret/coincidence/accident/pity/forget/forgotten/overlook/hide/ignore/escape~/prevent~/exaggeration/étonn~/surpren~/oublier/hasard/mal/peine/difficile/zweifel~/schwer/schwierig/vergessen/wunder~/mühe/repeat/mention/forgotten/obvious/trivial/clear/evident/évident/new/object
+not/no/nobody/cannot/never/~n'/pas/nul/nulle/nicht/kein/keine/ohne/sans (…) doubt~/deny/denied/denies/dispute~/doute/difficult/difficulty/hard/surprise~/surprising/wonder~/secret/coincidence/accident/pity/forget/forgotten/overlook/hide/ignore/escape~/prevent~/exaggeration/étonn~/surpren~/oubli~/hasard/mal/peine/difficile/zweifel~/schwer/schwierig/vergessen/wunder~/mühe/repeat/mention/forgotten/obvious/trivial/clear/evident/évident/new/object
 not/without/~n'/pas/nicht/ohne/sans (…) prove/proof/derive/démontrer
 not without reason
 never/nunca/jamais forget/oublier/olvidar
 nothing/rien (…) neglected/négligé
 no/sin es/hay/cabe duda/difícil/extraño
 cannot but
-"""
-REMEDY = """
-right/correct/corrected/correctly/instead/rather/but/remember/mais/plutôt/corrigé/corrigée/sondern/sino/richtig
-should be
-"""
-LIGHT = """
-a/above/again/alas/hélas/easy/easily/given/clear/first/second/third/such/make/makes/reader/attentive/says/say/book/textbook/author/spotted/rien/tout/leider/all/also/an/and/are/as/be/been/beginners/beware/but/can/certainly/classic/common/frequent/typical/usual/clearly/contains/could/course/definitely/do/does/did/find/for/has/have/he/here/however/i/in/is/it/its/just/last/line/many/may/might/must/never/no/note/now/
-obviously/of/often/one/only/or/people/plainly/previous/printed/quite/really/see/seen/shall/should/simply/some/still/students/sure/surely/that/the/there/these/this/to/unfortunately/was/we/were/what/where/which/why/will/with/would/write/wrote/you/
-claim/conclusion/display/entry/equality/equation/exponent/expression/factor/formula/formulae/formulas/identity/index/matrix/relation/result/sign/statement/term/
-attention/aussi/bien/c'/ce/ceci/cela/cette/ci-dessus/clairement/dans/de/dernière/donc/elle/en/est/et/il/indice/l'/la/le/les/ligne/malheureusement/mais/n'/ne/on/ou/où/pourquoi/que/qui/résultat/signe/sont/terme/un/une/verra/voit/y/à/
-fréquente/courante/affirmation/égalité/équation/expression/formule/identité/aber/das/der/die/dies/diese/ein/eine/es/formel/gleichung/hier/ist/jedoch/leider/sind/und/vorzeichen/
-esta/este/esto/eso/ecuación/fórmula/lo/cual/pero/está/son/signo/el/questo/ciò/è
-"""
-ELSEWHERE = """
-if/when/whenever/where/for/at/unless/that/to/si/quand/pour/que/lorsque/lorsqu'/de/où/wenn/falls/für/dass/para/cuando
 """
 ABOVE = """
 formula/formulas/equation/equations/expression/relation/result/line/one above
@@ -114,167 +56,26 @@ obige/vorige/letzte gleichung/formel/beziehung/ausdruck
 fórmula/ecuación/relación/expresión anterior
 """
 DENIED_BEHIND = """
-^ * ne/n' vaut/vaudra/tient (pas/rien/plus)
-^ * ne/n' est pas/plus (…) valable/vraie/vrai/exacte/exact/correcte/correct/juste/bonne/bon
-^ * ne/n' est (…) (valable/vraie/vrai/exacte/exact/correcte) que
-^ * n' est pas/plus (du) (tout) (le) cas
-^ * cannot/nobody/never … prove/proved/proven/derive/derived (this/it/that) . $
-^ * no one can/has (ever) prove/proved/proven/derive/derived (this/it/that) . $
-^ * wrong/false/incorrect/faux/fausse/falsch/falso/falsa/incorrecto/incorrecta/sbagliato/sbagliata/errato/errata/errado/errada (here/ici/hier/aquí/qui/aqui) . $
-^ * formula/equation/relation/result/expression/claim/statement/line/identity/value/it/this/that (…) (does/do/is/can) not/n'/never/longer/cannot (longer) (t) (be) hold/apply/valid/usable/true/agree/match/fit/correspond/work/follow/stand/suffice/used/kept/trusted/right/correct/give/yield/describe/represent/express/reproduce/equal
-^ * il/résultat/formule/relation/équation/expression/valeur/cela/ceci/ça ne/n' … correspond/convient/marche/suffit/concorde/donne/décrit/représente/exprime/fournit pas/plus
-^ * ergebnis/formel/gleichung/beziehung/ausdruck/das/dies … stimmt/passt/gilt … nicht
-^ * resultado/fórmula/ecuación/relación/expresión/esto/eso no (…) corresponde/coincide/concuerda/vale/sirve/cumple
-we/i/author/authors no longer claim/claims/support/supports/maintain/maintains/defend/defends
-we/i/author/authors/nous withdraw/withdraws/retract/retracts/reject/rejects/retirons/abandonnons/rejetons
-refuted/disproved/disproven/démenti~/réfuté~/contredit~/infirmé~/widerlegt/desmentid~/refutad~ by/par/durch/por
-there is/are/was/must (be) a/an/some/two/another (…) mistake~/error~/slip~ (in/here)
-il y a/avait (…) (une/deux/des) (…) erreur~/faute~
-es gibt/da ist (…) (ein/einen) (…) fehler
-hay (…) un/unos/algún (…) error/errores
-^ * faut/fallait/faudrait lire
+^ (which) (this) (it) (is) (holds) (true) (right) for/at/if/when ¤ alone/only
 ^ * read/lire/lisez/lies/lesen/léase/leer … instead/au/statt/anstatt/en of/lieu/lugar
 ^ * erreur/error/mistake/fehler/faute * ? $
-^ * gleichung/formel/beziehung (ist/gilt) … nicht/nur
-^ * drawing board
 ^ no/non/nein/nope :/;/!/—
 ^ (well) (,) (not/pas/nicht/gar) at/du/tout/überhaupt (à) all/tout/fait/nicht . $
 ^ far from it
-^ loin de là
-^ if only . $
-^ would (that) (it/this) (were) (so) . $
-^ here * should/must/ought be
-^ * too few/little . $
 ^ ne/n' * utilisez/utilisons/utiliser/copiez/écrivez/retenez pas
-^ (the/quite) opposite/contrary/reverse/converse (is) (the) case/true/so/holds/right
-^ le contraire est
-^ das gegenteil ist
-^ * (once/one) too often/many/much
-^ * counted/taken/entered/added/has/have/had/compté/a/ont/hat/gezählt (with/avec/mit) (the/a/an/le/un/dem/einem/el) wrong/false/incorrect/opposite/mauvais/faux/falschem/falschen/equivocado
-^ * sign/signe/term/terme/factor/facteur/index/indice/exponent/exposant/vorzeichen/signo/término (…) must/should/ought/doit/devrait/muss/müsste/sollte/debe/debería (to) (be/have/être/avoir/sein/ser) (…) preceded/minus/plus/opposite/other/another/negative/reversed/précédé/moins/opposé/autre/négatif/minus/umgekehrt/opuesto/menos
-^ (…) statt/anstatt/anstelle/instead/lieu/lugar * must/should/doit/devrait/muss/müsste/sollte/gehört/debe
-^ * counted/added/taken/entered twice
-^ * went/gone/goes missing
-^ * must/should/ought/needs/need/has/have (to) (still) (be) (have) (been) exchanged/changed/replaced/swapped/interchanged/switched/reversed/negated/removed/deleted/corrected/subtracted/flipped
-^ * should/ought (to) (still) (be) (have) (been) multiplied/divided/added/squared/inverted/transposed/omitted/dropped/moved
-^ * was/were/been/got … swapped/interchanged/exchanged/forgotten/overlooked/omitted/mistyped/miscopied
-^ * sign/signs/index/indices/factor/factors/term/terms/angle/angles/letter/letters/length/lengths/row/rows/column/columns/sine/cosine/square swapped/interchanged/exchanged/forgotten/overlooked/omitted/mistyped/miscopied
-^ (please) (now) change/correct/reverse/swap/exchange/interchange/flip/replace/drop/delete/remove/negate/remplacez/remplacer/changez/inversez/corrigez/supprimez/ersetze/ersetzen/streiche/streichen/sustituya/sustituir/cambie/corrija * . $
-^ check/verify/recheck/re-check this/it again
-to-do/todo/fixme/xxx
-^ * is/are/needs/need/has/have/remains/remain (still) (to) (be) (yet) checked/verified/confirmed/proved/proven/rechecked/double-checked (again) . $
-^ * reste/est/sont (encore) à vérifier/prouver/confirmer/contrôler/démontrer . $
-^ * (noch) zu prüfen/überprüfen/kontrollieren/beweisen . $
-^ * queda/está/falta por/sin verificar/comprobar/demostrar/confirmar . $
-not/n't/pas/nicht/no (…) sure/certain/convinced/sûr/sûre/sûrs/certains/convaincu/sicher/überzeugt/seguro/seguros/convencido
-i/we/nobody (do) (does) not/n't/knows (know) (t) whether/if
-unsure/uncertain/doubtful/douteux/douteuse/fraglich/zweifelhaft/dudoso/dudosa
-^ * (have/has) (been/was/were) left out/off/aside
-^ * not/n't/cannot/never/pas/nicht/no (…) reach/do/obey/satisfy/use/reproduce/explain/confirm/follow/allow/support/supports/believe this/it/that/cela/ça/das/esto/eso . $
-^ this/it/that cannot be ,/right/true/correct/so/the/valid/used
-^ cela/ceci/ce/das/esto ne/n'/no (…) peut/kann/puede (pas/nicht) (être) ,/vrai/exact/juste/correct/richtig/stimmen/cierto
-^ (please) replace the/a sine/cosine/sign/index/term/factor/exponent
-^ * doit/doivent/devrait/devraient être remplacé~/changé~/corrigé~/inversé~/interverti~/permuté~/supprimé~/retiré~/soustrait~/échangé~
-^ * est/sont à (nouveau) (être) corriger/remplacer/changer/inverser/revoir/reprendre/intervertir/supprimer
-^ * a/ont été interverti~/inversé~/permuté~/oublié~/échangé~/omis/omise
-^ * il faut/fallait/faudrait/convient/reste (de) (donc) (à) remplacer/changer/corriger/inverser/intervertir/soustraire/permuter/échanger/supprimer/retirer
-^ * muss/müssen/sollte/sollten/soll/gehört/gehören … umgekehrt/vertauscht/ersetzt/geändert/korrigiert/gestrichen/weggelassen
-^ * wurde/wurden/ist/sind … vertauscht/vergessen/verwechselt
-^ * hay/habría/debe/deben/debería/deberían/tiene/tienen (que) (ser) cambiar/cambiarse/sustituir/sustituirse/corregir/corregirse/invertir/invertirse/quitar/intercambiar/intercambiarse/reemplazar/reemplazarse/cambiado/cambiada/sustituido/sustituida/corregido/corregida
-^ * va/vanno/andrebbe/deve/devono/dovrebbe/bisogna/occorre (essere) corrett~/cambiat~/sostituit~/scambiat~/invertit~/correggere/cambiare/sostituire/scambiare/invertire
-^ * deve/devem/deveria/deveriam/precisa/precisam/tem/têm/preciso/necessário (ser) (de/que) trocad~/substituíd~/corrigid~/invertid~/trocar/substituir/corrigir/mudar/inverter
 ^ * correct/right/true/proper/corrected version/formula/expression/result/value/equation/relation (is/reads/has/would/can/should/follows/stands)
-^ * bonne/bon formule/version/expression/résultat/relation (est)
-^ * formule/version/expression/résultat/relation correcte/exacte/exact/juste/corrigée est/se/a/figure
-^ * richtig/korrekt ist/wäre/lautet/muss/heißt
-^ * richtige/korrekte formel/gleichung/ausdruck/ergebnis
-^ * fórmula/resultado/expresión/ecuación/relación correcto/correcta es/está/sería/se
-^ * formula/risultato/espressione/relazione corretta/corretto/giusta è/sarebbe/si
-^ * fórmula/resultado/expressão/equação/relação correta/correto é/está/seria
-^ * sides/units/members/dimensions (of) (the) (two) (both) (sides) (do/does/don'/are) not/t/disagree/differ
-^ * membres/unités/dimensions ne * pas
-^ * seiten/einheiten … nicht
-^ * lados/miembros/unidades/membri/membros/unità no/non/não
-^ * belong/belongs/refer/refers (only) to another/other/a/the (different/other)
-^ * appartient/appartiennent (à/aux) (un/une/d') autre/autres
-^ … should/must/has/have/ought/doit/muss/debe (to) be corrected/replaced/withdrawn/remplacée
-^ … should/must/doit (have/read/avoir) (an) (another) (a) (une) differently/sign/autre
-^ … should/must read/say/have
 ^ … needs/requires a/some correction
-^ … est à corriger
-^ (what) (is) (what' s) wrong
-^ correct/find/spot/mend/corrigez/corrige the/l'/el error/mistake/erreur
-^ where/où is/est the/l' mistake/error/erreur
-^ (and) (but) (this) (it) (that) (which) (is) (holds) (hold) (are) (true) (right) (correct) (valid) (exact) only/solely if/when/for/at/in/where/near/on
-^ (and) (but) except/unless/nowhere/sauf/excepté/außer/excepto/salvo
-^ (and) (this) (it) (that) (holds) (is) (true) if and only if
-^ (mais) (ce) (qui) (cela) (ceci) (elle) (cette) (formule) (égalité) n'/ne est/vaut/tient (vraie) (vrai) (exacte) (valable) que
-^ (mais) (et) (aber) (und) (gilt) (pero) seulement/uniquement/nur/solo/sólo für/wenn/falls/si/pour/en/quand/lorsque/para/cuando/bei
-^ (which) (this) (it) (that) (is) (holds) (true) (right) for/at/if/when ¤ alone/only
-^ (please) do not/never believe/use/write/trust/copy this/it/that
-^ (please) don' t believe/use/write/trust/copy this/it/that
-^ (please) delete/ignore/strike/forget/discard/disregard this/it/that/the
-^ (and) (this) (that) (which) (is) (so) (holds) (but) for ¤ only/alone
-^ (but) for no other
 ^ which/this/that/ce (qui) requires/assumes/presupposes/suppose/erfordert ¤
 """
 DENIED_BEFORE = """
-^ falsch/unrichtig/verkehrt wäre/ist es * $
-^ (a/an/the/one/another) (very) common/frequent/classic/usual/typical/widespread misconception~/mistake~/error~/belief * $
-* if/when/where * (is/are/was/were) (simply) forgotten/confused/overlooked/mixed/mistaken/miscounted/neglected/ignored (up/for) (:) $
-* must/should/ought/needs/need/has/have (to) (still) be deleted/removed/struck/corrected/withdrawn/replaced/discarded/ignored (:) $
-* doit/doivent/faut (être) supprimé~/corrigé~/retiré~/remplacé~/ignoré~/supprimer/corriger/retirer (:) $
-* il (ne) faut (surtout/donc) pas/jamais écrire/utiliser/prendre/appliquer/employer/retenir/poser (la/cette/le) (relation/formule/expression) (:) $
-no/zero/without/sans/aucun/keine/sin (obtenir/any) (de/receiving/getting) marks/points/credit/points/punkte/puntos
-students/student/pupils/pupil/groups/group/candidates/étudiants/étudiant/élèves/élève/groupe/candidats/schüler/studenten/studierende/alumnos/estudiantes * wrote/answered/handed/claimed/submitted/concluded/répondu/écrit/conclu/rendu/schrieben/antworteten/abgegeben/escribieron/respondieron
-* si/quand/lorsque * (est/sont) oublié~/confondu~/omis/omise/négligé~ $
-* wenn * vergessen/verwechselt/vertauscht/übersehen (wird/werden/wurde/hat) $
-* si/cuando * (se) olvida/olvidan/confunde/confunden * $
-^ * old/older/previous/earlier/former/first/original/printed/preceding/last/outdated … version/edition/draft/printing/copy/attempt/guess/try/printout/handout * had/has/was/gave/gives/computed/used/read/reads/wrote/contained/contains/showed/states/stated (:) $
-^ * ancienne/première/précédente … version/édition/ébauche/tentative/copie * avait/portait/donnait/donne/contenait/était/indiquait (:) $
-^ * alte/alten/frühere/früheren/erste/ersten … fassung/ausgabe/version/auflage * stand/hatte/enthielt/lautete (:) $
-^ * common/frequent/usual/typical/tempting/naive/hasty/careless/intuitive (but) (…) answer/answers/guess/attempt/try/shortcut/temptation/response
-^ * réponse fréquente/courante/classique/habituelle/tentante/naïve
-^ * häufige/typische/naheliegende antwort
-^ * respuesta frecuente/común/habitual/típica
-^ (…) (exercise/task/problem/exercice/aufgabe/ejercicio) (:) correct/mend/fix/repair/improve/corrigez/corriger/rectifiez/korrigiere/korrigieren/berichtigen/corrija/corregir/corrige (sie) the/this/la/l'/le/die/el (…) equation/formula/expression/line/matrix/relation/result/équation/formule/expression/ligne/relation/gleichung/formel/ecuación/fórmula
-what/where/quelle/où/was/wo/cuál/dónde (…) (is/est/ist/es) (…) the/l'/la/der/el error/mistake/slip/fault/erreur/faute/fehler
-^ * must/should/ought/needs/need/has/have (to) (still) be exchanged/changed/replaced/swapped/interchanged/reversed/negated/removed/deleted/corrected/flipped in (the/following/below/:) (following) (line/equation/formula/expression) (:) $
-^ * doit/doivent/faut (être) (…) remplacé~/changé~/corrigé~/inversé~/interverti~/permuté~/changer/corriger/inverser/remplacer dans (la/l'/cette) (formule/équation/expression/relation/ligne) (suivante) (:) $
-^ * following/next (line/equation/formula/expression/relation/result) (does/do/is/can) not/n't/cannot/never
-^ * ligne/formule/équation/relation suivante/ci-dessous ne/n' … pas/plus
-^ * folgende/siguiente ligne/gleichung/formel/fórmula/ecuación … nicht/no
-contain/contains/enthält/enthalten/contient/contiennent/contiene/contienen (a/an/one/two/some/einen/ein/une/un/deux/des/algún) (…) error/errors/mistake/mistakes/slip/slips/fehler/erreur/erreurs/faute/errores
-^ (…) find/spot/locate/trouver/trouvez/cherchez/finde/finden/suchen/encuentre/busque (sie) the/l'/la/den/der/el/den error/mistake/slip/erreur/faute/fehler
-por/durch/par error/descuido/irrtum/versehen/erreur/mégarde/inadvertance
-démenti~/démentent/refuted/disproved/widerlegt/desmentid~
-^ cross/strike out/through
-^ barrez/rayez/biffez
-nothing/rien/nichts/nada … allows/permet/justifies/justifie/erlaubt/rechtfertigt/permite/justifica * $
-^ (…) nor/ni/noch/neither (…) is/are/does/do/est/ist/es
-(this/that/it) (…) is not (…) the case
-instead/au/anstelle/statt/en of/lieu/des/der/lugar (de/du/del) (the/l'/la/le) correct/right/true/correcte/exacte/bonne/correcta/richtigen
-^ * not/n't/cannot/never/pas/nicht/no (…) obey/satisfy/agree/match/fit/follow/yield/give/respect/fulfil/fulfill/comply/have/reproduce/equal (with) (the/this) (law/relation/formula/equation/rule) (:) $
-^ * ne/n' obéit/vérifie/satisfait/respecte/suit/donne pas (à/la) (loi/relation/formule) (:) $
-* if/when/who/by (you/one/we/they) forget/forgets/forgetting/confuse/confuses/confusing/mix/mixes/mixing * $
-* en oubliant/confondant * $
-* si/quand/lorsqu' on/l' (on) oublie/confond * $
-^ (please) (do) not/never (t) use/trust/copy/apply the/this * $
-^ it/this/that (do/does/is) not/n' (t) describe/hold/give/represent/agree/match/apply * $
-^ (it) (is) only/solely if/when/for/at/in/where ¤
-^ (it) (is) only/solely at/in/near
-^ (c') (est) seulement/uniquement/nur/solo/sólo pour/si/quand/für/bei/para/en
-^ except/excepté/sauf/außer/excepto for/at/if/when/pour/si/bei/für/para
-one/we/you may/need not write
-^ (but) (please) avoid/éviter/évitez/évitons (:) (writing) $
-^ (but) (surely/surtout) not/pas/nicht/non/no (like/comme/wie/come/como) this/ceci/cela/ainsi/so/dies/questo/esto (:) $
 by no means (,) $
 ^ & (in/auf/en/de/in/em/under) no/keinen/keiner/aucun/aucune/ninguna/ningún/nessun/nessuna/nenhuma way/circumstances/fall/weise/cas/façon/manière/manera/modo/caso (,) $
-opposite/contrary/converse/negation/contraire/réciproque/gegenteil/contrario of/de/von (this) (is) (:) $
-"""
-NOT_AT_ITS_END = """
-not/never/cannot/~n't/pas/jamais/nicht/kein/keine/nunca (…) $
-no ¤ $
+further from the truth
+no/zero/without/sans/aucun/keine/sin (obtenir/any) (de/receiving/getting) marks/points/credit/points/punkte/puntos
+^ (…) nor/ni/noch/neither (…) is/are/does/do/est/ist/es
+(this/that/it) (…) is not (…) the case
+^ (it) (is) only/solely if/when/for/at/in/where ¤
+^ (but) (please) avoid/éviter/évitez/évitons (:) (writing) $
 """
 POINTS_BELOW = """
 following/below/underneath/suivante/suivant/ci-dessous/ci-après/folgende/folgenden/nachstehende/nachstehenden/siguiente
@@ -313,7 +114,7 @@ longueurs unitaire~/égale~
 true/vrai or/ou false/faux
 """
 OF_A_PART = """
-contribution/contributions/apport/apports
+contribution/apport
 due to
 first/second/premier/second term/part/terme
 without/sans the/le/la/les
@@ -326,136 +127,47 @@ at rest
 unit/equal/identical (link) length/lengths/links
 longueurs unitaire~/égale~
 """
-SPECIAL = """
-nowhere else
-nulle part ailleurs
-sonst nirgends
-^ only/seulement/uniquement/nur/solo/sólo/soltanto/apenas/somente when/if/quand/si/wenn/cuando/quando/se
-same/equal/identical (link) length/lengths/links
-equally long
-lengths/links are/were/being (here) equal/identical/the (same)
-(segments/longueurs) de (la) même longueur
-longueurs/segments égales/égaux
-gleich lang/lange/langen
-gleiche/gleicher/gleichen länge/längen
-misma longitud
-miden lo mismo
-eslabones/longitudes iguales
-stessa lunghezza
-bracci/aste/lunghezze uguali
-mesmo comprimento
-elos/comprimentos iguais
-special/particular/limiting/degenerate case
-cas particulier/limite
-spezialfall/sonderfall/grenzfall
-caso particular/particolare/limite/límite/especial
-set/put/taken/chosen/fixed (equal) (to/as/at) zero/one/unity
-this/that/these … only/alone ,
-gestreckt~/ausgestreckt~/eingeklappt~
-extendido/extendida/estirado/estirada/plegado/plegada
-disteso/distesa/esteso/estesa/ripiegato/ripiegata
-esticado/esticada/estendido/estendida/dobrado/dobrada
-"""
 MAY_LIMIT = """
 angle/angles/winkel/ángulo/ángulos/angolo/angoli/ângulo/ângulos/motor/motors/moteur/moteurs/motoren * (is/are/est/sont/ist/sind/es/son) absolute/absolu~/absolut~/assolut~
 measured/counted/taken/reckoned/referred/given/mesuré~/compté~/pris/prise/repéré~/gemessen/gezählt/medido~/medida~/contado~/tomado~/misurat~/contat~/contada~ (with) (respect) from/to/against/with/depuis/à/par/desde/respecto/rapport/gegen/gegenüber/von/zur/zum/dall' (…) horizontal~/vertical~/orizzontal~/vertikal~/ground/floor/sol/suelo/boden/lotrecht~/waagrecht~/waagerecht~/senkrecht~
-horizontal/vertical/ground/floor (line/axis) as/for (the) (a) reference/zero/origin
-prenant/prend/tomando (l'/la/como) horizontal~/vertical~ (comme/como) (référence/origine/referencia)
-nullstellung/nulllage/grundstellung/ruhelage/ausgangsstellung/referenzstellung/strecklage
-posición/configuración/postura inicial/cero
-posición/configuración/postura de reposo/referencia/casa
-brazo/eslabones/codo (…) extendid~/estirad~/plegad~/alinead~
 (all) lengths/longueurs/längen/longitudes/lunghezze (are/is/being/sont/werden/son/sono) doubled/halved/tripled/doublées/divisées/verdoppelt/halbiert/duplicadas/raddoppiate
 in/to/into/from/of/dans/vers/du/im/in/en/desde/al the/le/l'/la/el/zum/dem/den/der (¤) second/third/moving/moved/rotating/tool/body/hand/gripper/wrist/elbow/forearm/local/new/own/last/other/deuxième/second/mobile/local/nouveau/outil/zweiten/mitbewegten/bewegten/móvil/segundo/herramienta frame/axes/coordinates/system/koordinatensystem/system/repère/sistema
-repère/sistema/referencial/referencia (qui) mobile/lié/attaché/móvil/ligado/del (segundo/última)
 frame/coordinates/system of/attached (to) (the) first/second/third/last/moving/tool/hand/gripper/elbow/forearm/wrist/end-effector (link)
-frame/axes/coordinates/system that/which turns/turn/moves/move/rotates/rotate (with)
 seen/looked/viewed/observed/vu/vue/vista/visto/gesehen (at) from/by/depuis/desde/par/von
-(first/second/third/other/last/¤) joint~/link/motor/axis/shoulder/elbow/forearm/¤ (¤) (#) (is/are/was/being/be/held/kept/remains/stays/stay/stands) (kept/held) fixed/locked/blocked/clamped/frozen/still/constant/immobile/welded/brake~/switched
 (first/second/third/other/last/¤) joint~/link/motor/axis/shoulder/elbow/forearm/¤ (does/do) not (move/turn/rotate)
-locked/blocked/clamped/frozen/welded/fixed/stationary joint/link/axis/motor/shoulder/elbow/forearm/at
-première/première/deuxième/seconde/dernière/premier/second articulation/liaison/axe/segment/moteur (est/étant/reste) bloqué~/fixe~/fixé~/immobile/figé~/verrouillé~/arrêté~
 articulation/liaison/axe/coude/épaule/segment/moteur (#) (est/étant/reste) bloqué~/fixe/fixé~/immobile/figé~/verrouillé~/arrêté~
-gelenk/achse/glied/motor/ellbogen/schulter (#) … festgehalten/blockiert/fest/gesperrt/verriegelt/stillsteht/arretiert
-festgehaltenem/festem/blockiertem/gesperrtem/arretiertem/stillstehendem gelenk/glied/achse
 articulación/eslabón/eje/codo/hombro (…) bloquead~/fij~/inmóvil/quiet~
 parallelogram~/belt/belts/pulley/pulleys/pantograph/parallélogramme/courroie~/riemen/parallelogramm~/paralelogramo/correa~
-chain drive
 held/kept/set/frozen/put/maintenu~/gehalten/mantenid~ (…) at/to/à/auf/bei/en zero/¤/zéro/null/cero
-no longer
-ne/n' * plus la/le/l'/les/de/d'
-acceptable/good/rough/crude/bonne approximation
-close/near/proche/voisin~ to/de zero/zéro/¤
-hypothèse/hypothesis de/working/of (travail) $
 angle/angles/winkel/ángulo/ángulos * to/with/from/against/and/avec/à/par/et/gegen/zur/zum/und/con/desde/de/y (rapport) (the/à/l'/la/le/au/al) ground/horizontal~/vertical~/x-axis/y-axis/sol/boden/suelo
-absoluten/absoluter/absolute/absolus/absolu/absoluto/absolutos/assoluti winkel/angle/angles/ángulo/ángulos/orientation
-angle/angles/winkel/ángulo/ángulos absolu~/absolut~
-von/ab/gegen/zu der/dem/einer horizontal~/vertikal~/waag~/senk~/lot~
 se/wird/werden (…) mide/miden/misst/mesure/mesurent (…) desde/von/ab/depuis
 mesuré~ dans le repère/référentiel fixe/absolu/global
 not/n'/nicht/no (t) (…) denote/mean/stand/represent/désigne/représente/bezeichnet/bedeutet/designa/representa
 symbol/letter/abbreviation/notation/shorthand/symbole/lettre/abréviation/zeichen/abkürzung/símbolo/letra ¤ (here/ici/hier/aquí) (is/means/denotes/stands/désigne/signifie/bezeichnet/steht/designa)
-¤ is/stands (here) short for
 inclination/inclinaison/neigung/inclinación
-(in/to) world/global/room/earth-fixed coordinates/frame/axes
 coordinate system/systems (…) fixed/attached/tied/of (rigidly) (to) (the) link/first/second/body/forearm
-koordinatensystem/bezugssystem/system des/der ersten/zweiten/dritten/gliedes/arms
 auxiliary/auxiliaire/intermediate/intermédiaire/internal/temporary/hilfs~/auxiliar/intermedia quantity/variable/grandeur/value/größe/magnitud
 absolute/absolus/absoluten/absolutos (link/joint) angles/angle/winkel
-encoder~/resolver~/codeur~ (…) deliver/deliver~/give/gives/measure/measures/mesure/mesurent
 base line
-effect/influence/rotation/motion/mass/contribution * (is/are/has/have/was/were) (been) neglected/ignored/disregarded/négligé~
 approché~/approchée~/angenähert~/aproximad~
-à l' arrêt
-formula/equation/relation/formule/équation/elle/cela/this/it suppose/supposes/presupposes/assumes/suppose que/that/¤
-(¤) (which/ici/here) denote/denotes/désigne/désignent/bezeichnet/denota (…) (the/le/la/l'/den/el) cosine/sine/sum/inclination/cosinus/sinus/somme/angle absolu~/kosinus/coseno/seno
 point/place (here/considered/in) (question) (considered) is (not) (the)
-rather/plutôt than/que the/la/le gripper/pince/tool/outil
 conventions/convention … those/that/celles/celle of/de/d' (the) (another/second/other/un/une)
-has no geometric/physical meaning
-for what/which postures/configurations/angles/values
 another/other/different/autre/anderen/anderer/otro/otra/altro/outro point/quantity/body/frame/joint/link/punkt/punktes/grandeur/größe/punto/magnitud
-^ * is/are/est/ist/es (…) valid/exact/true/correct/satisfied/verified/valable/exacte/vraie/vérifiée/gültig/richtig/exakt/válida/exacta/cierta (only/seulement) for/if/when/in/at/where/as/pour/si/quand/lorsque/dans/für/wenn/falls/bei/para/cuando/en
-^ * holds/gilt/vale (only/seulement/nur/solo) for/if/when/in/at/where/as/pour/si/quand/lorsque/dans/für/wenn/falls/bei/para/cuando/en
 ^ (…) find/determine/give/compute/state/trouver/trouvez/déterminer/déterminez/donner/donnez/bestimmen/finde/bestimme/hallar/determinar/encontrar … for/pour/für/para which/lesquelles/lesquels/laquelle/lequel/quelles/welche/los/las/qué
-drive/drives/driven/motors/motor/actuators/moteurs/motores (…) (are/is/both) (mounted/placed/sits/sit/stands/stand/fixed) on/in/at/sur/en the/le/la/el base/frame/column/ground/pedestal/socle/bâti
-orientation of (the) second/last/third/forearm/tool/hand/gripper (link) * constant/fixed/kept/same
 keeps/keep/kept (…) (its/the) orientation/direction/horizontal/vertical/level
 after/après/nach/tras/después (a/the/une/un/la/einer/der/una) (first/…) turn/rotation/quarter/shift/translation/displacement/move/drehung/verschiebung/giro/rotación
 base/frame/origin/axes (…) (has/have/is/are/was/were) (been) turned/rotated/shifted/displaced/moved/tilted/inclined/mirrored/flipped by/through/to/about
-(in) (for) the/this (special/…) case (where/in/when/that/of/with) $
-case where/when/that/in (which) % , $
-au cas où
-dans le cas où/d'/de/des/du
-für den/im fall
-en el/caso caso de/que/en
-is/was (only) the case (of/for/where/when/in) (a/the)
-it/here/this is/was/has (been) (here/now/tacitly/implicitly) assumed/supposed/presumed
-other/another/different/second (kind/type/version) (of) arm/robot/manipulator/crane/machine/mechanism/model/design
-autre bras/robot/manipulateur/modèle/mécanisme
-anderen/anderer/andere/zweiten roboter/arm/modell
-otro brazo/robot/modelo
-when/as/if/while/lorsque/quand/si/wenn/während/cuando/mientras only/seule/seul/nur/sólo/solo
-neither/both/all/two joints/links/angles/motors … together/equal/equally/same/simultaneously
-equal/same/identical/opposite angles/speeds/rates
-neglecting/ignoring/disregarding/omitting/leaving/négligeant/ignorant/vernachlässig~/despreciando/ignorando/trascurando/without (out) (of) (the/a/any) (account) first/second/third/last/rotation/motion/movement/offset/angle/turn/contribution/contributions
 """
 NEARLY = """
-terms … (have) (has) (been/were/are) dropped/omitted/discarded/ignored
 first/second/leading/third/premier/deuxième/erster/zweiter order/ordre/ordnung
 erster/primera näherung/aproximación
 approximat~/linearis~/lineariz~/linéaris~/neglect~/néglige~/vernachlässig~/näherungsweise/roughly
 à peu près
-as an approximation
-good approximation
-ignoring
 for/if/pour/für/para small/de/kleine/pequeños (petits/petites) (angles) (winkel) (ángulos)
-small/petits/petites/kleine angle/angles/motion/motions/displacement/displacements/mouvements/déplacements/variations/oscillations/winkel
 angles are small
 up to a/the/terms (of) (sign/factor/constant/second/third)
 up to sign
 au signe près
-constante/facteur près
 bis auf
 salvo el signo
 absolute value
@@ -465,87 +177,17 @@ within (one/a/two/#) percent
 ≪
 """
 OF_NO_CLAIM = """
-demande/demander/demandons si
-wonder/wonders/ask/asks/check/test/verify/decide/see if
-preguntamos/pregunta/verificar/comprobar/chiede/chiediamo/verificare/perguntamos/verificar si/se
-fragt/fragen/prüfen/prüft … ob
 would/might/could/were/expected/serait/aurait/pourrait/wäre/würde/sería
-never/jamais
-don' t
-il ne faut pas $
-instead/rather of/than
-in place of
-au lieu de/d'
-plutôt que
-statt/anstatt
-en lugar de
 replace/remplacez/remplacer/ersetze
 cross out
 ^ where * has $
-unlike/contrary
-contrairement
-not to be
-on the other hand
-student/students/pupil/pupils/neighbour/élève/étudiant/étudiante/schüler/alumno/alumna/someone/somebody/copie/exam * write/writes/wrote/answers/answered/claims/says/écrit/lit/schreibt/escribe/read
-claims/claimed/prétend/asserts/behauptet/afirma/answers/répond
-according to
 leaflet/rumour/web
-someone/student/pupil/élève/étudiant/alumno
-true/vrai/richtig/verdadero or/ou/oder/o false/faux/falsch/falso
-which/lequel/laquelle (one) (of) (these) is/est right/correct/true
-whether
 counterexample/counter-example/contre-exemple
-(discuss/comment) (on) the claim/statement $
-are you sure
 dire/vérifiez/vérifier si
-does/is/are it/that/this/the * follow/true/right/correct (that) $
-could it be
-est-il/est-ce/a-t-on
-ist/stimmt es/das
-es cierto/verdad/correcto que
-as in the case
-comme dans le cas
 """
 SUPPOSED = """
-suppose/assume/imagine/pretend/supposons/admettons/imaginons/angenommen/supongamos/supponiamo/suponhamos * that/que/dass/che $
-prove/show/verify/montrer/démontrer/montrez/démontrez/prouvez/beweisen/demuestre/dimostrare/demonstrar or/ou/oder/o/u disprove/refute/infirmer/infirmez/réfuter/réfutez/widerlegen/refute/confutare/refutar
-^ & (or/ou/oder/o) (also/aussi/auch/también) when/whenever/if/for/at/lorsque/lorsqu'/quand/si/pour/wenn/falls/für/cuando/para $
-suppose/assume/supposons/admettons/imaginons (…) that/que/qu' * $
-suppose/supposing/assume/assuming/imagine/pretend/believe/supposons/supposant/admettons/admettant/angenommen/supongamos (,) (by) (contradiction) (for) (a) (the) (sake) (of) (argument) (moment) (now) (that) (que) (par) (l') (absurde) $
-on suppose (que) $
-contradiction , (let) $
 as a hypothesis
-supposedly/allegedly/purportedly/reportedly (,) $
-^ & (can/could/may/might) it/this/that (really/ever) be that $
-^ & (find/work) out if/whether $
-^ (please) discuss/discutez/diskutieren (:) $
-(you/one/we/students/some/many) may/might/can/could/will/often have read/heard/seen/met (that) $
-^ (the/an/a/our) (last/old/previous/earlier/early/first/printed/original) (year/year') (s) version/solution/edition/draft/handout/sheet/printing * was/had/has/read/reads/gave/says/said (:) $
-^ (many/some/most/other/several/a) (few) books/authors/textbooks/texts/notes/sites/pages have/write/print/give/say (that) (:) $
 if we/one/it had/were
-had/were it/we (found/the) (case) (that) $
-par l' absurde
-si l' on avait
-si on avait
-angenommen
-solve/solving/résoudre/résolvons $
-solution/solutions/root/roots of/to/de $
-we look/search for $
-we must (to) (solve/find/have) $
-we have/need/want to (solve/find/have) $
-find … such that
-such that $
-so as to have $
-satisfying/vérifiant $
-telle~/tel/tels que $
-on cherche/veut $
-^ & assuming/supposing/provided/unless/except/sauf % , $
-^ & as long as % , $
-^ & in the absence of % , $
-^ & en supposant % , $
-^ & à moins que % , $
-^ & tant que % , $
-^ & if/when/whenever/si/quand/lorsque/lorsqu' we/one/you/i/on/nous/l' (on) (now) assum~/suppos~/neglect~/ignor~/lock~/fix~/block~/weld~/had/bloqu~/fig~/soud~/néglig~/admet~ % , (then/alors) (we/on) (get/have/find/obtain/a/obtient/trouve) $
 """
 ON_CONDITION = """
 ^ & if/when/whenever/si/quand/lorsque/lorsqu' % , (then/alors) (we/on) (get/have/find/obtain/a/obtient/trouve) $
@@ -554,39 +196,16 @@ WE_DO = """
 ^ & if/when/whenever/si/quand/lorsque/lorsqu' we/one/you/i/on/nous/l'
 """
 ASKED_BEHIND = """
-^ * a/an/une/una/un/eine/uma/um (simple/mere/working) hypothesis/hypothèse/hipótesis/ipotesi/hipótese/conjecture/conjetura/congettura/conjetura/vermutung/annahme/guess
-prove/show/verify/montrer/démontrer/montrez/démontrez/prouvez/beweisen/demuestre/dimostrare/demonstrar or/ou/oder/o/u disprove/refute/infirmer/infirmez/réfuter/réfutez/widerlegen/refute/confutare/refutar
-^ (&) (or) does/do/did/is/are/can/could/will/would/should this/it/that/these/the * ? $
 true/false/right/wrong/correct/so/agree/think/it/case/vrai/faux/exact/juste/accord/richtig/falsch/das/cierto/verdadero/falso/correcto/why ? $
-true/false/right/wrong/correct/vrai/faux/exact/juste/richtig/falsch/verdadero/falso * ? $
-est-ce/est-il * ? $
-justify/justifiez
 """
 OPEN_QUESTION = """
 ^ (and/but/so/et/mais/und/aber/y/e) what/how/where/when/who/whose/which/comment/que/qu'/quel/quelle/quels/quelles/où/quand/qui/wie/was/wo/wer/welche/welcher/welches/cómo/qué/dónde/cuál/cuáles/quién/come/che/cosa/dove/quale/quali/chi/como/onde/qual/quais/quem
 """
 SAYS_LIMITS = """
-^ outside/beyond (of) this/that/the
-^ * terms * dropped/neglected/omitted/discarded/ignored
-^ * applies/holds/valid/true (only) (to/for/in/at/within/on) (this/that/these) (one/single) configuration/case/posture/range/branch
-^ * another/other/different expression/formula/equation/relation (has/must/is/should/applies/holds)
 ^ * válida/válido/vale/vrai/vraie/valable/valida/valido (que) (solo/sólo/solamente/seulement/apenas/somente/nur) (para/pour/per/en/em)
-^ solo/sólo/solamente/apenas/somente/seulement/nur es/est/é/è/vale/gilt/válid~/valid~/valable
 """
 LIMITED_BEHIND = """
-^ at least when/if/for/in/as/where
-^ du moins si/quand/lorsque/pour/en/dans
 ^ (only) (and) (et) if/when/whenever/provided/assuming/supposing/unless/except/lorsque/lorsqu'/quand/pourvu/sauf/si/falls/wenn/sofern/cuando
-^ (only) (and) as long as
-^ à condition que
-^ tant que
-^ instead/rather of/than
-^ au lieu de
-^ plutôt que
-^ with joint
-^ for unit/equal
-^ avec l' articulation
-^ this holds/is for the/a
 """
 
 AT_WORDS = """

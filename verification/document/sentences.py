@@ -22,6 +22,11 @@ from armproof.verification.document.hearing import (
     words_of,
 )
 from armproof.verification.document.joint_values import joint_values
+from armproof.verification.document.limiting_clauses import (
+    limits_what_is_above,
+    limits_what_is_below,
+    limits_what_is_near,
+)
 from armproof.verification.document.model import INLINE, Display
 from armproof.verification.document.postures import SINGULAR, is_of_singularities
 from armproof.verification.document.strange import is_strange_before, is_strange_behind, strange_words
@@ -112,7 +117,11 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
     points_below = hears("POINTS_BELOW", words_before) is not None
     is_denied = denies_before(sentence, words) or (points_below and hears("DENIED_BEFORE", f"{words_before}{words}"))
     heard = [DENIED] if is_denied else []
-    if _supposes(words, IS_OVER.search(sentence) is not None) or hears("MAY_LIMIT", words_before):
+    if (
+        _supposes(words, IS_OVER.search(sentence) is not None)
+        or hears("MAY_LIMIT", words_before)
+        or limits_what_is_near(words_before)
+    ):
         heard.append(SUPPOSED)
     if is_of_other_place(words):
         heard.append(OTHER_POINT)
@@ -167,15 +176,20 @@ def _supposes(words: str, is_over: bool) -> bool:
     """Whether the sentence before a display supposes it, asks for it, or says that it is of a case or nearly so."""
     if words.endswith("? ") or hears("SUPPOSED", words) or (hears("ON_CONDITION", words) and not hears("WE_DO", words)):
         return True
-    if says("NEARLY", words) or hears("SPECIAL", words) or hears("MAY_LIMIT", words):
+    if says("NEARLY", words) or hears("MAY_LIMIT", words):
         return True
-    return not is_over and any(hears(each, words) for each in ("OF_A_PART", "OF_NO_CLAIM"))
+    plain = without_harmless(words)
+    if is_over:
+        return limits_what_is_near(plain)
+    return any(hears(each, words) for each in ("OF_A_PART", "OF_NO_CLAIM")) or limits_what_is_below(plain)
 
 
 def _limits(words: str) -> bool:
     """Whether a sentence that goes on from the display above it says when, or how nearly, that holds; or asks whether."""
     is_question = words.endswith("? ") and not hears("OPEN_QUESTION", words)
-    if is_question or any(hears(each, words) for each in ("ASKED_BEHIND", "SPECIAL", "SAYS_LIMITS", "MAY_LIMIT")):
+    if is_question or any(hears(each, words) for each in ("ASKED_BEHIND", "SAYS_LIMITS", "MAY_LIMIT")):
+        return True
+    if limits_what_is_above(without_harmless(words)):
         return True
     is_short, goes_on = words.count(" ") <= 6, words[:1].islower()
     if goes_on and hears("LIMITED_BEHIND", words):

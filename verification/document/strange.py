@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from functools import cache
 
 import armproof.verification.document.vocabulary as vocabulary
+from armproof.verification.document.clauses import is_weighed
 
 _WORD = re.compile(r"[^\W\d_][\w'-]*")
 _OF_OTHER_SCRIPT = re.compile(
@@ -114,7 +115,7 @@ def _strange(found: Sequence[str]) -> list[str]:
 def _is_known(word: str) -> bool:
     exact, begins = _known()
     return all(
-        part in exact or any(part[:length] in begins for length in set(_PREFIXES.values()))
+        part in exact or is_weighed(part) or any(part[:length] in begins for length in set(_PREFIXES.values()))
         for part in word.lower().rstrip("'").split("-")
     )
 

@@ -1,0 +1,81 @@
+"""Sentences are heard by their clauses: what they are of, and what kinds of words they have; each beside one that says nothing."""
+
+from __future__ import annotations
+
+import pytest
+
+from armproof.verification.document.clauses import clauses
+from armproof.verification.document.denying_clauses import denies_what_is_above, denies_what_is_below
+from armproof.verification.document.hearing import words_of
+from armproof.verification.document.limiting_clauses import limits_what_is_above, limits_what_is_below
+
+
+@pytest.mark.parametrize(
+    ("sentence", "subjects"),
+    [
+        ("The units match, but the formula is not the right one.", ["letter", "display"]),
+        ("In this line the sign is wrong.", ["part"]),
+        ("The third column is right, and it is used below.", ["part", "part"]),
+        ("Le signe du deuxième terme est faux.", ["part"]),
+        ("Das Vorzeichen stimmt nicht.", ["part"]),
+    ],
+)
+def test_a_clause_is_of_its_noun_or_of_what_the_one_before_it_is(sentence: str, subjects: list[str]) -> None:
+    assert [each.subject for each in clauses(words_of(sentence))] == subjects
+
+
+@pytest.mark.parametrize(
+    ("denies", "says_nothing"),
+    [
+        ("The units match, but the formula is not the right one.", "This equation cannot be solved for both angles."),
+        ("The second angle was not added to the first here.", "The second angle is not known."),
+        ("The second link was forgotten.", "The second link was drawn in red."),
+        ("The author later corrected this entry.", "The author derives this entry."),
+        ("Il faut corriger le dernier indice.", "Il faut connaître le dernier indice."),
+        ("Esta fórmula no es válida para este brazo.", "Esta fórmula no depende del brazo."),
+    ],
+)
+def test_a_clause_of_the_display_denies_what_stands_above_it(denies: str, says_nothing: str) -> None:
+    assert denies_what_is_above(words_of(denies))
+    assert not denies_what_is_above(words_of(says_nothing))
+
+
+@pytest.mark.parametrize(
+    ("denies", "says_nothing"),
+    [
+        ("It is not correct that", "It is easy to see that"),
+        ("Several students have written", "Students should be able to write"),
+        ("The old version of the script said", "The version of this script says"),
+        ("Non bisogna confondere la posizione con", "Occorre ricordare che"),
+    ],
+)
+def test_a_clause_denies_what_it_leads_to(denies: str, says_nothing: str) -> None:
+    assert denies_what_is_below(words_of(denies))
+    assert not denies_what_is_below(words_of(says_nothing))
+
+
+@pytest.mark.parametrize(
+    ("limits", "says_nothing"),
+    [
+        ("This is valid near the home position.", "This is valid for all postures."),
+        ("The formula applies as long as the first joint is locked.", "The formula applies to all arms."),
+        ("The terms of second order have been dropped.", "The terms of both links have been added."),
+    ],
+)
+def test_a_condition_limits_what_stands_above_it_unless_it_is_general(limits: str, says_nothing: str) -> None:
+    assert limits_what_is_above(words_of(limits))
+    assert not limits_what_is_above(words_of(says_nothing))
+
+
+@pytest.mark.parametrize(
+    ("limits", "says_nothing"),
+    [
+        ("If the first link lies along the wall, then", "If we add both vectors, then"),
+        ("In the frame of the second link, we have", "In the base frame, we have"),
+        ("Assuming the shoulder locked, we obtain", "Assuming rigid links, we obtain"),
+        ("Se il primo giunto è fermo,", "Con la somma dei vettori,"),
+    ],
+)
+def test_a_circumstance_limits_what_it_leads_to(limits: str, says_nothing: str) -> None:
+    assert limits_what_is_below(words_of(limits))
+    assert not limits_what_is_below(words_of(says_nothing))

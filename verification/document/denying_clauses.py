@@ -1,0 +1,164 @@
+"""Sentences that deny the display beside them, by what their clauses are of and the kinds of their words; `denials.py` asks.
+
+What is wrong, or "not", denies where a clause is of the display or a part of it, unless what is denied says nothing of right and wrong:
+"does not depend on". So does what people claim, what is to be changed, and "only" of what holds in all cases. A clause of the arm judges no display.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise, takewhile
+
+from armproof.verification.document.clauses import OF_DISPLAY, Clause, clauses, goes_on
+
+_FAR = 14  # words from a denial to the display that its sentence leads to
+_LAST = 3  # words of a clause that lead to a display
+_PARTICIPLES = ("ing", "ando", "endo", "ant", "ed")  # "changing the frame" is no order
+_LEADS = frozenset(
+    ["claim", "have", "use", "that", "think", "good"]
+)  # kinds of a word that a display follows: "we do not have"
+
+
+def denies_what_is_above(words: str) -> bool:
+    """Whether a sentence denies the display that it stands behind; one that begins with "if" is of another case."""
+    found = clauses(words)
+    if words.endswith("? "):
+        return any(finds_fault_in(each) and each.subject == "this" for each in found)
+    leads_on = words.endswith(": ") and found and not found[0].is_of_display
+    if not found or leads_on or found[0].begins("erratum"):
+        return False
+    if found[0].begins("if") and words[:1].isupper() and (found[0].subject != "this" or found[0].has("pronoun")):
+        return False
+    if len(found[0].words) == 1 and found[0].begins("not"):
+        return True  # "No, …"
+    return (goes_on(words) and any(map(_is_exclusive, found))) or any(map(_denies_above, found))
+
+
+def denies_what_is_below(words: str) -> bool:
+    """Whether a sentence denies the display that it leads to."""
+    found = clauses(words)
+    if not found or found[0].begins("erratum"):
+        return False
+    near = [each for place, each in enumerate(found) if sum(len(later.words) for later in found[place + 1 :]) < _FAR]
+    is_wrong = any(finds_fault_in(each) or _is_of_old_edition(each) or _is_quoted(each) for each in near)
+    if is_wrong and not found[-1].has("remedy"):
+        return True
+    is_only = found[0].begins("only") and _is_exclusive(found[0])
+    return is_only or any(_denies_below(each) or _is_to_be_changed(each) for each in _leading(found))
+
+
+def denies_beside(words: str) -> bool:
+    """Whether words in a display, or in its heading, say that something is wrong, or not right."""
+    return any(finds_fault_in(each) or (each.has("not") and each.has("good", "that")) for each in clauses(words))
+
+
+def finds_fault_in(clause: Clause) -> bool:
+    """Whether a clause has a word for what is wrong, and no "not" before it."""
+    place = min(clause.at("fault"), clause.at("error"))
+    is_lost = clause.has("lost") and clause.has("letter", "part")
+    has_fault = clause.has("fault") or is_lost or (clause.has("error") and _is_slip(clause))
+    return has_fault and clause.at("not") >= min(place, clause.at("lost"))
+
+
+def _is_slip(clause: Clause) -> bool:
+    """Whether an error is one of the pen, and not the error of a position."""
+    is_found = clause.has("contains", "old", "display", "ask") or clause.ends("claim")
+    return is_found or clause.subject == "person" or (clause.subject == "this" and clause.ends("error"))
+
+
+def _leading(found: Sequence[Clause]) -> Sequence[Clause]:
+    """Return the last clause of a sentence, with those that lead to it by "that"."""
+    led = len([*takewhile(lambda each: each.is_led_to, reversed(found))])
+    return found[-led - 1 :]
+
+
+def _denies_above(clause: Clause) -> bool:
+    if clause.subject == "arm":
+        is_lost = clause.has("lost") and not clause.is_led_to
+        return is_lost or (clause.has("not") and _is_of_this_at_its_end(clause))
+    if finds_fault_in(clause) or _is_quoted(clause) or _is_to_be_changed(clause) or _tells_what_is_right(clause):
+        return True
+    is_of_it = clause.is_of_display or (clause.subject == "person" and clause.has(*OF_DISPLAY))
+    is_mended = clause.has("differs") and is_of_it and not clause.has("if", "where")
+    return is_mended or (clause.has("not") and _is_denied(clause))
+
+
+def _is_denied(clause: Clause) -> bool:
+    """Whether "not" in a clause denies the display: all it can say of that, but what is neither right nor wrong."""
+    if clause.has("good"):
+        return True
+    if clause.has("neutral") or clause.begins("there") or (clause.has("use") and not clause.has("must")):
+        return False
+    if clause.begins("not") and clause.has("if"):
+        return False  # "none if it is negative"
+    if clause.begins("not") and clause.subject in ("part", "letter"):
+        return len(clause.words) > _LAST  # "and not its sign", but "not the cosine of the second angle"
+    is_not_counted = clause.subject == "letter" and clause.has("counted")
+    return clause.is_of_display or is_not_counted or _is_of_this_at_its_end(clause)
+
+
+def _is_of_this_at_its_end(clause: Clause) -> bool:
+    """Whether a clause ends with the display: "We do not support this result"."""
+    return clause.has("this") and clause.ends("this", "display") and not clause.ends("pronoun")
+
+
+def _is_quoted(clause: Clause) -> bool:
+    """Whether a clause says that people claim the display: those of the text are not among them."""
+    of_people = clause.subject == "person" or (clause.is_of_display and clause.has("person"))
+    return of_people and clause.has("claim", "not") and not clause.has("must", "neutral") and "¤" not in clause.words
+
+
+def _is_of_old_edition(clause: Clause) -> bool:
+    """Whether a clause is of an old edition, or a common answer: what stood there is not what holds."""
+    beside = (first | then for first, then in pairwise(clause.kinds))
+    return any({"edition", "old"} <= each for each in beside) and not clause.has("must")
+
+
+def _is_to_be_changed(clause: Clause) -> bool:
+    """Whether a clause says, or orders, that the display or a part of it is replaced."""
+    if not clause.has("change"):
+        return False
+    if not clause.has("must"):
+        is_order = clause.begins("change") and not clause.words[0].endswith(_PARTICIPLES)
+        return is_order and clause.has("letter", *OF_DISPLAY) and not clause.has("claim")
+    if clause.subject == "writer":
+        return clause.has(*OF_DISPLAY)
+    return clause.is_of_display or clause.subject == "" or (clause.subject == "letter" and not clause.has("counted"))
+
+
+def _tells_what_is_right(clause: Clause) -> bool:
+    """Whether a clause is of the right formula, and so of another than that above it: "The correct equation has a minus sign"."""
+    if clause.subject != "display" or clause.has("this"):
+        return False
+    place = clause.at("display")
+    return any({"remedy", "good"} <= each for each in clause.kinds[max(0, place - 1) : place + 2])
+
+
+def _denies_below(clause: Clause) -> bool:
+    """Whether the clause that leads to a display denies it: "not", or what people say or would, or one might think."""
+    if (clause.has("not") and _is_not_so(clause)) or (clause.begins("avoid") and clause.has("claim", "use", "display")):
+        return True
+    of_people = clause.has("person") and clause.subject not in ("part", "letter", "arm", "formula")
+    claims = clause.has("claim", "would") or clause.ends("have")
+    return clause.has("think") or (of_people and claims and not clause.has("must"))
+
+
+def _is_not_so(clause: Clause) -> bool:
+    """Whether "not" in the clause that leads to a display denies that, and not something of the arm."""
+    is_order = clause.subject == "" and clause.at("not") <= 1 and clause.has("use", "claim")
+    if is_order or clause.ends(*_LEADS) or (clause.ends("query") and not clause.is_led_to):
+        return True
+    if clause.has("neutral") or (clause.begins("not") and clause.subject in ("part", "letter")):
+        return False
+    is_of_other = clause.subject in ("arm", "formula", "") or clause.begins("there")
+    ends_so = (
+        clause.subject in ("arm", "formula")
+        and not (clause.begins("not") or clause.ends("pronoun") or clause.has("there"))
+        and len(clause.words) - clause.at("not") <= _LAST
+    )
+    return ends_so or clause.has("must") or not is_of_other
+
+
+def _is_exclusive(clause: Clause) -> bool:
+    """Whether a clause says that something holds in a case only: a display that holds in all is denied."""
+    return clause.has("only") and (clause.has("if", "of") or clause.begins("only")) and not clause.has("neutral")
