@@ -20,7 +20,7 @@ from armproof.verification.conditions.implication import (
 from armproof.verification.conditions.implications import Implications, Judgement
 from armproof.verification.conditions.wording import is_alternative, is_concluded, tell_words_that_change
 from armproof.verification.display.claims import Claims
-from armproof.verification.display.prepared import asked, beside_arcs, of_all_joints, prepared
+from armproof.verification.display.prepared import asked, beside_arcs, of_all_joints, prepared, with_bare_letters
 from armproof.verification.equations.cells_left_out import with_cells
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.given_values import named_sign
@@ -114,6 +114,8 @@ class Statements:
             statements = [beside_arcs(statement) for statement in statements]
         if self.names.arm is None:
             statements = [of_all_joints(statement) for statement in statements]
+        if "matrix" in latex:
+            statements = [with_bare_letters(statement) for statement in statements]
         if len(statements) > 1 or any(isinstance(each, n.Chain) and len(each.members) > 2 for each in statements):
             statements = prepared(statements, self.names)
         statements = [with_rank_first(statement) for statement in statements]

@@ -34,7 +34,7 @@ _ENDS_OF = {letter: [f"{letter}_{end}" for end in ("e", "E", "ee", "EE", "tool",
 _ANGLE = re.compile(r"(?:theta|q|phi|varphi)(?:_?\d+)?")
 _SUM = re.compile(r"(theta|q)_(\d{2,})")
 _SLIDE = re.compile(r"[dqr]_?\d+")
-_LETTER = re.compile(r"(?:r|R|rho|w|k|u|D|phi|psi|beta|gamma|alpha)(?:_?\w+)?")
+_LETTER = re.compile(r"(?:r|R|rho|w|k|u|d|D|phi|psi|beta|gamma|alpha)(?:_?\w+)?")
 SECONDS = 0.3
 
 

@@ -216,7 +216,9 @@ def _weighed(
     document: Document, found: Sequence[Candidate], apart: Collection[tuple[int | None, int]]
 ) -> list[Reading]:
     """Return the readings that candidates can have, the best first; with L_2 for their l_2 where more holds so."""
-    readings = weigh(document, [front for candidate in found for front in _fronts(document, candidate)], apart)
+    source = found[0].source if found[0].is_alone else ""  # \dot q = J^{-1} \dot x in letters tells of a Jacobian
+    fronts = [front for candidate in found for front in _fronts(document, candidate)]
+    readings = weigh(document, fronts, apart, source=source)
     cased = [each for candidate in found if (each := in_other_case(candidate, document)) is not None]
     if not cased:
         return readings
