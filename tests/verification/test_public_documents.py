@@ -61,6 +61,27 @@ def test_an_inverse_in_letters_shows_a_jacobian_to_be_meant() -> None:
 
 
 @pytest.mark.parametrize(
+    "text",
+    [
+        " Consider a planar arm with two revolute joints.",
+        " Un bras plan à deux liaisons rotoïdes est donné.",
+        " This is a **2-DOF planar robot**.",
+        " El manipulador planar 2R se ve en la figura.",
+    ],
+)
+def test_a_planar_arm_in_words_has_the_jacobian_that_stands_alone(text: str) -> None:
+    assert verdicts(text, JACOBIAN) == ["defined"]
+    assert verdicts(text, JACOBIAN, r"\det J = a_1 a_2 s_2") == ["proved", "proved"]
+    assert verdicts(text, JACOBIAN, r"\det J = a_1 a_2 c_2") == ["defined", "refuted"]
+    assert verdicts(text, JACOBIAN.replace("& -a_2", "& a_2")) == ["unchecked"]
+
+
+def test_an_arm_of_other_joints_in_words_tells_nothing_of_a_jacobian() -> None:
+    assert verdicts(" Consider a planar arm with three revolute joints.", JACOBIAN) == ["unchecked"]
+    assert verdicts(" Consider a planar arm with two prismatic joints.", JACOBIAN) == ["unchecked"]
+
+
+@pytest.mark.parametrize(
     "law", [r"J = \frac{\partial \mathbf{x}}{\partial \mathbf{q}}", r"J(q) = \frac{\partial f(q)}{\partial q}"]
 )
 def test_a_jacobian_is_the_derivative_by_all_joints(law: str) -> None:

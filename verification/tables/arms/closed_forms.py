@@ -97,12 +97,25 @@ def _arms(found: Found, letters: Mapping[str, n.Name], algebra: ExactAlgebra, ra
 
 
 def _arm_of_jacobian(document: Document, names: Names, algebra: ExactAlgebra, rates: set[str]) -> list[Candidate]:
-    """Return the arm whose tool has the Jacobian that a document prints, which another display must show to be meant."""
+    """Return the arm whose tool has the Jacobian that a document prints, which another display, or the text, must show to be meant."""
     letters: dict[str, n.Name] = {}
     points, has_slip = coordinates_of_jacobian(document, names, algebra, letters)
     arms = [each for found in points for each in _arms(found, letters, algebra, rates)]
     mended = [frozenset(range(1, len(each.rows) + 1)) if has_slip else each.mended for each in arms]
-    return [replace(each, is_alone=True, mended=links) for each, links in zip(arms, mended, strict=True)]
+    told = [not has_slip and _is_planar_of(document, each) for each in arms]
+    return [
+        replace(each, is_alone=not in_words, in_words=in_words, mended=links)
+        for each, in_words, links in zip(arms, told, mended, strict=True)
+    ]
+
+
+def _is_planar_of(document: Document, found: Candidate) -> bool:
+    """Whether an arm is a planar one of revolute joints alone, as the text says: "a planar two-link arm"."""
+    turns = all(
+        row["theta"] == joint and row["d"] == row["alpha"] == "0"
+        for row, joint in zip(found.rows, found.joints, strict=True)
+    )
+    return turns and len(found.joints) in document.planar
 
 
 def _are_of_another_point(given: Sequence[tuple[str, str, Scalar]], found: Found, points: Mapping[str, int]) -> bool:

@@ -278,5 +278,6 @@ def _taken(document: Document, found: Sequence[Candidate], reading: Reading, is_
         is_part,
         candidate.told_by,
         candidate.mended,
+        candidate.in_words,
     )
     return Inference(replace(document, front=dict(reading.front)), arm)
