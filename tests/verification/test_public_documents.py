@@ -46,12 +46,12 @@ def test_angles_of_euler_are_no_angles_of_joints() -> None:
     assert verdicts(*PLANAR, level, r"x = l_1 c_1 + l_2 c_{12}")[-1] != "proved"
 
 
-def test_another_meaning_ends_with_the_section_of_a_rule() -> None:
-    text = (
-        "Arm\n===\n\n.. math:: {0}\n\n.. math:: {1}\n\nOther\n=====\n\nThe angles are measured from the horizontal.\n"
-    )
-    equations = verify_text(text.format(*PLANAR), path="document.rst").equations
-    assert [str(each.verdict) for each in equations] == ["defined", "defined"]
+def test_another_meaning_begins_with_the_section_of_a_rule() -> None:
+    text = "Arm\n===\n\n.. math:: {0}\n\n.. math:: {1}\n\n.. math:: {2}\n\nOther\n=====\n\nThe angles are measured from the horizontal.\n\n.. math:: {2}\n"
+    equations = verify_text(
+        text.format(*PLANAR, r"x^2 + y^2 = l_1^2 + l_2^2 + 2 l_1 l_2 c_2"), path="document.rst"
+    ).equations
+    assert [str(each.verdict) for each in equations] == ["proved", "proved", "proved", "unchecked"]
 
 
 def test_an_inverse_in_letters_shows_a_jacobian_to_be_meant() -> None:
@@ -67,6 +67,7 @@ def test_an_inverse_in_letters_shows_a_jacobian_to_be_meant() -> None:
         " Un bras plan à deux liaisons rotoïdes est donné.",
         " This is a **2-DOF planar robot**.",
         " El manipulador planar 2R se ve en la figura.",
+        " For the two-link arm this is so.",
     ],
 )
 def test_a_planar_arm_in_words_has_the_jacobian_that_stands_alone(text: str) -> None:
@@ -101,11 +102,22 @@ def test_what_undoes_itself_is_left_open() -> None:
     assert verdicts(*PLANAR, r"\theta_2 = \arccos(\sin\theta_2)")[-1] == "refuted"
 
 
-def test_coordinates_that_fit_together_define_their_arm() -> None:
+def test_a_vector_has_the_letter_of_its_first_coordinate() -> None:
+    value = r"\begin{bmatrix} l_1 c_1 + l_2 c_{12} \\ l_1 s_1 + l_2 s_{12} \end{bmatrix}"
+    vector = rf"\mathbf{{x}} = \begin{{bmatrix}} x \\ y \end{{bmatrix}} = {value}"
+    assert verdicts(*PLANAR, vector)[-1] == "proved"
+    assert verdicts(*PLANAR, vector.replace("l_2 s_{12}", "l_2 s_2"))[-1] == "refuted"
+    assert verdicts(*PLANAR, vector.replace(r"\mathbf{x}", "x"))[-1] != "proved"
+
+
+def test_what_stands_behind_this_begins_no_sentence() -> None:
+    text = " Ce MGD permet d'obtenir le modèle cinématique direct."
+    assert verdicts(*PLANAR, r"x = l_1 c_1 + l_2 c_{12}", text)[-1] == "proved"
+    assert verdicts(*PLANAR, r"x = l_1 c_1 + l_2 c_{12}", " Ce MGD vaut des clopinettes.")[-1] == "unchecked"
+
+
+def test_a_letter_of_other_coordinates_may_be_d() -> None:
     both = r"\begin{align} d &= l_2 c_2 + l_3 c_{23} \\ x &= d c_1 \\ y &= d s_1 \\ z &= l_1 + l_2 s_2 + l_3 s_{23} \end{align}"
-    one = r"\begin{align} x &= l_1 c_1 + l_2 c_{12} \\ y &= l_1 s_1 + l_2 s_{12} \end{align}"
-    assert verdicts(one) == ["defined"]
-    assert verdicts(one.replace(r"y &= l_1 s_1", r"y &= l_1 c_1")) == ["unchecked"]
     assert verdicts(both, r"z = l_1 + l_2 s_2 + l_3 s_{23}")[-1] == "proved"
     assert verdicts(both, r"z = l_1 + l_2 s_2 + l_3 c_{23}")[-1] != "proved"
 

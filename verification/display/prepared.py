@@ -15,6 +15,7 @@ from armproof.verification.naming.names import Names
 WHOLE = ("Z", "N")  # the sets of k in θ = kπ
 DEGREES = frozenset(range(30, 361, 15))  # without a mark
 TURNS = ("cos", "sin", "tan")
+VECTORS = ("\\mathbf", "\\boldsymbol", "\\bm", "\\vec", "\\overrightarrow", "\\underline", "\\textbf")
 FOR_ALL = ("forall", "for all", "for every", "for any", "pour tout", "pour tous")
 
 
@@ -168,6 +169,17 @@ def _is_of_all_joints(node: n.Node) -> TypeGuard[n.Call]:
     joints = [each for each in arguments if each.base in ("q", "theta") and each.sub.isdigit() and not each.dots]
     is_whole = len(arguments) == 1 and arguments[0].key in WHOLE_VECTORS
     return name.base == "J" and (is_whole or (len(joints) == len(arguments) > 1))
+
+
+def without_its_letters(chain: n.Statement) -> n.Statement:
+    """Return 𝐱 = (x, y) = … without the vector, which is called by the letter of its first coordinate and so no other value of that."""
+    if not isinstance(chain, n.Chain) or len(chain.members) < 3 or set(chain.relations) != {"="}:
+        return chain
+    vector, letters = map(bare, chain.members[:2])
+    is_vector = isinstance(vector, n.Name) and vector.text.startswith(VECTORS) and isinstance(letters, n.Matrix)
+    if not is_vector or not all(map(_is_letter, letters.cells)) or vector not in map(bare, letters.cells):  # type: ignore[attr-defined]
+        return chain
+    return replace(chain, members=chain.members[1:], relations=chain.relations[1:])
 
 
 def _is_letter(node: n.Node) -> bool:

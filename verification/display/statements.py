@@ -20,7 +20,14 @@ from armproof.verification.conditions.implication import (
 from armproof.verification.conditions.implications import Implications, Judgement
 from armproof.verification.conditions.wording import is_alternative, is_concluded, tell_words_that_change
 from armproof.verification.display.claims import Claims
-from armproof.verification.display.prepared import asked, beside_arcs, of_all_joints, prepared, with_bare_letters
+from armproof.verification.display.prepared import (
+    asked,
+    beside_arcs,
+    of_all_joints,
+    prepared,
+    with_bare_letters,
+    without_its_letters,
+)
 from armproof.verification.equations.cells_left_out import with_cells
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.given_values import named_sign
@@ -115,7 +122,7 @@ class Statements:
         if self.names.arm is None:
             statements = [of_all_joints(statement) for statement in statements]
         if "matrix" in latex:
-            statements = [with_bare_letters(statement) for statement in statements]
+            statements = [without_its_letters(with_bare_letters(statement)) for statement in statements]
         if len(statements) > 1 or any(isinstance(each, n.Chain) and len(each.members) > 2 for each in statements):
             statements = prepared(statements, self.names)
         statements = [with_rank_first(statement) for statement in statements]

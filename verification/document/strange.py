@@ -51,7 +51,9 @@ def is_strange_behind(words: str) -> bool:
         return False  # of the next
     subject = _subject(words)
     if subject or (words[:1].islower() and found[0] not in _table("GOES_ON")):
-        return bool(_strange(_words(words.removeprefix(subject))[:_HEAD]))
+        return bool(
+            _strange(found[:_HEAD])
+        )  # the subject is of known words, and what stands behind it begins no sentence
     return _is_mostly_strange(found, _SHORT if words[:1].isupper() and _is_over(words) else 0)
 
 

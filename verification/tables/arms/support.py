@@ -227,9 +227,7 @@ def settle_data(
     settled = _Settled(
         taken,
         confirmed,
-        any(_is_sure(taken, each, confirmed) for each in claims)
-        or _shown_twice(taken, tables)
-        or _fit(taken, equations),
+        any(_is_sure(taken, each, confirmed) for each in claims) or _shown_twice(taken, tables),
         {key: each.links for each in claims for key in each.defines},
         _never_as_usual(inferred, equations),
         _against(taken, equations, confirmed),
@@ -288,13 +286,6 @@ def _never_as_usual(inferred: Inference, records: Iterable[Record]) -> frozenset
 def _shown_twice(taken: TakenArm, tables: Iterable[Record]) -> bool:
     """Whether a table says the same as what the arm was taken from: link matrices, a closed form."""
     return any(table.verdict in HOLDS and not _is_data(taken, table) for table in tables)
-
-
-def _fit(taken: TakenArm, records: Iterable[Record]) -> bool:
-    """Whether the arm was taken from several coordinates, which fit together as those of one chain: a slip in one would break that."""
-    data = (each for record in records for each in record.outcomes if _is_data(taken, record, each.links))
-    is_whole = taken.source == "closed form" and not (taken.mended or taken.told_by)
-    return is_whole and sum(each.verdict in HOLDS for each in data) > 1
 
 
 def _told(inferred: Inference, records: tuple[Record, ...]) -> tuple[Record, ...]:
