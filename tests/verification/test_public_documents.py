@@ -39,6 +39,18 @@ def test_straight_links_are_no_posture() -> None:
     assert verdicts(*PLANAR, text, r"\det J = l_1 l_2 c_2")[-1] == "refuted"
 
 
+def test_where_a_determinant_vanishes_limits_no_line_above() -> None:
+    wrong = r"J = \begin{bmatrix} -l_1 s_1 - l_2 s_{12} & l_2 s_{12} \\ l_1 c_1 + l_2 c_{12} & l_2 c_{12} \end{bmatrix}"
+    law = r"x^2 + y^2 = l_1^2 + l_2^2 + 2 l_1 l_2 c_2"
+    assert verdicts(*PLANAR, law, wrong, r" $\det(J) = 0$ when the arm is fully stretched or folded.")[-1] == "refuted"
+    assert verdicts(*PLANAR, law, wrong, " When the arm is fully stretched or folded, this is so.")[-1] == "unchecked"
+
+
+def test_angles_in_letters_are_no_words() -> None:
+    text = " Le passage de l'espace (θ₁, θ₂) à celui de (x, y) est"
+    assert verdicts(*PLANAR, text, r"x = l_1 c_1 + l_2 c_{12}")[-1] == "proved"
+
+
 def test_angles_of_euler_are_no_angles_of_joints() -> None:
     about = " Euler angles provide the rotations which relate the tool to the x-axis in the base frame."
     assert verdicts(*PLANAR, about, r"x = l_1 c_1 + l_2 c_{12}")[-1] == "proved"
