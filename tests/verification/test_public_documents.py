@@ -86,7 +86,23 @@ def test_a_planar_arm_in_words_has_the_jacobian_that_stands_alone(text: str) -> 
     assert verdicts(text, JACOBIAN) == ["defined"]
     assert verdicts(text, JACOBIAN, r"\det J = a_1 a_2 s_2") == ["proved", "proved"]
     assert verdicts(text, JACOBIAN, r"\det J = a_1 a_2 c_2") == ["defined", "refuted"]
-    assert verdicts(text, JACOBIAN.replace("& -a_2", "& a_2")) == ["unchecked"]
+
+
+@pytest.mark.parametrize(
+    "slip", [("l_2 \\sin", "l_2 \\cos"), ("l_1 \\sin", "l_2 \\sin"), ("+ l_2 \\sin", "- l_2 \\sin")]
+)
+def test_a_planar_arm_in_words_tells_which_coordinate_has_a_slip(slip: tuple[str, str]) -> None:
+    x, y = PLANAR
+    text = " A planar arm with two revolute joints:"
+    assert verdicts(text, x, y.replace(*slip)) == ["defined", "refuted"]
+    assert verdicts(x, y.replace(*slip)) == ["unchecked", "unchecked"]
+
+
+def test_a_planar_arm_in_words_tells_which_entry_of_a_jacobian_has_a_slip() -> None:
+    text = " A planar arm with two revolute joints:"
+    assert verdicts(text, JACOBIAN.replace("& -a_2", "& a_2")) == ["refuted"]
+    assert verdicts(text, JACOBIAN.replace("& a_2 c_{12} ", "& a_1 c_{12} ")) == ["refuted"]
+    assert verdicts(JACOBIAN.replace("& -a_2", "& a_2")) == ["unchecked"]
 
 
 def test_an_arm_of_other_joints_in_words_tells_nothing_of_a_jacobian() -> None:
