@@ -9,6 +9,7 @@ _COUNTS = {
     3: "3|three|trois|tres|drei|tre|três",
     4: "4|four|quatre|cuatro|vier|quattro|quatro",
 }
+MAY_NAME = re.compile(r"\bplan(?!ar_)|[ -]link\b", re.IGNORECASE)  # what no text lacks that names one
 _PLANAR = re.compile(r"\bplan(?:ar|aire|e|o|a|ares|arer|aren|ari)?\b|\b(?:two|2|three|3)[ -]link\b")
 _ARM = re.compile(
     r"\b(?:robot(?:ic|ique|s)?|arm|manipulator|manipulateur|manipulador|bras|brazo|braccio|braço|mechanism|linkage)\b"
