@@ -29,6 +29,7 @@ lab: $(READY_TO_LAB)
 lessons: $(READY)
 	$(VENV)/bin/armproof lesson build
 	$(VENV)/bin/armproof lesson check
+	$(VENV)/bin/armproof lesson check --lang fr
 
 site: $(READY)
 	$(VENV)/bin/armproof lesson site --out $(BUILD)/site

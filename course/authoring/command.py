@@ -112,11 +112,15 @@ def build(
 
 @lesson.command("check")
 def check_command(
-    names: o.Names = None, jobs: o.Jobs = None, report_format: ReportFormat = Format.text, folder: o.Folder = None
+    names: o.Names = None,
+    jobs: o.Jobs = None,
+    report_format: ReportFormat = Format.text,
+    folder: o.Folder = None,
+    lang: Language = "",
 ) -> None:
     """Check lessons: every task proved in the solved source and not attempted in the student's notebook, every equation, every answer.
 
-    Exit code 0: all pass; 1: one does not; 2: one cannot be checked.
+    Both notebooks are run in English, or in the language of --lang. Exit code 0: all pass; 1: one does not; 2: one cannot be checked.
     """
     from armproof.course.sources.kernel import require_jupyter
 
@@ -124,7 +128,7 @@ def check_command(
         require_jupyter()
         place = _place(folder)
         sources = place.named(names or [])
-        code = _check(place, sources, jobs or min(cores(), MOST_WORKERS), report_format)
+        code = _check(place, sources, jobs or min(cores(), MOST_WORKERS), report_format, lang or ENGLISH)
     raise typer.Exit(code)
 
 
@@ -226,13 +230,13 @@ def _files(place: Place, names: list[str], instructor: bool, nbgrader: bool, out
     return (nbgrader_files if nbgrader else instructor_files)(out, place.named(names), lang)
 
 
-def _check(place: Place, sources: list[Path], processes: int, report_format: Format) -> int:
+def _check(place: Place, sources: list[Path], processes: int, report_format: Format, lang: str) -> int:
     """Write the reports as they come; return the exit code."""
     from armproof.course.authoring.checking.lessons import check_lessons
     from armproof.course.authoring.checking.report import write_json, write_text
 
     write = write_json if report_format is Format.json else write_text
-    reports = write(check_lessons(place, sources, processes), sources)
+    reports = write(check_lessons(place, sources, processes, lang), sources)
     if any(report.cannot_run for report in reports):
         return CANNOT_RUN
     return PASSES if all(report.passes for report in reports) else FAILS

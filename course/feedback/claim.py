@@ -195,7 +195,7 @@ class Claim:
         document = self._document(latex)
         checker = DocumentChecker(document, load_arm_of(document), confirm=False)
         checker.checker.equality.stated.enabled = False
-        checker.statements.claims.is_closed = True  # a letter that is none of the task's was refused
+        checker.statements.claims.decision.is_closed = True  # a letter that is none of the task's was refused
         result = checker.run()
         for record in result.equations[:-1]:
             if record.verdict not in _READ and any(each.role is not Role.DEFINITION for each in record.outcomes):
@@ -429,9 +429,9 @@ def _signs(node: n.Sum) -> list[str]:
 
 def _names_in(node: n.Node) -> Iterator[n.Name]:
     """Yield the names in a tree, without the z of Rot_z, which is no letter."""
-    calls = [call for call in n.walk(node) if isinstance(call, n.Call) and call.function in ("Rot", "Trans")]
+    calls = [call for call in n.walk(node) if n.is_call(call, "Rot", "Trans")]
     axes = [id(call.arguments[0]) for call in calls]
-    yield from (name for name in n.walk(node) if isinstance(name, n.Name) and id(name) not in axes)
+    yield from (name for name in n.names(node) if id(name) not in axes)
 
 
 def _angles_in(key: str) -> list[str]:

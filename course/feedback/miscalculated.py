@@ -45,9 +45,9 @@ def done_twice(tree: n.Node) -> Iterator[n.Node]:
 
 def _otherwise(node: n.Node) -> Iterator[n.Node]:
     """Yield what becomes of one node: a root left out, a quotient turned or multiplied, …"""
-    if isinstance(node, n.Call) and node.function == "sqrt":
+    if n.is_call(node, "sqrt"):
         yield from _without_root(node.arguments[0])
-    elif isinstance(node, n.Call) and node.function == "atan2":
+    elif n.is_call(node, "atan2"):
         above, below = node.arguments
         yield replace(node, arguments=(below, above))
         yield n.Quotient(above, below, "slash")

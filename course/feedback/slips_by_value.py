@@ -202,7 +202,7 @@ def _places_of_terms(node: n.Node) -> tuple[n.Node, ...]:
     """Return the parts of a node at which a term may be missing."""
     if isinstance(node, n.Quotient):
         return (node.numerator, node.denominator)
-    if isinstance(node, n.Call) and node.function == "sqrt":
+    if n.is_call(node, "sqrt"):
         return (bare(node.arguments[0]),)
     return (bare(node.base),) if isinstance(node, n.Power) and isinstance(bare(node.base), n.Sum) else ()
 
@@ -222,7 +222,7 @@ def _multiplied(cell: n.Node) -> Iterator[Edit]:
 
 def _exchanged(cell: n.Node) -> Iterator[Edit]:
     """Yield the entry with two of its letters exchanged."""
-    names = {name.key: name for name in n.walk(cell) if isinstance(name, n.Name)}
+    names = {name.key: name for name in n.names(cell)}
     for one, other in combinations(names.values(), 2):
         changed = renamed(cell, {one.key: other, other.key: one})
         yield Edit(changed, "length", say(Kind.SWAPPED_LENGTHS, one=one.text or one.key, other=other.text or other.key))

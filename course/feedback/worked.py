@@ -108,12 +108,12 @@ class Worked:
     @cached_property
     def has_powers(self) -> bool:
         """Whether a square or a root stands in the formula."""
-        return any(isinstance(node, n.Power) or (isinstance(node, n.Call) and node.function == "sqrt") for node in n.walk(self._tree))  # fmt: skip
+        return any(isinstance(node, n.Power) or n.is_call(node, "sqrt") for node in n.walk(self._tree))  # fmt: skip
 
     @cached_property
     def letters(self) -> frozenset[str]:
         """The letters of the formula."""
-        return frozenset(node.key for node in n.walk(self._tree) if isinstance(node, n.Name))
+        return frozenset(node.key for node in n.names(self._tree))
 
     @cached_property
     def taken(self) -> frozenset[str]:

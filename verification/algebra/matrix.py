@@ -146,7 +146,13 @@ def inverse_pose(pose: Matrix) -> Matrix:
     """Return the inverse of a pose, [R^T, -R^T p; 0, 1], without dividing."""
     turned = pose.block(range(3), range(3)).transpose
     back = -(turned @ pose.block(range(3), [3]))
-    return Matrix((*((*row, *cell) for row, cell in zip(turned.rows, back.rows, strict=True)), pose.rows[3]))
+    return pose_of(turned, back, *pose.rows[3][2:])
+
+
+def pose_of(rotation: Matrix, origin: Matrix, zero: Cell, one: Cell) -> Matrix:
+    """Return the pose [R, p; 0, 1], 4×4, of a rotation and the column of an origin."""
+    rows = ((*row, *cell) for row, cell in zip(rotation.rows, origin.rows, strict=True))
+    return Matrix((*rows, (zero, zero, zero, one)))
 
 
 def column(cells: Iterable[Cell]) -> Matrix:

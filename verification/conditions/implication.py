@@ -164,7 +164,7 @@ def _is_constant(node: n.Node) -> bool:
     return all(
         isinstance(b, n.Number | n.Sum | n.Product | n.Quotient | n.Group)
         or (isinstance(b, n.Postfix) and b.operator in UNITS)
-        or (isinstance(b, n.Call) and b.function == "sqrt")
+        or n.is_call(b, "sqrt")
         or (isinstance(b, n.Name) and b.key in ("pi", *WHOLE_NUMBERS))
         for b in n.walk(node)
     )

@@ -174,7 +174,7 @@ def _divisors(checker: ChainChecker, chain: n.Chain) -> Iterator[Scalar]:
             divisor = node.denominator
         elif isinstance(node, n.Postfix) and node.operator in ("-1", "-T"):
             divisor = n.Call("det", (node.base,), span=node.span)
-        elif isinstance(node, n.Call) and node.function == "tan":
+        elif n.is_call(node, "tan"):
             divisor = n.Call("cos", node.arguments, span=node.span)
         value = None if divisor is None else as_scalar(Evaluator(checker.names, checker.exact).evaluate(divisor))
         if isinstance(value, Scalar) and value.as_fraction() is None:

@@ -78,7 +78,7 @@ class Reader:
             yield from self._of_pair(left, order, interval.items[1])
             return
         inner = bare(left)
-        if isinstance(inner, n.Call) and inner.function == "abs" and relation in "<≤":  # |θ_2| < π/2
+        if n.is_call(inner, "abs") and relation in "<≤":  # |θ_2| < π/2
             yield from self._of_pair(inner.arguments[0], relation, right)
             yield from self._of_pair(n.Sum((("-", right),)), relation, inner.arguments[0])
             return

@@ -168,7 +168,7 @@ def _of_squares(checker: ChainChecker, root: Scalar, right: n.Node, evaluator: E
     (powers, factor), *more = [*checker.exact.ring.terms(root.numerator)] or [({}, Fraction(0))]
     if more or factor != 1 or not root.denominator.is_one() or [kind for kind, _ in powers] != ["radical"]:
         return None
-    absolute = isinstance(inner := bare(right), n.Call) and inner.function == "abs"
+    absolute = n.is_call(inner := bare(right), "abs")
     value = as_scalar(evaluator.evaluate(inner.arguments[0] if isinstance(inner, n.Call) and absolute else right))
     if absolute:
         return root * root - value * value if isinstance(value, Scalar) else None
@@ -183,7 +183,7 @@ def _of_squares(checker: ChainChecker, root: Scalar, right: n.Node, evaluator: E
 
 def _gram_factor(node: n.Node) -> n.Node | None:
     """The A of det(A Aᵀ), or the Aᵀ of det(Aᵀ A)."""
-    if not (isinstance(node, n.Call) and node.function in ("det", "abs")):
+    if not n.is_call(node, "det", "abs"):
         return None
     product = bare(node.arguments[0])
     if not isinstance(product, n.Product) or len(product.factors) != 2 or "×" in product.operators:
@@ -258,8 +258,8 @@ def _of_every_integer(checker: ChainChecker, left: n.Node, right: n.Node, evalua
     """θ = α + kβ for every integer k: sin(m(θ − α)) where β = π/m, 1 − cos(m(θ − α)) where β = 2π/m."""
     free = [
         below
-        for below in n.walk(right)
-        if isinstance(below, n.Name) and below.key in WHOLE_NUMBERS and checker.names.known_symbol(below.key) is None
+        for below in n.names(right)
+        if below.key in WHOLE_NUMBERS and checker.names.known_symbol(below.key) is None
     ]
     if not free:
         return None

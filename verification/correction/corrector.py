@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 
 from armproof.models.errors import ArmproofError
@@ -127,14 +128,10 @@ class Corrector:
     def _slips(self, latex: str, statements: list[n.Statement], notation: Notation) -> Iterator[Corrections]:
         """Yield the display with one slip of the pen mended in one side of it: for conditions, which have no entries."""
         learnt = self.diagnostician.learnt
-        for statement in statements:
-            if isinstance(statement, n.Chain):
-                for member in statement.members:
-                    for edit in single_edits(member, learnt.letters(member)):
-                        try:
-                            yield (Correction(*member.span, Writer(latex, member, notation).write(edit.node)),)
-                        except NotImplementedError:
-                            continue
+        for member in (each for chain in statements if isinstance(chain, n.Chain) for each in chain.members):
+            for edit in single_edits(member, learnt.letters(member)):
+                with suppress(NotImplementedError):
+                    yield (Correction(*member.span, Writer(latex, member, notation).write(edit.node)),)
 
     def _notation(self, latex: str, outcomes: Sequence[Outcome]) -> Notation:
         notation = self.diagnostician.learnt.current()

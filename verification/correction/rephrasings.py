@@ -102,7 +102,7 @@ def _sized(latex: str, start: int, end: int, value: Matrix) -> Corrections:
 def _gram(latex: str, statements: list[n.Statement], checker: ChainChecker) -> Iterator[Corrections]:
     """det(JᵀJ) for det(J) of a matrix with more rows than columns, det(JJᵀ) of one with fewer."""
     for below in (b for s in statements for b in n.walk(s)):
-        if isinstance(below, n.Call) and below.function in ("det", "abs") and len(below.arguments) == 1:
+        if n.is_call(below, "det", "abs") and len(below.arguments) == 1:
             argument = below.arguments[0]
             value = _value(argument, checker)
             if isinstance(value, Matrix) and value.shape[0] != value.shape[1]:

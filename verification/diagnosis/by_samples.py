@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from itertools import product
 
 import numpy as np
 
@@ -128,23 +129,9 @@ class _Drawing:
 
     def _candidates(self, shape: tuple[int, ...]) -> Iterator[tuple[Quantity, np.ndarray]]:
         assert self.arm is not None and self.kinematics is not None
-        for reference in self.arm.frames:
-            for frame in reversed(self.arm.frames):
-                if frame == reference or shape not in ((4, 4), (3, 3), (3, 1), (1, 1)):
-                    continue
-                pose = self.kinematics.pose(frame, reference)
-                if shape == (1, 1):
-                    for k in range(3):
-                        if np.ptp(pose[:, k, 3]) > _TOLERANCE:  # a constant may be anything
-                            yield Quantity("origin", frame, reference, rows=(k + 1,)), pose[:, k : k + 1, 3:]
-                elif shape == (4, 4):
-                    yield Quantity("pose", frame, reference), pose
-                elif shape == (3, 3):
-                    yield Quantity("rotation", frame, reference), pose[:, :3, :3]
-                else:
-                    yield Quantity("origin", frame, reference), pose[:, :3, 3:]
-                    for k, along in enumerate("xyz"):
-                        yield Quantity("axis", frame, reference, along=along), pose[:, :3, k : k + 1]
+        for reference, frame in product(self.arm.frames, reversed(self.arm.frames)):
+            if frame != reference and shape in ((4, 4), (3, 3), (3, 1), (1, 1)):
+                yield from _parts_of(self.kinematics.pose(frame, reference), shape, frame, reference)
 
     def _at(self, frame: str, reference: str | None = None) -> np.ndarray:
         assert self.kinematics is not None
@@ -177,3 +164,21 @@ class BySamples:
         sample = self.probe.worst_sample(outcome)
         discrepancy = discrepancy_of(self.checker, self.probe, outcome, sample)
         return self.probe.counterexample(outcome, sample), discrepancy
+
+
+def _parts_of(
+    pose: np.ndarray, shape: tuple[int, ...], frame: str, reference: str
+) -> Iterator[tuple[Quantity, np.ndarray]]:
+    """Yield the parts of a pose that have a shape: itself, its rotation, origin and axes, the coordinates that move."""
+    if shape == (4, 4):
+        yield Quantity("pose", frame, reference), pose
+    elif shape == (3, 3):
+        yield Quantity("rotation", frame, reference), pose[:, :3, :3]
+    elif shape == (3, 1):
+        yield Quantity("origin", frame, reference), pose[:, :3, 3:]
+        for k, along in enumerate("xyz"):
+            yield Quantity("axis", frame, reference, along=along), pose[:, :3, k : k + 1]
+    else:
+        for k in range(3):
+            if np.ptp(pose[:, k, 3]) > _TOLERANCE:  # a constant may be anything
+                yield Quantity("origin", frame, reference, rows=(k + 1,)), pose[:, k : k + 1, 3:]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -170,7 +170,7 @@ class Diagnostician:
 
     def _has_lengths(self, side: Member | None) -> bool:
         """Whether a formula is one of the author's: it holds lengths of the arm beside its quantities."""
-        names = [each for each in n.walk(side.node) if isinstance(each, n.Name)] if side is not None else []
+        names = [*n.names(side.node)] if side is not None else []
         lengths = self.checker.names.arm.lengths if self.checker.names.arm is not None else {}
         return any(self.checker.names.known_symbol(each.key) in lengths for each in names)
 
@@ -308,20 +308,24 @@ def find_cell(node: n.Node, row: int, column: int, value: Value = None) -> n.Nod
 
 def _cell_of_blocks(node: n.Matrix, row: int, column: int) -> n.Node | None:
     """Follow a place into a matrix of written-out blocks; None where a block's size is not written out."""
-    top = 0
-    for cells in node.rows:
-        sizes = [(len(c.rows), len(c.rows[0])) if isinstance(c, n.Matrix) else (1, 1) for c in cells]
-        height = max(size[0] for size in sizes)
-        if row < top + height:
-            left = 0
-            for cell, size in zip(cells, sizes, strict=True):
-                if column < left + size[1]:
-                    if isinstance(cell, n.Matrix):
-                        return find_cell(cell, row - top, column - left)
-                    return cell if height == 1 else None
-                left += size[1]
-            return None
-        top += height
+    sizes = [
+        [(len(c.rows), len(c.rows[0])) if isinstance(c, n.Matrix) else (1, 1) for c in cells] for cells in node.rows
+    ]
+    heights = [max(height for height, _ in each) for each in sizes]
+    if (down := _part_at(row, heights)) is None or (across := _part_at(column, [w for _, w in sizes[down[0]]])) is None:
+        return None
+    cell = node.rows[down[0]][across[0]]
+    if isinstance(cell, n.Matrix):
+        return find_cell(cell, down[1], across[1])
+    return cell if heights[down[0]] == 1 else None
+
+
+def _part_at(place: int, sizes: Sequence[int]) -> tuple[int, int] | None:
+    """Return in which of the parts of these sizes a place is, and where in it; None behind the last."""
+    for part, size in enumerate(sizes):
+        if place < size:
+            return part, place
+        place -= size
     return None
 
 

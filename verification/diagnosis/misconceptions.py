@@ -21,7 +21,6 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 
 _ARCS = {"asin": "\\arcsin", "acos": "\\arccos", "atan": "\\arctan"}
-_ANGLES = (*_ARCS, "atan2")
 _MOST_PLACES = 6  # at which one mistake is mended at once
 _TWO = n.Number(Fraction(2), "2")
 
@@ -73,7 +72,7 @@ def _throughout(root: n.Node) -> Iterator[Edit]:
 
 def _quotient_of(node: n.Node) -> n.Quotient | None:
     """Return a quotient, or that of which an arc function is taken."""
-    inner = node.arguments[0] if isinstance(node, n.Call) and node.function in _ARCS else node
+    inner = node.arguments[0] if n.is_call(node, *_ARCS) else node
     return inner if isinstance(inner, n.Quotient) else None
 
 
@@ -86,16 +85,10 @@ def _angle(node: n.Node) -> n.Node:
 
 def _of_radius(node: n.Node) -> n.Node | None:
     """Return the angle whose sine or cosine is a quotient of one side by the root of the sum of both squares; None of anything else."""
-    if not (
-        isinstance(node, n.Call)
-        and node.function in ("asin", "acos")
-        and isinstance(quotient := bare(node.arguments[0]), n.Quotient)
-    ):
+    if not (n.is_call(node, "asin", "acos") and isinstance(quotient := bare(node.arguments[0]), n.Quotient)):
         return None
     side, root = bare(quotient.numerator), bare(quotient.denominator)
-    if not (
-        isinstance(root, n.Call) and root.function == "sqrt" and isinstance(under := bare(root.arguments[0]), n.Sum)
-    ):
+    if not (n.is_call(root, "sqrt") and isinstance(under := bare(root.arguments[0]), n.Sum)):
         return None
     bases = [bare(term.base) for _, term in under.terms if isinstance(term, n.Power) and term.exponent == _TWO]
     others = [base for base in bases if not _alike(base, side)]
@@ -111,9 +104,7 @@ def _alike(one: n.Node, other: n.Node) -> bool:
 
 def _under_root(node: n.Node) -> Iterator[Change]:
     """√(a - b²) for √a - b: a term under the root that belongs outside, where it is squared."""
-    if not (
-        isinstance(node, n.Call) and node.function == "sqrt" and isinstance(under := bare(node.arguments[0]), n.Sum)
-    ):
+    if not (n.is_call(node, "sqrt") and isinstance(under := bare(node.arguments[0]), n.Sum)):
         return
     for k, (sign, term) in enumerate(under.terms):
         if not (len(under.terms) > 1 and isinstance(term, n.Power) and term.exponent == _TWO):
@@ -129,7 +120,7 @@ def _under_root(node: n.Node) -> Iterator[Change]:
 
 def _hypotenuses(node: n.Node) -> Iterator[Change]:
     """atan2(y, h) for atan2(y, √(h² - y²)), and atan2(y, √(x² + y²)) for atan2(y, x): the longest side is none of the two."""
-    if not (isinstance(node, n.Call) and node.function == "atan2" and len(node.arguments) == 2):
+    if not (n.is_call(node, "atan2") and len(node.arguments) == 2):
         return
     y, h = node.arguments
     finding = say(Kind.HYPOTENUSE)
@@ -146,7 +137,7 @@ def _hypotenuses(node: n.Node) -> Iterator[Change]:
 
 def _coordinates(node: n.Node) -> Iterator[Change]:
     """atan2(a - b, c - d) for atan2(a, c) - atan2(b, d)."""
-    if not (isinstance(node, n.Call) and node.function == "atan2" and len(node.arguments) == 2):
+    if not (n.is_call(node, "atan2") and len(node.arguments) == 2):
         return
     sums = [bare(argument) for argument in node.arguments]
     if all(isinstance(each, n.Sum) and len(each.terms) == 2 and each.terms[0][0] == "+" for each in sums):
@@ -166,9 +157,7 @@ def _products_for_sums(node: n.Node) -> Iterator[Change]:
     if not is_scalar_product(node):
         return
     for k, (one, other) in enumerate(pairwise(node.factors)):
-        if all(
-            isinstance(each, n.Name) or (isinstance(each, n.Call) and each.function in _ANGLES) for each in (one, other)
-        ):
+        if all(isinstance(each, n.Name) or n.is_call(each, *n.ARCS) for each in (one, other)):
             sums = [n.Sum((("+", one), (sign, other))) for sign in "+-"]
             sums += [n.Sum((("+", _squared(one)), ("+", _squared(other))))] * (len(node.factors) == 2)
             for summed in map(n.Group, sums):
@@ -211,11 +200,7 @@ def _factors_at_other_terms(node: n.Node) -> Iterator[Change]:
 
 def _tangents(node: n.Node) -> Iterator[Change]:
     """A sine or a cosine for the tangent, and the other way round."""
-    if (
-        isinstance(node, n.Call)
-        and node.function in ("sin", "cos", "tan")
-        and not isinstance(node.arguments[0], n.JointAngles)
-    ):
+    if n.is_call(node, "sin", "cos", "tan") and not isinstance(node.arguments[0], n.JointAngles):
         for other in ("sin", "cos") if node.function == "tan" else ("tan",):
             finding = say(Kind.ANOTHER_FUNCTION, printed=node.function, correct=other)
             yield replace(node, function=other, head=f"\\{other}", style="macro()"), "function", finding
@@ -240,7 +225,7 @@ def _divisors(node: n.Node) -> Iterator[Change]:
 
 def _arguments(node: n.Node) -> Iterator[Change]:
     """atan2(x, y) for atan2(y, x), and its arguments with another sign."""
-    if not isinstance(node, n.Call) or node.function != "atan2" or len(node.arguments) != 2:
+    if not n.is_call(node, "atan2") or len(node.arguments) != 2:
         return
     y, x = node.arguments
     yield replace(node, arguments=(x, y)), "function", say(Kind.ARGUMENTS_EXCHANGED)
@@ -262,7 +247,7 @@ def _arcs(node: n.Node) -> Iterator[Change]:
         head = _ARCS[f"a{node.function}"]
         finding = say(Kind.ANOTHER_FUNCTION, printed=node.function, correct=head[1:])
         yield replace(node, function=f"a{node.function}", head=head, style="macro()"), "function", finding
-    if isinstance(node, n.Call) and node.function in _ARCS:
+    if n.is_call(node, *_ARCS):
         for function, head in _ARCS.items():
             if function != node.function:
                 finding = say(Kind.ANOTHER_FUNCTION, printed=_ARCS[node.function][1:], correct=head[1:])
@@ -315,7 +300,7 @@ def _root(one: n.Node, sign: str, other: n.Node) -> n.Node:
 
 def _squared(node: n.Node) -> n.Node:
     """Return the square of a term, of a root what stands under it."""
-    if isinstance(node, n.Call) and node.function == "sqrt" and len(node.arguments) == 1:
+    if n.is_call(node, "sqrt") and len(node.arguments) == 1:
         return n.Group(node.arguments[0])
     return n.Power(node if isinstance(node, n.Name) else n.Group(node), _TWO)
 

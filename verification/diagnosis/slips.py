@@ -110,7 +110,7 @@ def on_all(root: n.Node, rule: Callable[[n.Node], Iterator[Change]]) -> Iterator
 
 def is_trigonometric(node: n.Node) -> TypeGuard[n.Call]:
     """Whether a node is a sine or a cosine."""
-    return isinstance(node, n.Call) and node.function in ("cos", "sin")
+    return n.is_call(node, "cos", "sin")
 
 
 def is_scalar_product(node: n.Node) -> TypeGuard[n.Product]:
@@ -179,7 +179,7 @@ def _entries(node: n.Node) -> Iterator[Change]:
 
 
 def _exchanged_arguments(node: n.Node) -> Iterator[Change]:
-    if isinstance(node, n.Call) and node.function == "atan2" and len(node.arguments) == 2:
+    if n.is_call(node, "atan2") and len(node.arguments) == 2:
         yield replace(node, arguments=node.arguments[::-1]), "function", say(Kind.ARGUMENTS_EXCHANGED)
 
 
@@ -310,7 +310,7 @@ def _angle_sums(node: n.Call, letters: Letters) -> Iterator[Change]:
 
 def swapped_lengths(root: n.Node, letters: Letters) -> Iterator[Edit]:
     """Two lengths, exchanged throughout."""
-    present = {below.key for below in n.walk(root) if isinstance(below, n.Name)}
+    present = {below.key for below in n.names(root)}
     for a, b in combinations([length for length in letters.lengths if length.key in present], 2):
         swapped = renamed(root, {a.key: b, b.key: a})
         yield Edit(swapped, "length", say(Kind.SWAPPED_LENGTHS, one=_show(a), other=_show(b)))
@@ -318,7 +318,7 @@ def swapped_lengths(root: n.Node, letters: Letters) -> Iterator[Edit]:
 
 def renamed(node: n.Node, names: dict[str, n.Name]) -> n.Node:
     """Return a tree with other names, by their keys."""
-    found = [below for below in n.walk(node) if isinstance(below, n.Name) and below.key in names]
+    found = [below for below in n.names(node) if below.key in names]
     return n.substitute_each(node, {id(old): replace(names[old.key], span=old.span) for old in found})
 
 

@@ -151,10 +151,10 @@ def _with_a_term(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
     """Yield a sum with one term more, like one of its own with another index, or one around it, with its sines for cosines or not: it was left out."""
     terms = formula.terms if isinstance(formula, n.Sum) else (("+", formula),)
     own = [term for _, term in terms if _is_length_and_turn(term)]
-    indices = {b.sub for node in around for b in n.walk(node) if isinstance(b, n.Name) and b.sub.isdigit()}
+    indices = {b.sub for node in around for b in n.names(node) if b.sub.isdigit()}
     others = [each for node in around for each in n.walk(node) if _is_length_and_turn(each)]
     pool = [*_with_other_index(own, indices), *map(_turned, others), *others] if own else []
-    spoken = {b.key for node in (formula, *around) for b in n.walk(node) if isinstance(b, n.Name)}
+    spoken = {b.key for node in (formula, *around) for b in n.names(node)}
     for term in (each for each in dict.fromkeys(pool) if _keys(each) <= spoken):
         for sign in "+-" if term not in own else "":
             finding = say(Kind.MISSING_TERM, term=written(n.Sum(((sign, term),))))
@@ -169,7 +169,7 @@ def _is_length_and_turn(node: n.Node) -> bool:
 def _with_other_index(terms: Iterable[n.Node], indices: Iterable[str]) -> Iterator[n.Node]:
     for term in terms:
         for index in sorted(indices):
-            named = [b for b in n.walk(term) if isinstance(b, n.Name) and b.sub.isdigit()]
+            named = [b for b in n.names(term) if b.sub.isdigit()]
             if len({b.sub for b in named}) == 1 and named[0].sub != index:
                 yield n.substitute_each(
                     term, {id(b): replace(b, sub=index, text=b.text.replace(b.sub, index)) for b in named}
@@ -184,12 +184,10 @@ def _turned(term: n.Node) -> n.Node:
 
 def _with_an_angle(formula: n.Node, around: Iterable[n.Node]) -> Iterator[Edit]:
     """Yield a formula with an angle subtracted in a sine or a cosine, one of those around it: single edits add angles alone."""
-    pool = {
-        b for node in around for b in n.walk(node) if isinstance(b, n.Name) and b.base in ("theta", "q") and not b.dots
-    }
+    pool = {b for node in around for b in n.names(node) if b.base in ("theta", "q") and not b.dots}
     for call in [b for b in n.walk(formula) if isinstance(b, n.Call) and is_trigonometric(b) and b.arguments]:
         argument = n.ungrouped(call.arguments[0])
-        held = {b for b in n.walk(argument) if isinstance(b, n.Name)}
+        held = {*n.names(argument)}
         for angle in sorted(pool - held if held else (), key=lambda each: each.key):
             terms = argument.terms if isinstance(argument, n.Sum) else (("+", argument),)
             longer = replace(call, arguments=(n.Sum((*terms, ("-", angle))),), style="macro()")
@@ -241,7 +239,7 @@ def _is_like(node: n.Node, other: n.Node) -> bool:
 
 def _keys(node: n.Node, names: Names | None = None) -> set[str]:
     """Return the names in a formula, each as the T(θ) that names may say T to be."""
-    found = (below for below in n.walk(node) if isinstance(below, n.Name))
+    found = n.names(node)
     return {(names.applied_to_joints(below) if names is not None else None) or below.key for below in found}
 
 

@@ -44,7 +44,7 @@ def beside_arcs(statement: n.Statement) -> n.Statement:
     """Return a statement with the mark of degrees behind what nobody means in radians: 180 of 180 − arccos(…), cos(90)."""
     if not isinstance(statement, n.Chain):
         return statement
-    calls = [b for m in statement.members for b in n.walk(m) if isinstance(b, n.Call) and b.function in TURNS]
+    calls = [b for m in statement.members for b in n.walk(m) if n.is_call(b, *TURNS)]
     inside: dict[int, n.Node] = {id(each.arguments[-1]): _marked_in(each.arguments[-1]) for each in calls}
     members = (n.substitute_each(m, inside) if inside else m for m in statement.members)
     return replace(statement, members=tuple(map(_marked_beside_arcs, members)))
@@ -163,7 +163,7 @@ def with_bare_letters(chain: n.Statement) -> n.Statement:
 
 
 def _is_of_all_joints(node: n.Node) -> TypeGuard[n.Call]:
-    if not (isinstance(node, n.Call) and node.function == "name"):
+    if not n.is_call(node, "name"):
         return False
     name, *arguments = (each if isinstance(each, n.Name) else n.Name("") for each in node.arguments)
     joints = [each for each in arguments if each.base in ("q", "theta") and each.sub.isdigit() and not each.dots]

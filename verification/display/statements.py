@@ -40,6 +40,7 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.statements import PREVIOUS
+from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.naming.conventions import is_usual
 from armproof.verification.verdict import DECIDED, HOLDS, Role, Verdict
 
@@ -129,7 +130,8 @@ class Statements:
             statements = [without_its_letters(with_bare_letters(statement)) for statement in statements]
         if len(statements) > 1 or any(isinstance(each, n.Chain) and len(each.members) > 2 for each in statements):
             statements = prepared(statements, self.names)
-        statements = [with_rank_first(statement) for statement in statements]
+        if any(map(n.is_rank, (member for each in statements if isinstance(each, n.Chain) for member in each.members))):
+            statements = [with_rank_first(statement) for statement in statements]
         told = self.names.state.told
         of_singularities = told.of_singularities and self._are_conditions(statements)
         if of_singularities and told.line == line and (found := self._of_singularities(statements, line)):
@@ -165,6 +167,10 @@ class Statements:
             self.names.state.subject = first_chain.members[0]
         return display.outcomes, display.counterexample
 
+    def tried(self, latex: str) -> list[Outcome]:
+        """Return the outcomes of a display that is tried: it defines nothing."""
+        return self.check(self.names.reader.read(latex), 0, define=False, latex=normalise_unicode(latex))[0]
+
     def _name_ahead(self, statements: list[n.Statement], line: int) -> None:
         """Y = -2 B_1 d_3, B_1 = …, or s_2 = ε √(1 - c_2²), ε = ±1: what a display says of a letter holds for all of it."""
         spoken: set[str] = set()
@@ -176,7 +182,7 @@ class Statements:
                 self.names.state.signs.name(sign, line)
             elif isinstance(name, n.Name) and name.key in spoken and self.names.is_open(name) and not is_usual(name):
                 self.claims.chain(each, 1, line, define=True)
-            spoken |= {below.key for below in n.walk(each) if isinstance(below, n.Name)}
+            spoken |= {below.key for below in n.names(each)}
 
     def _own_shorthand(self, statements: list[n.Statement]) -> Finding | None:
         """Return the doubt where a c_{12} is written that the text says to be something else than it usually is."""
@@ -299,37 +305,48 @@ class Statements:
         moved, self.names.state.told = self.names.state.told, told
         self.claims.begin()
         premised = [outcome for found in steps for outcome in found]
-        judged = self.implications.judge(implication, premised, display.equation, display.links)
-        judged = self.implications.beside(judged, implication, display.above, display.equation)
-        if judged is None or judged[0].verdict is Verdict.UNCHECKED:
-            of_the_tool = self.implications.of_the_tool(implication, premised, display.equation, display.links)
-            judged = of_the_tool or judged
-        if judged is None or judged[0].verdict not in HOLDS:
-            there = self.claims.circumstances.at_premised(implication, display.equation)
-            judged = (there, {}) if there is not None else judged
-        if judged is not None:
-            judged = (
-                self.claims.circumstances.of_implication(self.claims.unless_doubted(judged[0]), implication),
-                judged[1],
-            )
-        if judged is not None and any(outcome.holds_there for outcome in premised):
-            judged = self._unless_meant_there(display, implication, judged)
+        judged = self._judged(display, implication, premised)
         display.above.append(implication)
         if judged is None:  # a step of a derivation: it is a claim of its own, and so is what follows
             self.names.state.told = moved
-            steps = [*map(self._without_numbers, steps)]
-            display.assumed = all(outcome.is_condition for found in steps for outcome in found)
-            for chain, found in zip(premises, steps, strict=True):
-                display.outcomes.extend(with_role(outcome, chain, self.names) for outcome in found)
-            display.equation += sum(len(chain.relations) for chain in premises)
-            display.links = []
-            display.index += len(premises) + connectives_among(display.statements, display.index, len(premises))
+            self._take_steps(display, premises, steps)
             return
         display.under = implication if implication.kind in ("⇒", "if") else None
         self.names.state.comparisons = compared
         self.names.state.configuration = given  # a premise holds in its implication alone, and so does what it defines
         self.names.forget(key for found in steps for o in found for key in o.defines if not o.is_condition)
-        outcome, counterexample = judged
+        self._conclude(display, implication, *judged)
+
+    def _judged(self, display: _Display, implication: Implication, premised: list[Outcome]) -> Judgement:
+        """Return what becomes of an implication with its counterexample; None where it is a step of a derivation."""
+        judged = self.implications.judge(implication, premised, display.equation, display.links)
+        judged = self.implications.beside(judged, implication, display.above, display.equation)
+        if judged is None or judged[0].verdict is Verdict.UNCHECKED:
+            of_the_tool = self.implications.of_the_tool(implication, premised, display.equation, display.links)
+            judged = of_the_tool or judged
+        circumstances = self.claims.circumstances
+        if judged is None or judged[0].verdict not in HOLDS:
+            there = circumstances.at_premised(implication, display.equation)
+            judged = (there, {}) if there is not None else judged
+        if judged is None:
+            return None
+        judged = circumstances.of_implication(self.claims.unless_doubted(judged[0]), implication), judged[1]
+        if any(outcome.holds_there for outcome in premised):
+            return self._unless_meant_there(display, implication, judged)
+        return judged
+
+    def _take_steps(self, display: _Display, premises: list[n.Chain], steps: list[list[Outcome]]) -> None:
+        steps = [*map(self._without_numbers, steps)]
+        display.assumed = all(outcome.is_condition for found in steps for outcome in found)
+        for chain, found in zip(premises, steps, strict=True):
+            display.outcomes.extend(with_role(outcome, chain, self.names) for outcome in found)
+        display.equation += sum(len(chain.relations) for chain in premises)
+        display.links = []
+        display.index += len(premises) + connectives_among(display.statements, display.index, len(premises))
+
+    def _conclude(
+        self, display: _Display, implication: Implication, outcome: Outcome, counterexample: dict[str, float]
+    ) -> None:
         read_as = together(dict.fromkeys(filter(None, map(self.checker.members.read_as, implication.chains))))
         sides = tuple(member for chain in implication.chains for member in chain.members)
         of_all = replace(outcome, role=Role.CONDITION, uses=self.claims.consulted(), read_as=read_as, conditions=sides)
@@ -337,7 +354,8 @@ class Statements:
         display.counterexample.update(counterexample)
         leads_on = goes_on(display.statements, implication)
         display.links = [*display.links, implication] if leads_on else []
-        display.equation += sum(len(chain.relations) for chain in (premises if leads_on else implication.chains))
+        chains = implication.premises if leads_on else implication.chains
+        display.equation += sum(len(chain.relations) for chain in chains)
         display.index = implication.behind_at if leads_on else implication.after
 
     def _without_numbers(self, step: list[Outcome]) -> list[Outcome]:
@@ -393,7 +411,7 @@ def _as_alternatives(statements: list[n.Statement]) -> list[n.Statement]:
 
 def _angle_without_unit(nodes: list[n.Statement]) -> str:
     """Return the whole number that a sine, cosine or tangent is taken of, as of an angle in degrees: 30 of cos 30; "" without."""
-    calls = (b for node in nodes for b in n.walk(node) if isinstance(b, n.Call) and b.function in ("cos", "sin", "tan"))
+    calls = (b for node in nodes for b in n.walk(node) if n.is_call(b, "cos", "sin", "tan"))
     numbers = (n.ungrouped(argument) for call in calls for argument in call.arguments)
     found = (each for each in numbers if isinstance(each, n.Number) and not each.decimals and each.value >= _DEGREES)
     return next((str(each.value) for each in found), "")

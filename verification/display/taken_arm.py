@@ -90,4 +90,4 @@ class OfTakenArm:
 
 def names_in(outcome: Outcome) -> Iterator[n.Name]:
     """Yield the names in both sides of an equation."""
-    return (below for node in outcome.nodes for below in n.walk(node) if isinstance(below, n.Name))
+    return (below for node in outcome.nodes for below in n.names(node))

@@ -32,7 +32,10 @@ from armproof.verification.document.units import with_unit
 PICTURE = "<img"  # the opening of a display whose LaTeX stands in the address of a picture
 _AFTER_A_LEAD = frozenset("math_block math_block_label amsmath html_block fence colon_fence".split())
 ALONE = "$ "  # the opening of a formula between single dollars that has a line of its own
-_MATRIX = re.compile(r"\\begin\{\w*matrix|\\begin\{array")
+_DERIVED = re.compile(  # a matrix, or a function of an angle or of a length: no value that is given
+    r"\\begin\{\w*matrix|\\begin\{array|(?=.*=).*(?:\\(?:cos|sin|tan|arc[a-z]{3}|sqrt)(?![A-Za-z])|atan_?2|arctan_?2|(?<![A-Za-z\\])[cCsS]_)",
+    re.DOTALL,
+)
 _SAYS = re.compile(r"[=<>≈]|\\(?:approx|simeq|equiv|[lg]eq?)(?![A-Za-z])|(?:∈|\\in(?![A-Za-z]))\s*(?:\\left\s*)?[(\[]")
 AMS = "\\begin"  # the opening of an environment that stands in the text without dollars
 _ENVIRONMENT = re.compile(
@@ -458,12 +461,12 @@ def _inline_displays(
 def _stands_alone(token: Token) -> bool:
     """Whether a paragraph holds formulas alone, a line each: $T_2^0 = T_1^0 T_2^1$, which many write for displays.
 
-    So does an item of a list whose formulas are matrices; others there are mostly what is given.
+    So does an item of a list whose formulas are matrices, or equations with functions; others there are mostly what is given.
     """
     held = [each for each in token.children or () if each.content.strip(" .,;") or each.type == "softbreak"]
     kinds = {each.type for each in held}
     formulas = [each.content for each in held if each.type == "math_inline"]
-    may_stand = token.level == 1 or (token.level % 2 == 1 and all(_MATRIX.search(each) for each in formulas))
+    may_stand = token.level == 1 or (token.level % 2 == 1 and all(_DERIVED.search(each) for each in formulas))
     return may_stand and "math_inline" in kinds and kinds <= {"math_inline", "softbreak"}
 
 

@@ -9,7 +9,7 @@ from fractions import Fraction
 from functools import partial, reduce
 from typing import Any
 
-from armproof.verification.algebra.matrix import Matrix, column
+from armproof.verification.algebra.matrix import Matrix, column, pose_of
 from armproof.verification.algebra.protocol import Value, elementary, identity
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.equations.chain import ChainChecker, no_samples
@@ -51,7 +51,7 @@ def direction_of_any_frames(names: Names, chain: n.Chain) -> str | None:
     chain = replace(chain, members=tuple(map(_seen, chain.members)))
     if len(chain.members) < 2 or set(chain.relations) != {"="} or not any(map(_composes, chain.members)):
         return None
-    below = (each for member in chain.members for each in n.walk(member) if isinstance(each, n.Name))
+    below = (each for member in chain.members for each in n.names(member))
     written = {each.key: each for each in below if each.key != "I"}
     own = set(names.arm.frames) if names.arm is not None else set()
     for direction in [names.state.transforms] if names.state.transforms else DIRECTIONS:
@@ -175,8 +175,7 @@ class _AnyFrames:
         if meaning.kind != "pose":
             return rotation if meaning.kind == "rotation" else place
         one, zero = self.algebra.rational(Fraction(1)), self.algebra.rational(Fraction(0))
-        rows = [(*row, at) for row, (at,) in zip(rotation.rows, place.rows, strict=True)]
-        return Matrix((*rows, (zero, zero, zero, one)))
+        return pose_of(rotation, place, zero, one)
 
     def _letters(self, what: str) -> Matrix:
         return column([self.algebra.symbol(f"{axis} of the {what}") for axis in "xyz"])

@@ -83,7 +83,7 @@ def holds_of_any_jacobian(chain: n.Chain, names: Names) -> bool:
         for member in chain.members
     ):
         return False  # v = J \dot q says what v is
-    others = {each.key for member in members for each in n.walk(member) if isinstance(each, n.Name)} - set(kinds)
+    others = {each.key for member in members for each in n.names(member)} - set(kinds)
     is_about = not {JACOBIAN, OF_JACOBIAN}.isdisjoint(kinds) or {RATES, VELOCITY, FORCE, TORQUE} <= set(kinds)
     damping = others - {"I"}
     if not is_about or len(set(kinds)) < len(kinds) or any(key.partition("_")[0] not in _DAMPING for key in damping):
@@ -94,7 +94,7 @@ def holds_of_any_jacobian(chain: n.Chain, names: Names) -> bool:
 
 def _of_one_frame(chain: n.Chain) -> n.Chain:
     """Return a chain without the frame in which all of it is seen: τ = {}^0J^T {}^0F."""
-    named = [each for member in chain.members for each in n.walk(member) if isinstance(each, n.Name)]
+    named = [each for member in chain.members for each in n.names(member)]
     seen = [each for each in named if each.base in _SEEN and each.sub in _OF_TOOL]
     if {each.pre_sup for each in seen} in (set(), {""}) or len({each.pre_sup for each in seen}) > 1:
         return chain
@@ -136,14 +136,14 @@ def _has_inverse(members: Sequence[n.Node]) -> bool:
 
 
 def _may_be_of_jacobian(chain: n.Chain) -> bool:
-    bases = {each.base for member in chain.members for each in n.walk(member) if isinstance(each, n.Name)}
+    bases = {each.base for member in chain.members for each in n.names(member)}
     return bool(bases & {"J", "tau"})
 
 
 def _usual(node: n.Node, spoken: set[tuple[str, str]]) -> n.Node:
     """Return a tree with one name for what is of a kind; collect the kinds with the names that they have."""
     node = bare(node)
-    if isinstance(node, n.Call) and node.function == "name":
+    if n.is_call(node, "name"):
         node = bare(node.arguments[0])
     if isinstance(node, n.Derivative) and isinstance(name := bare(node.operand), n.Name):
         in_time = isinstance(node.variable, n.Name) and node.variable.key == "t" and node.order == 1

@@ -342,6 +342,4 @@ def _has_factor(node: n.Node) -> bool:
         return node.value not in (0, 1)
     if isinstance(node, n.Power):
         return _has_factor(node.base)
-    return not (isinstance(node, n.Call) and node.function in ("cos", "sin")) and any(
-        map(_has_factor, n.children(node))
-    )
+    return not n.is_call(node, "cos", "sin") and any(map(_has_factor, n.children(node)))

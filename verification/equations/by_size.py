@@ -36,7 +36,7 @@ class BySize:
     def _in_plane(self, member: Member) -> Member:
         """Vectors without a third coordinate are read as columns of two."""
         node, names = member.node, self.members.names
-        for below in [each for each in n.walk(node) if isinstance(each, n.Name)]:
+        for below in [*n.names(node)]:
             plain = replace(below, dots=0)
             quantity = names.quantity(plain) if plain.key not in names.quantities else None
             if quantity is None or quantity.kind != "origin" or quantity.rows is not None:

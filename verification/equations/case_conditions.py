@@ -154,7 +154,7 @@ def comparisons_of(chain: n.Chain) -> Iterator[Comparison]:
     """Yield what a chain compares, two by two: 0 < θ_2 < π, or θ_2 ∈ (0, π)."""
     for left, relation, right in zip(chain.members, chain.relations, chain.members[1:], strict=False):
         inner = bare(left)
-        if isinstance(inner, n.Call) and inner.function == "abs" and relation in ("<", "≤"):  # |θ_2| < π/2
+        if n.is_call(inner, "abs") and relation in ("<", "≤"):  # |θ_2| < π/2
             yield from ((inner.arguments[0], relation, right), (n.Sum((("-", right),)), relation, inner.arguments[0]))
         elif relation in COMPARISONS:
             yield left, relation, right

@@ -66,7 +66,7 @@ def _between(first: n.Node, last: n.Node, number: int, count: int) -> n.Node | N
     if _form(first) != _form(last):
         return None
     changed: dict[int, n.Node] = {}
-    names = [[below for below in n.walk(tree) if isinstance(below, n.Name)] for tree in (first, last)]
+    names = [[*n.names(tree)] for tree in (first, last)]
     for one, other in zip(*names, strict=True):
         scripts = {script: _script(getattr(one, script), getattr(other, script), number, count) for script in _SCRIPTS}
         if None in scripts.values():

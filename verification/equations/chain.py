@@ -437,9 +437,7 @@ class ChainChecker:
         Those of U_0 = [s n a P], as Paul and Khalil say, may mean what they usually do as well.
         """
         awaited_now = self.names.state.awaited if now.is_open else {}
-        spoken = (
-            {b.key for m in now.chain.members for b in n.walk(m) if isinstance(b, n.Name)} if awaited_now else set()
-        )
+        spoken = {b.key for m in now.chain.members for b in n.names(m)} if awaited_now else set()
         open_ = ((key, matrix) for key, (matrix, _) in awaited_now.items() if key.rpartition("_")[2] not in WRIST)
         met = {key: matrix for key, matrix in open_ if spoken & keys_alone(matrix)}
         poses = {key: matrix for key, matrix in met.items() if is_of_pose(matrix)}

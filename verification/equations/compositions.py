@@ -51,7 +51,7 @@ def is_composition(chain: n.Chain, frames: Collection[str]) -> bool:
 
 def _with_whole(chain: n.Chain, reference: str) -> Sequence[n.Node]:
     """Return the members with R, the whole rotation that R_6^3 = (R_3^0)^T R is about, from the first frame named to the last."""
-    named = [each for member in chain.members for each in n.walk(member) if isinstance(each, n.Name)]
+    named = [each for member in chain.members for each in n.names(member)]
     scripts = {script for each in named for script in each.scripts if script.isdigit()}
     if _WHOLE not in named or len(scripts) < FEWEST:
         return chain.members
@@ -154,7 +154,7 @@ def _follows(one: _Step, other: _Step) -> bool:
 
 def _pair(node: n.Node, reference: str) -> tuple[str, str] | None:
     """Return (reference, frame) of a transform or its inverse, with its joint variables or without: {}^0T_1(q_1)."""
-    if isinstance(node, n.Call) and node.function == "name":
+    if n.is_call(node, "name"):
         node = node.arguments[0]
     if isinstance(node, n.Postfix) and node.operator in ("-1", "T"):
         inner = bare(node.base)

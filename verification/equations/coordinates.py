@@ -20,8 +20,8 @@ def coordinates_among(names: Names, nodes: Iterable[n.Node], *, beside: bool) ->
     found = {
         plain.key: plain
         for node in nodes
-        for below in n.walk(node)
-        if isinstance(below, n.Name) and below.base in AXES and (plain := below.undotted).key
+        for below in n.names(node)
+        if below.base in AXES and (plain := below.undotted).key
     }
     if beside and len({name.base for name in found.values()}) < 2:
         return {}

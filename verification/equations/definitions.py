@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import partial
 from itertools import permutations
@@ -38,6 +38,15 @@ from armproof.verification.verdict import HOLDS, Role, Verdict
 Check = Callable[[n.Chain], list[Outcome]]
 _PLACE = re.compile(r"(\d),?([1-6]),?([1-6])")  # of an entry: its matrix, row and column
 MOST_WRONG = 2  # entries of a pose that is a slip away, where it holds letters without a value too
+
+
+@dataclass
+class _Entries:
+    """What is found of the entries of a matrix: what a name is where it stands first, what is wrong, why one is not known."""
+
+    first: dict[str, Value] = field(default_factory=dict)
+    wrong: list[tuple[int, int]] = field(default_factory=list)
+    unknown: EvaluationError | None = None
 
 
 @dataclass(frozen=True)
@@ -118,10 +127,10 @@ class Definitions:
         """sin γ = k_2/r behind cos γ = k_1/r, of which the squares make 1, gives γ the sign that its cosine leaves open."""
         for side, other in permutations(outcome.sides if outcome.verdict is Verdict.REFUTED else (), 2):
             sine = bare(side.node)
-            key = bare_key(sine.arguments[0]) if isinstance(sine, n.Call) and sine.function == "sin" else None
+            key = bare_key(sine.arguments[0]) if n.is_call(sine, "sin") else None
             definition = self.names.state.definitions.get(key or "")
             angle = definition.formula if definition is not None else None
-            if key is None or definition is None or not (isinstance(angle, n.Call) and angle.function == "acos"):
+            if key is None or definition is None or not n.is_call(angle, "acos"):
                 continue
             values = other.value, self.members.evaluate(angle.arguments[0]).value
             sine_of, cosine_of = map(as_scalar, values)
@@ -161,34 +170,11 @@ class Definitions:
             return None
         if (unclear := self._rows_unclear(true, blocks)) is not None:
             return Outcome(Verdict.UNCHECKED, (unclear,), equation, true, member)
-        first: dict[str, Value] = {}  # what a name is where it stands first
-        wrong: list[tuple[int, int]] = []
-        unknown: EvaluationError | None = None
+        found = _Entries()
         written = [block for block in blocks if not _is_unwritten(block.cell)]
         for block in written:
-            cell, key = self.members.evaluate(block.cell), bare_key(block.cell)
-            if key in self.fresh:
-                cell = Member(block.cell, None, UnboundName(str(key)))
-            if cell.known:
-                if not self.readings.equality.equals_block(block.of(value), cell.value):
-                    wrong.append((block.row, block.column))
-            elif isinstance(cell.problem, NoValue):
-                wrong.append((block.row, block.column))
-            elif key is None or not isinstance(cell.problem, UnboundName) or self._is_nothing(block, blocks, value):
-                unknown = cell.problem
-            elif key in first or _holds(
-                block.of(value), key
-            ):  # J = [γ_1 …] once more: it is what it is, and no entry of J
-                itself = first[key] if key in first else self.members.exact.symbol(key)
-                if not self.readings.equality.equals_block(itself, block.of(value)):
-                    wrong.append((block.row, block.column))
-            else:
-                first[key] = block.of(value)
-                if defines:
-                    meaning = self.members.meaning(true.node, block)
-                    of_section = block.is_larger and not self.members.is_of_tool(true.node)
-                    self.names.define(key, meaning, self.line, by_place=True, of_section=of_section, whole=true.node)
-                    self._define_components(block)
+            self._compare(found, block, blocks, true, value, defines)
+        first, wrong, unknown = found.first, found.wrong, found.unknown
         if (other := self._of_series(blocks, wrong, first)) is not None:
             self.names.forget(first if defines else ())
             return Outcome(Verdict.UNCHECKED, (other,), equation, true, member)
@@ -205,6 +191,32 @@ class Definitions:
             return Outcome(Verdict.PROVED, (), equation, true, member)
         said = say(Kind.DEFINES_ENTRIES, names=list(first))
         return Outcome(Verdict.DEFINED, (said,), equation, true, member, defines=tuple(first))
+
+    def _compare(
+        self, found: _Entries, block: Block, blocks: Iterable[Block], true: Member, value: Matrix, defines: bool
+    ) -> None:
+        """Compare what is known of an entry with what stands in its place; a bare name is defined by that."""
+        cell, key = self.members.evaluate(block.cell), bare_key(block.cell)
+        if key in self.fresh:
+            cell = Member(block.cell, None, UnboundName(str(key)))
+        if cell.known or isinstance(cell.problem, NoValue):
+            if not (cell.known and self.readings.equality.equals_block(block.of(value), cell.value)):
+                found.wrong.append((block.row, block.column))
+        elif key is None or not isinstance(cell.problem, UnboundName) or self._is_nothing(block, blocks, value):
+            found.unknown = cell.problem
+        elif key in found.first or _holds(
+            block.of(value), key
+        ):  # J = [γ_1 …] once more: it is what it is, and no entry of J
+            itself = found.first[key] if key in found.first else self.members.exact.symbol(key)
+            if not self.readings.equality.equals_block(itself, block.of(value)):
+                found.wrong.append((block.row, block.column))
+        else:
+            found.first[key] = block.of(value)
+            if defines:
+                meaning = self.members.meaning(true.node, block)
+                of_section = block.is_larger and not self.members.is_of_tool(true.node)
+                self.names.define(key, meaning, self.line, by_place=True, of_section=of_section, whole=true.node)
+                self._define_components(block)
 
     def _is_nothing(self, block: Block, blocks: Iterable[Block], value: Matrix) -> bool:
         """Whether a letter without a usual meaning stands beside formulas where a value has a zero: nobody writes a length that is none."""
@@ -245,7 +257,7 @@ class Definitions:
 
     def _rows_unclear(self, true: Member, blocks: list[Block]) -> Finding | None:
         """Say that a Jacobian of six rows stands beside two or three components: nothing tells which rows it is to have."""
-        named = (below for below in n.walk(true.node) if isinstance(below, n.Name))
+        named = n.names(true.node)
         jacobian = next((name for name in named if self.members.jacobian_name(name) is not None), None)
         if jacobian is None or not stand_for_scalars(blocks, self.names):
             return None
@@ -331,10 +343,8 @@ def _solved(member: Member, true: n.Node) -> tuple[str, n.Node] | None:
     if (root := squared_name(member.node)) is not None:
         return root, n.Call("sqrt", (true,), "\\sqrt", span=true.span)
     key = member.problem.name if isinstance(member.problem, UnboundName) else ""
-    spoken = [below for below in n.walk(member.node) if isinstance(below, n.Name) and below.key == key]
-    cosines = [
-        b for b in n.walk(member.node) if isinstance(b, n.Call) and b.function == "cos" and b.arguments == (*spoken,)
-    ]
+    spoken = [below for below in n.names(member.node) if below.key == key]
+    cosines = [b for b in n.walk(member.node) if n.is_call(b, "cos") and b.arguments == (*spoken,)]
     is_matrix = any(isinstance(below, n.Matrix) for side in (member.node, true) for below in n.walk(side))
     if is_matrix or len(spoken) != 1 or len(cosines) != 1 or not _is_angle(spoken[0]):
         return None
@@ -367,7 +377,7 @@ def squared_name(node: n.Node) -> str | None:
 
 def angle_of_tangent(node: n.Node, value: n.Node) -> tuple[n.Name, n.Node] | None:
     """Return the β of tan β = y/x, and what it is: that of the arctangent, or half a turn beside it."""
-    angle = bare(node.arguments[0]) if isinstance(node, n.Call) and node.function == "tan" else None
+    angle = bare(node.arguments[0]) if n.is_call(node, "tan") else None
     if not isinstance(angle, n.Name) or angle.dots or any(isinstance(below, n.Matrix) for below in n.walk(value)):
         return None
     return angle, n.placed(n.Call("atan", (value,), "arctan"), value.span)
@@ -394,7 +404,7 @@ class Redefinitions:
         state = self.names.state
         key = bare_key(chain.members[0]) if len(chain.members) > 1 and self.enabled else None
         definition = state.definitions.get(key) if key is not None else None
-        others = (below for member in chain.members[1:] for below in n.walk(member) if isinstance(below, n.Name))
+        others = (below for member in chain.members[1:] for below in n.names(member))
         if key is None or definition is None or definition.by_place or any(other.key == key for other in others):
             return None
         if definition.has_two_meanings and definition.section != state.section:

@@ -15,8 +15,7 @@ _FINITE = "Delta"  # what is said of it is near at best
 def of_small_ones(chain: n.Chain, names: Names) -> n.Chain | None:
     """Return what is near of changes, Δx ≈ J Δq, as an equation of small displacements; None where a side tells of none."""
     changes = [
-        [each for each in n.walk(member) if isinstance(each, n.Name) and each.key == _FINITE and names.is_open(each)]
-        for member in chain.members
+        [each for each in n.names(member) if each.key == _FINITE and names.is_open(each)] for member in chain.members
     ]
     if set(chain.relations) != {"≈"} or not all(changes):
         return None
@@ -44,11 +43,11 @@ def is_of_rates(chain: n.Chain, names: Names) -> bool:
 
 
 def _signs(node: n.Node) -> list[n.Name]:
-    return [below for below in n.walk(node) if isinstance(below, n.Name) and below.key in _SIGNS]
+    return [below for below in n.names(node) if below.key in _SIGNS]
 
 
 def _rates(node: n.Node) -> list[n.Name]:
-    return [below for below in n.walk(node) if isinstance(below, n.Name) and below.dots]
+    return [below for below in n.names(node) if below.dots]
 
 
 def _is_joint(name: n.Name, names: Names) -> bool:

@@ -62,7 +62,7 @@ def index_of(chain: n.Chain) -> str:
 
 
 def _names(chain: n.Chain) -> Iterator[n.Name]:
-    yield from (below for below in n.walk(chain) if isinstance(below, n.Name))
+    yield from n.names(chain)
 
 
 def _instance(chain: n.Chain, letter: str, number: int) -> n.Chain:
@@ -142,9 +142,9 @@ def _turned(chain: n.Chain) -> Iterator[tuple[n.Chain, Finding]]:
 def _jacobians(chain: n.Chain) -> Iterator[tuple[n.Node, n.Node, str]]:
     """Yield each J with what stands above it, the J in it, and what turns it."""
     above = {id(node.base): node for node in n.walk(chain) if isinstance(node, n.Postfix)}
-    called = {id(node.arguments[0]) for node in n.walk(chain) if isinstance(node, n.Call) and node.function == "name"}
+    called = {id(node.arguments[0]) for node in n.walk(chain) if n.is_call(node, "name")}
     for node in n.walk(chain):
-        name = bare(node.arguments[0]) if isinstance(node, n.Call) and node.function == "name" else node
+        name = bare(node.arguments[0]) if n.is_call(node, "name") else node
         if isinstance(name, n.Name) and name.base == "J" and not name.dots and id(node) not in called:
             whole = above.get(id(node), node)
             printed = whole.operator if isinstance(whole, n.Postfix) else ""

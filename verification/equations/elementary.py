@@ -46,7 +46,7 @@ def elementary_rotation(chain: n.Chain) -> n.Chain | None:
 def axis_of_another_frame(chain: n.Chain) -> Finding | None:
     """Return the doubt where Rot_{x_k} or Trans_{x_k} is about an axis of neither frame of the one transform that a chain is about."""
     below = [each for member in chain.members for each in n.walk(member)]
-    heads = [each.head for each in below if isinstance(each, n.Call) and each.function in ("Rot", "Trans")]
+    heads = [each.head for each in below if n.is_call(each, "Rot", "Trans")]
     axes = [canonical_script(head.partition("_")[2]) for head in heads]
     found = [match for axis in axes if (match := _AXIS_OF_FRAME.match(axis))]
     frames = [indices for each in below if isinstance(each, n.Name) and (indices := [*_frames_of(each)])]

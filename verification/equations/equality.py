@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 from dataclasses import replace
 from math import prod
 from typing import Any
@@ -66,19 +67,12 @@ class Equality:
         except EvaluationError as problem:
             return replace(outcome, verdict=Verdict.UNCHECKED, findings=(finding_of(problem),))
         pairs = [self._with_last_coordinate(true.node, pair) for pair in pairs]
-        best: tuple[Pair, list[tuple[int, int]]] | None = None
         if true.rank < 4:  # only a quantity of the arm may be met in another shape
             rotations, reshaped = _is_made_of_rotations(true.node), pairs
             pairs = [pair for pair in pairs if not pair.note or (rotations and pair.note == ROTATION)]
             if not pairs:
-                sizes = [v.size if isinstance(v, Matrix) else "a scalar" for v in (printed.value, true.value)]
-                outcome.findings = (say(Kind.WRONG_SIZE, printed=sizes[0], correct=sizes[1]),)
-                sides = (true.node, printed.node)
-                of_arm = any(self.members.quantity_of(below) for side in sides for below in n.walk(side))
-                vectors = (
-                    pair for pair in reshaped if of_arm and 1 in pair.printed.shape
-                )  # else its size is the document's
-                return outcome.left_open(*outcome.findings) if any(map(agree_exactly, vectors)) else outcome
+                return self._of_wrong_size(outcome, true, printed, reshaped)
+        best: tuple[Pair, list[tuple[int, int]]] | None = None
         for pair in pairs:
             if branches:
                 wrong = self._wrong_in_branches(true.node, printed.node, pair)
@@ -89,20 +83,36 @@ class Equality:
                 return self.route.confirm(outcome, branches)
             if best is None or len(wrong) < len(best[1]):
                 best = (pair, wrong)
-        rounded = self.members.decimals(true.node, printed.node, least=1) is not None
+        assert best is not None
+        return self._unequal(outcome, pairs, *best, branches)
+
+    def _of_wrong_size(self, outcome: Outcome, true: Member, printed: Member, reshaped: Sequence[Pair]) -> Outcome:
+        """Return what becomes of sides of two sizes; a vector of the arm may be written as another shape."""
+        sizes = [v.size if isinstance(v, Matrix) else "a scalar" for v in (printed.value, true.value)]
+        outcome.findings = (say(Kind.WRONG_SIZE, printed=sizes[0], correct=sizes[1]),)
+        sides = (true.node, printed.node)
+        of_arm = any(self.members.quantity_of(below) for side in sides for below in n.walk(side))
+        vectors = (pair for pair in reshaped if of_arm and 1 in pair.printed.shape)  # else its size is the document's
+        return outcome.left_open(*outcome.findings) if any(map(agree_exactly, vectors)) else outcome
+
+    def _unequal(
+        self, outcome: Outcome, pairs: Sequence[Pair], best: Pair, wrong: list[tuple[int, int]], branches: bool
+    ) -> Outcome:
+        """Return what becomes of sides that differ: they may be numbers of stated values, or rounded ones."""
+        assert outcome.true is not None and outcome.printed is not None
+        rounded = self.members.decimals(outcome.true.node, outcome.printed.node, least=1) is not None
         may_be_at_values = not branches and (self.stated.enabled or rounded)
         if may_be_at_values and (there := self.stated.read(outcome, pairs)) is not None:
             return there
-        assert best is not None
-        outcome.pair, outcome.wrong = best
-        outcome.findings = _noted(best[0])
+        outcome.pair, outcome.wrong = best, wrong
+        outcome.findings = _noted(best)
         if rounded and not branches and holds_as_worked(self.members, outcome):
             return outcome
         if rounded and holds_to_its_decimals(self.route, outcome, branches):
             return outcome
         if rounded and not branches and may_be_rounded(self.members, outcome):
             return outcome.left_open(say(Kind.MADE_OF_ROUNDED))
-        if branches and self.stated.enabled and self._is_number_beside_joints(best[0]):
+        if branches and self.stated.enabled and self._is_number_beside_joints(best):
             return outcome.left_open(say(Kind.NUMBERS_OF_NOWHERE))
         return self.route.unless_negative(self.route.doubt(outcome, branches), branches)
 
@@ -199,7 +209,7 @@ def _distance(a: Any, b: Any) -> Any:
 
 def _is_made_of_rotations(node: n.Node) -> bool:
     """Whether a tree is an elementary rotation or a product of such: 3×3 or 4×4, as the document prints it."""
-    calls = [below for below in n.walk(node) if isinstance(below, n.Call) and below.function in ("Rot", "Rot3")]
+    calls = [below for below in n.walk(node) if n.is_call(below, "Rot", "Rot3")]
     factors = node.factors if isinstance(node, n.Product) else (node,)
     return bool(calls) and all(factor in calls for factor in factors)
 

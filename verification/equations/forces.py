@@ -110,8 +110,7 @@ def _force_behind_transpose(node: n.Node) -> n.Node | None:
     if not isinstance(node, n.Product) or len(node.factors) < 2:
         return None
     first, second = map(bare, node.factors[:2])
-    base = bare(first.base) if isinstance(first, n.Postfix) and first.operator == "T" else None
-    base = base.arguments[0] if isinstance(base, n.Call) and base.function == "name" else base
+    base = n.unapplied(bare(first.base)) if isinstance(first, n.Postfix) and first.operator == "T" else None
     return second if isinstance(base, n.Name) and base.base == "J" else None
 
 

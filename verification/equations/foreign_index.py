@@ -57,7 +57,7 @@ def unless_written_elsewhere(outcome: Outcome, display: Display, document: Docum
 def _foreign(chain: n.Chain, names: Names) -> n.Name | None:
     """Return the one name with a digit that nothing binds inside the formulas of a chain, where the arm has its letter."""
     alone = {each.key for each in map(bare, chain.members) if isinstance(each, n.Name)}
-    inside = [below for member in chain.members for below in n.walk(member) if isinstance(below, n.Name)]
+    inside = [below for member in chain.members for below in n.names(member)]
     plain = {each.key: each for name in inside if (each := name.undotted).key not in alone}
     unbound = [name for name in plain.values() if names.is_open(name) and not is_usual(name)]
     if len(unbound) != 1:

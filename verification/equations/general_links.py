@@ -33,8 +33,8 @@ LENGTHS = frozenset(["a", "d", "l", "b", "r"])
 
 def _letters(node: n.Node) -> frozenset[tuple[str, str]]:
     """The names of a tree but for π and the axes of elementary matrices."""
-    axes = {id(b.arguments[0]) for b in n.walk(node) if isinstance(b, n.Call) and b.function in ELEMENTARY}
-    names = (below for below in n.walk(node) if isinstance(below, n.Name) and id(below) not in axes)
+    axes = {id(b.arguments[0]) for b in n.walk(node) if n.is_call(b, *ELEMENTARY)}
+    names = (below for below in n.names(node) if id(below) not in axes)
     return frozenset((name.base, name.sub) for name in names if name.key != "pi")
 
 
@@ -89,7 +89,7 @@ class GeneralStatements:
     def _write_in(self, meant: Mapping[str, str], chain: n.Chain) -> None:
         """Let what is corrected be written in the document's letters."""
         state = self.checker.names.state
-        names = [below for member in chain.members for below in n.walk(member) if isinstance(below, n.Name)]
+        names = [below for member in chain.members for below in n.names(member)]
         own = {meant[name.key]: name.text for name in names if name.key in meant and name.text}
         state.notation = replace(state.notation, symbols={**state.notation.symbols, **own})
 
@@ -155,7 +155,7 @@ class GeneralStatements:
         a condition of its figure, and counts only where it is an identity.
         """
         members = [(_letters(member), member) for member in chain.members]
-        elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for _, m in members for b in n.walk(m))
+        elementary = any(n.is_call(b, *ELEMENTARY) for _, m in members for b in n.walk(m))
         known = ANGLES | (LENGTHS if elementary else frozenset())
         letters = frozenset[tuple[str, str]]().union(*(found for found, _ in members))
         if not letters or any(base not in known for base, _ in letters) or any(map(_has_q_alone, chain.members)):
@@ -209,12 +209,7 @@ class GeneralStatements:
             if quantity.kind == "link":
                 return (quantity.frame,)
         meant = self._general.names.symbols
-        keys = {
-            meant.get(below.key, below.key)
-            for member in chain.members
-            for below in n.walk(member)
-            if isinstance(below, n.Name)
-        }
+        keys = {meant.get(below.key, below.key) for member in chain.members for below in n.names(member)}
         modified, classic = not keys.isdisjoint(("a_i-1", "alpha_i-1")), not keys.isdisjoint(("a_i", "alpha_i"))
         return (("classic",) if classic else ()) + (("modified",) if modified else ())
 
@@ -238,13 +233,13 @@ def _is_printed(node: n.Node) -> bool:
 
 def _of_another_link(member: n.Node) -> bool:
     """Whether a link matrix keeps an index of its own, T_k^{k-1} beside θ_i: what is told is of two links."""
-    names = (below for below in n.walk(member) if isinstance(below, n.Name))
+    names = n.names(member)
     return any({*name.sub.split(","), name.sup, name.pre_sub, name.pre_sup} - {"i", "i-1", ""} for name in names)
 
 
 def of_link_i(chain: n.Chain) -> n.Chain:
     """Return a chain about link n with the index i: T_n^{n-1} = Rot(z, θ_n) …, A_n = […] or {}^jT_{j+1} = […] of θ_j or θ_{j+1}."""
-    names = [below for below in n.walk(chain) if isinstance(below, n.Name)]
+    names = [*n.names(chain)]
     scripts = {script for name in names for script in name.scripts}
     own = {name.sub for name in names if name.base in ("theta", "alpha", "a", "d")}
     next_one = next((letter for letter in "ijkn" if {letter, f"{letter}+1"} <= scripts), "")

@@ -99,7 +99,7 @@ class GivenValues:
     @staticmethod
     def _is_linear(node: n.Node) -> bool:
         """Whether a tree is a sum of names, each with a number, such as π/2 − 2 θ_1, √2 l_2."""
-        if isinstance(node, n.Call) and node.function == "sqrt":
+        if n.is_call(node, "sqrt"):
             return is_number(node)
         if isinstance(node, n.Product | n.Quotient) and sum(_is_letter(below) for below in n.walk(node)) > 1:
             return False
@@ -179,7 +179,7 @@ class GivenValues:
         """Return the values that an equation gives: none where a determinant is set to zero or a coordinate is asked for."""
         if (pairs := self._entries(left, right)) is not None:
             return self._together(pairs)
-        if isinstance(left, n.Call) and left.function == "det" and isinstance(right, n.Number) and right.value == 0:
+        if n.is_call(left, "det") and isinstance(right, n.Number) and right.value == 0:
             at_values = any(isinstance(below, n.At) for below in n.walk(left))  # det J|_{θ_3 = 0} = 0 is a claim
             return None if at_values or self._vanishes(left) else {}
         if self.names.arm is None or not isinstance(left, n.Name):
@@ -224,7 +224,7 @@ class GivenValues:
         return [n.Name(*symbol.partition("_")[::2], dots=name.dots) for symbol in self.joints]
 
     def _is_joint_value(self, value: n.Node) -> bool:
-        names = [below.key for below in n.walk(value) if isinstance(below, n.Name)]
+        names = [below.key for below in n.names(value)]
         calls = any(isinstance(below, n.Call | n.JointAngles | n.Matrix) for below in n.walk(value))
         return (not calls or is_number(value)) and all(key in ("pi", "k", "n") for key in names)
 
@@ -333,13 +333,7 @@ def keys_alone(node: n.Node) -> frozenset[str]:
 
 def keys_beside(chain: n.Chain, member: n.Node) -> set[str]:
     """The names that the other members of a chain hold."""
-    return {
-        b.key
-        for other in chain.members
-        if member not in (other, bare(other))
-        for b in n.walk(other)
-        if isinstance(b, n.Name)
-    }
+    return {b.key for other in chain.members if member not in (other, bare(other)) for b in n.names(other)}
 
 
 def named_sign(chain: n.Chain) -> str | None:

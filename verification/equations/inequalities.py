@@ -88,7 +88,7 @@ def _of_the_arm(checker: ChainChecker, left: n.Node, relation: str, right: n.Nod
     if arm is None or checker.names.joints.keys() & alone:  # limits of a joint
         return None
     checker.conventions.infer_tool([left, right])
-    names = [below for side in (left, right) for below in n.walk(side) if isinstance(below, n.Name)]
+    names = [below for side in (left, right) for below in n.names(side)]
     values = [as_scalar(checker.member(each).value) for each in names]
     cells = [c for v in values for c in (v.cells if isinstance(v, Matrix) else (v,)) if isinstance(c, Scalar)]
     if not symbols_in(cells).isdisjoint(checker.names.joints):
@@ -168,13 +168,13 @@ def _membership(checker: ChainChecker, left: n.Node, right: n.Node, outcome: Out
 
 def _may_be_block(cell: n.Node, checker: ChainChecker) -> bool:
     """Whether a cell holds a letter that may be a block of a larger matrix, [ω; v] ∈ ℝ^6: nothing binds it."""
-    letters = [below for below in n.walk(cell) if isinstance(below, n.Name) and below.key != "pi"]
+    letters = [below for below in n.names(cell) if below.key != "pi"]
     return any(not checker.members.is_symbol(each) and checker.quantity_of(each) is None for each in letters)
 
 
 def _group(node: n.Node) -> tuple[str, int] | None:
     """SO(3) → ("SO", 3), however it is set."""
-    letters = "".join(below.base for below in n.walk(node) if isinstance(below, n.Name))
+    letters = "".join(below.base for below in n.names(node))
     sizes = [int(below.value) for below in n.walk(node) if isinstance(below, n.Number)]
     return (letters, sizes[0]) if letters in GROUPS and len(sizes) == 1 and sizes[0] in (2, 3) else None
 

@@ -47,7 +47,7 @@ class RowsOfJacobians:
                 shown[replace(below, dots=0).key] = JacobianRows(rows, self.names.state.section, printed=False)
         for below in [*n.walk(chain)]:
             inverted = isinstance(below, n.Postfix) and below.operator == "-1"
-            if not inverted and not (isinstance(below, n.Call) and below.function in ("det", "adj", "com", "abs")):
+            if not inverted and not n.is_call(below, "det", "adj", "com", "abs"):
                 continue
             inner = below.base if isinstance(below, n.Postfix) else below.arguments[0]  # type: ignore[attr-defined]
             name = self.members.jacobian_name(inner, True)
@@ -70,23 +70,25 @@ class RowsOfJacobians:
         name = self.members.jacobian_name(true.node, True) if true is not None else None
         if outcome.verdict not in DECIDED or pair is None or name is None or printed is None:
             return outcome
-        if self.members.jacobian_name(name) is None:
-            if self._is_of_the_plane(name):  # with its row of zeros, or without
-                rows = tuple(range(1, len(pair.true.rows) + 1))
-                self.names.state.shown.setdefault(name.key, JacobianRows(rows, self.names.state.section))
-            return outcome
-        if pair.true_rows is None and pair.true_columns is None and len(pair.true.rows) != len(WHOLE):
-            return outcome
+        columns = tuple(column + 1 for column in pair.true_columns) if pair.true_columns is not None else None
         quantity = self.names.quantity(replace(name, dots=0))
         own = quantity.rows if quantity is not None and quantity.rows else WHOLE
+        is_mostly_wrong = len(outcome.wrong) > len(pair.true.cells) / 2
+        if self.members.jacobian_name(name) is None:
+            if self._is_of_the_plane(name) or (columns is not None and not is_mostly_wrong):
+                rows = own[: len(pair.true.rows)]  # with the plane's row of zeros, or without
+                shown = JacobianRows(rows, self.names.state.section, columns=columns)
+                self.names.state.shown.setdefault(name.key, shown)
+            return outcome
+        if pair.true_rows is None and columns is None and len(pair.true.rows) != len(WHOLE):
+            return outcome
         rows = tuple(row + 1 for row in pair.true_rows) if pair.true_rows is not None else own
-        columns = tuple(column + 1 for column in pair.true_columns) if pair.true_columns is not None else None
         before = self.names.rows_of(name.key)
         if before not in (None, rows) and not (before == WHOLE and self._are_zero_beyond(name, rows)):
             return outcome.left_open(say(Kind.ROWS_TOLD_OTHERWISE, name=name.text, rows=list(before or ())))
         if before is None and len(rows) == 1 < pair.true.shape[1]:  # a row is missing, or one alone is meant
             return outcome.left_open(say(Kind.ONE_ROW, name=name.text))
-        if len(outcome.wrong) > len(pair.true.cells) / 2 or _is_beside_zeros(outcome):
+        if is_mostly_wrong or _is_beside_zeros(outcome):
             return outcome
         is_matrix = isinstance(bare(printed.node), n.Matrix)
         self.names.state.shown.setdefault(name.key, JacobianRows(rows, self.names.state.section, is_matrix, columns))
@@ -102,7 +104,7 @@ class RowsOfJacobians:
         self, chain: n.Chain, outcomes: list[Outcome], check: Callable[[n.Chain], list[Outcome]]
     ) -> list[Outcome]:
         """A product with J, whose rows nothing has told, that only fits with fewer of them is read so; J Jᵀ with square ones."""
-        whole = [below for below in n.walk(chain) if isinstance(below, n.Name) and self._is_open(below)]
+        whole = [below for below in n.names(chain) if self._is_open(below)]
         whole = whole or self._planar_factors(chain)
         if not whole or any(member is below for member in chain.members for below in whole):
             return outcomes

@@ -31,7 +31,7 @@ def definitions_behind(
     for later in displays[at + 1 : at + 1 + AHEAD]:
         chains = _chains_of(later, reader) if later.section == display.section and not later.erratum else []
         given = {bare_key(chain.members[0]) for chain in chains}
-        spoken = {b.key for chain in chains for m in chain.members for b in n.walk(m) if isinstance(b, n.Name)}
+        spoken = {b.key for chain in chains for m in chain.members for b in n.names(m)}
         if given & missing:
             found.append(later)
             told |= given

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
 from armproof.models.exact.polynomial import Generator
-from armproof.verification.algebra.calculus import substitute, symbols_in
+from armproof.verification.algebra.calculus import is_of_fixed_angle, substitute, symbols_in
 from armproof.verification.algebra.ring import Scalar
 
 
@@ -54,8 +54,7 @@ def _coefficients(difference: Scalar, lengths: set[str]) -> list[Scalar]:
 
 def _is_fixed(generator: Generator) -> bool:
     """Whether a generator is a number: √2, π, or the sine of a fixed angle, "5*pi/36"."""
-    kind, name = generator
-    return kind in ("sqrt", "pi") or (kind in ("cos", "sin") and (name[0].isdigit() or name.partition("/")[0] == "pi"))
+    return generator[0] in ("sqrt", "pi") or is_of_fixed_angle(generator)
 
 
 def _solved(equation: Scalar, lengths: Mapping[str, float]) -> tuple[str, Fraction] | None:

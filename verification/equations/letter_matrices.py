@@ -78,7 +78,7 @@ def _is_usually_a_pose(node: n.Node, names: Names) -> bool:
 
 
 def _entries_in(chain: n.Chain) -> dict[str, n.Name]:
-    return {each.key: each for m in chain.members for each in n.walk(m) if isinstance(each, n.Name) and is_entry(each)}
+    return {each.key: each for m in chain.members for each in n.names(m) if is_entry(each)}
 
 
 def entries_elsewhere(names: Names, chain: n.Chain) -> Iterator[dict[str, Quantity]]:
@@ -96,7 +96,7 @@ def entries_elsewhere(names: Names, chain: n.Chain) -> Iterator[dict[str, Quanti
 def with_small_letters(chain: n.Chain) -> n.Chain | None:
     """Return a chain with r_{13} for R_{13}, which is an entry where a rotation makes no sense; None where it has none."""
     found: dict[int, n.Node] = {}
-    for each in (below for member in chain.members for below in n.walk(member) if isinstance(below, n.Name)):
+    for each in (below for member in chain.members for below in n.names(member)):
         small = n.Name(ENTRY, each.sub, text=each.text, span=each.span)
         if each in (n.Name("R", each.sub), n.Name("R", each.sub, "2")) and is_entry(small):  # R_{13}^2 is its square
             found[id(each)] = n.Power(small, n.Number(Fraction(2), "2"), span=each.span) if each.sup else small
@@ -118,7 +118,7 @@ def of_defined_rotation(names: Names, chain: n.Chain, algebra: Any, line: int) -
     found = _entries_in(chain)
     if not found or found.keys() & names.state.definitions.keys() or any(map(keys_alone, chain.members)):
         return None  # R = [r_{ij}] is no claim
-    angles = {b.key for m in chain.members for b in n.walk(m) if isinstance(b, n.Name)} - found.keys()
+    angles = {b.key for m in chain.members for b in n.names(m)} - found.keys()
     for key, definition in reversed(names.state.definitions.items()):
         with suppress(EvaluationError):
             value = definition.evaluate(algebra) if _ROTATION.match(key) else None

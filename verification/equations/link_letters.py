@@ -13,7 +13,7 @@ _INDEX = ("i", "i-1")
 
 def letterings(chain: n.Chain) -> tuple[dict[str, str], ...]:
     """Return what the letters of a link matrix may stand for, by key; only the usual letters are no choice, and more than two none."""
-    names = [below for member in chain.members for below in n.walk(member) if isinstance(below, n.Name)]
+    names = [below for member in chain.members for below in n.names(member)]
     of_lengths = [
         name for name in names if name.base in LENGTHS and name == n.Name(name.base, name.sub) and name.sub in _INDEX
     ]

@@ -132,7 +132,7 @@ def _on_both_sides(outcome: Outcome, names: Names) -> Finding | None:
     """
     for alone, other in (outcome.nodes, outcome.nodes[::-1]) if len(outcome.nodes) == 2 else ():
         name = _of_degrees(bare(alone))
-        again = [below for below in n.walk(other) if isinstance(below, n.Name) and below == name]
+        again = [below for below in n.names(other) if below == name]
         if again and name is not bare(alone):  # θ^∘ = θ · 180/π: how many degrees it is
             return say(Kind.ON_BOTH_SIDES, name=name.text or name.key)  # type: ignore[attr-defined]
         if not again or names.known_symbol(again[0].key) is not None:
@@ -150,7 +150,7 @@ def _on_both_sides(outcome: Outcome, names: Names) -> Finding | None:
 def _function_or_factor(chain: n.Chain) -> Finding | None:
     """x(t + 2) = x(t), u(-t) = -u(t): what is applied in one place is no factor of the brackets behind it in another."""
     below = [each for member in chain.members for each in n.walk(member)]
-    applied = {bare_key(each.arguments[0]) for each in below if isinstance(each, n.Call) and each.function == "name"}
+    applied = {bare_key(each.arguments[0]) for each in below if n.is_call(each, "name")}
     pairs = (
         (pair for each in below if isinstance(each, n.Product) for pair in pairwise(each.factors)) if applied else ()
     )
@@ -185,9 +185,7 @@ def _own_name(chain: n.Chain, names: Names) -> Finding | None:
         if not (isinstance(alone, n.Call) and alone.style == "index" and alone.head in ("s", "S", "c", "C")):
             continue
         others = [below for other in chain.members if other is not member for below in n.walk(other)]
-        moves = any(
-            isinstance(b, n.JointAngles) or (isinstance(b, n.Call) and b.function in TRIGONOMETRY) for b in others
-        )
+        moves = any(isinstance(b, n.JointAngles) or n.is_call(b, *TRIGONOMETRY) for b in others)
         unknown = any(isinstance(b, n.Name) and b.key != "pi" and not _is_bound(b, names) for b in others)
         is_no_cosine = any(isinstance(b, n.Matrix) for b in others) or not _has_its_joints(alone, names)
         if is_no_cosine or (unknown and not moves):
@@ -207,14 +205,14 @@ def sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Findi
         return say(Kind.NO_ARM_TO_COMPARE)  # a letter may be a column, and a row of letters a matrix
     if not _tells_sizes(outcome):
         return None
-    held = [[b for b in n.walk(side) if isinstance(b, n.Name) and _quantity(b, names)] for side in chain.members]
+    held = [[b for b in n.names(side) if _quantity(b, names)] for side in chain.members]
     if outcome.findings[0].kind is not Kind.SUM_WITH_SCALAR:  # there the scalar may be a vector: ẍ - J̇ q̇
         held = [side if len(side) == 1 else [b for b in side if not _is_scalar(b, names)] for side in held]
     by_convention = [name for side in held for name in side if replace(name, dots=0).key not in names.quantities]
     in_sum = outcome.findings[0].kind is Kind.SUM_WITH_SCALAR  # x_6 of x_6 - d_6 r_13 is a coordinate, and no axis
     explicit = all(_is_explicit(name) and not (in_sum and name.base in tuple("xyz")) for name in by_convention)
     points = outcome.findings[0].kind is Kind.PRODUCT_OF_SIZES  # O_0 O_2 is a vector between points, and no product
-    elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for m in chain.members for b in n.walk(m))
+    elementary = any(n.is_call(b, *ELEMENTARY) for m in chain.members for b in n.walk(m))
     understood = all(held) or elementary or _are_columns(outcome)
     axes = outcome.findings[0].kind is Kind.SUM_WITH_SCALAR and any(_is_axis(name, names) for name in by_convention)
     if not by_convention or (explicit and not points and not axes and understood):
@@ -226,7 +224,7 @@ def sizes_of_convention(outcome: Outcome, chain: n.Chain, names: Names) -> Findi
 
 def _of_other_size(chain: n.Chain, names: Names) -> Finding | None:
     """What is said of a J that was printed as a matrix of another size may be meant of that one."""
-    held = (b.key for member in chain.members for b in n.walk(member) if isinstance(b, n.Name))
+    held = (b.key for member in chain.members for b in n.names(member))
     return next((names.state.other_sizes[key] for key in held if key in names.state.other_sizes), None)
 
 
@@ -281,10 +279,10 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
         if _breaks_rotation(outcome):
             return None
         return say(Kind.DEFINED_ELSEWHERE, name=other[0][0], line=other[0][1])
-    elementary = any(isinstance(b, n.Call) and b.function in ELEMENTARY for b in below)
+    elementary = any(n.is_call(b, *ELEMENTARY) for b in below)
     first, *others = [letters_held(member, names) for member in chain.members]
     defined = [names.state.definitions[key].node for key, _ in names.state.consulted if key in names.state.definitions]
-    angles = any(isinstance(b, n.JointAngles) or (isinstance(b, n.Call) and b.function in TRIGONOMETRY) for b in below)
+    angles = any(isinstance(b, n.JointAngles) or n.is_call(b, *TRIGONOMETRY) for b in below)
     of_letters = any(_is_of_letters(node) for node in defined if node is not None)  # a rotation obeys more than they do
     numbers = [m for m in chain.members if not letters_held(m, names) and not _is_nought(m)]
     has_value = bool(numbers) and any(map(bare_key, chain.members))  # that of a name alone
@@ -350,7 +348,7 @@ def _is_said_anew(chain: n.Chain, names: Names) -> bool:
     told = keys_alone(first) & made.keys()
     if told and any(made[key].section not in ("", names.state.section) for key in told):
         return True
-    spoken = [below for member in chain.members for below in n.walk(member) if isinstance(below, n.Name)]
+    spoken = [below for member in chain.members for below in n.names(member)]
     nodes = [made[each.key].node for each in spoken if each.key in made]
     return len(nodes) == sum(each.key != "I" for each in spoken) and any(map(_is_any_matrix, nodes))
 

@@ -60,7 +60,7 @@ def _numbers(chain: n.Chain) -> set[str]:
         if isinstance(below, n.Call) and below.function not in _OF_ANY
         for each in below.arguments
     ]
-    numbers = {below.key for place in places for below in n.walk(place) if isinstance(below, n.Name)}
+    numbers = {below.key for place in places for below in n.names(place)}
     for below in nodes:
         if isinstance(below, n.Sum):
             named = (bare(term) for _, term in below.terms)

@@ -57,10 +57,10 @@ def _part(statement: n.Statement) -> tuple[str, n.Name, n.Name, n.Node] | None:
     for side, other in (statement.members, statement.members[::-1]):
         factors = [bare(each) for each in side.factors] if isinstance(side := bare(side), n.Product) else []
         names = [each for each in factors if isinstance(each, n.Name)]
-        calls = [each for each in factors if isinstance(each, n.Call) and each.function in ("cos", "sin")]
+        calls = [each for each in factors if n.is_call(each, "cos", "sin")]
         if len(factors) != 2 or not names or not calls or not isinstance(angle := bare(calls[0].arguments[0]), n.Name):
             continue
-        letters = {each.key for each in n.walk(other) if isinstance(each, n.Name)}
+        letters = {each.key for each in n.names(other)}
         if letters and letters.isdisjoint((names[0].key, angle.key)):
             return calls[0].function, names[0], angle, other
     return None

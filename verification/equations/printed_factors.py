@@ -29,12 +29,12 @@ def factors_otherwise(chain: n.Chain, members: Members) -> Iterator[tuple[int, F
 def factors_no_rotation(chain: n.Chain, members: Members) -> Iterator[tuple[int, Finding]]:
     """Yield the place of a member of a chain in which a matrix times a column is a rotation but for one entry, which may meet a zero."""
     for place, member in enumerate(chain.members):
-        for product in (below for below in n.walk(member) if isinstance(below, n.Product)):
-            for one, other in pairwise(map(bare, product.factors)):
-                if isinstance(one, n.Matrix) and len(one.rows) == len(one.rows[0]) == _SPACE and _is_column(other):
-                    value = members.evaluate(one).value
-                    if isinstance(value, Matrix) and of_angles(value) and any(mends_of(value)):
-                        yield max(1, place), say(Kind.NOT_IN_GROUP, group="SO(3)")
+        products = (below for below in n.walk(member) if isinstance(below, n.Product))
+        for one, other in (pair for product in products for pair in pairwise(map(bare, product.factors))):
+            is_turn = isinstance(one, n.Matrix) and len(one.rows) == len(one.rows[0]) == _SPACE and _is_column(other)
+            value = members.evaluate(one).value if is_turn else None
+            if isinstance(value, Matrix) and of_angles(value) and any(mends_of(value)):
+                yield max(1, place), say(Kind.NOT_IN_GROUP, group="SO(3)")
 
 
 def _is_column(node: n.Node) -> bool:
@@ -73,7 +73,7 @@ def _otherwise(one: n.Node, other: n.Node, members: Members) -> Finding | None:
         return None
     if not (entry := _entry(values[id(name)], values[id(matrix)])):
         return None
-    text = next((each.text for each in n.walk(name) if isinstance(each, n.Name)), "")
+    text = next((each.text for each in n.names(name)), "")
     return say(Kind.FACTOR_OTHERWISE, name=text, row=entry[0], column=entry[1])
 
 

@@ -30,7 +30,7 @@ def rows_told(chain: n.Chain, names: Names) -> tuple[int, ...] | None:
 
 def with_joint_rates(chain: n.Chain, names: Names) -> n.Chain:
     r"""Return a chain about a Jacobian with \dot q for its \dot\theta, where no angle of that name is known: the rates of all joints."""
-    below = [each for member in chain.members for each in n.walk(member) if isinstance(each, n.Name)]
+    below = [each for member in chain.members for each in n.names(member)]
     rates = [each for each in below if each.key in ("dot theta", "dotdot theta")]
     known = names.known_symbol("theta") or names.quantity(n.Name("theta")) or "theta" in names.state.definitions
     if not rates or known or not any(each.base == "J" for each in below):

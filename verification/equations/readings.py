@@ -73,7 +73,7 @@ class Readings:
     def as_product_of_links(self, chain: n.Chain, outcomes: list[Outcome], check: Check) -> list[Outcome]:
         """A_{23} beside A_2 and A_3 may be their product: it is where that fits better than the link from frame 2 to 3."""
         inferred = self.names.state.inferred
-        spoken = (each for member in chain.members for each in n.walk(member) if isinstance(each, n.Name))
+        spoken = (each for member in chain.members for each in n.names(member))
         found = {each.key: q for each in spoken if (q := _product_of_links(each, self.names)) is not None}
         if not found:
             return outcomes
@@ -136,7 +136,7 @@ class Readings:
     def of_the_tool(self, chain: n.Chain, outcomes: list[Outcome], settled: Set[str], check: Check) -> list[Outcome]:
         """A Jacobian that names no frame is that of the last one, or of the tool behind it: as the first equation says.
 
-        So is a part of one, J_1 or J_{12}; `settled` are the names that earlier equations have given a meaning.
+        If that is of neither, it is of the one of which fewer entries are wrong. So is a part of one, J_1 or J_{12}; `settled` are the names that earlier equations have given a meaning.
         """
         arm, state = self.names.arm, self.names.state
         left_open = self._of_last_frame([chain], settled)
@@ -153,7 +153,7 @@ class Readings:
             tried = check(chain)
         finally:
             self.reads_of_tool = False
-        if not any(outcome.verdict is Verdict.REFUTED for outcome in tried):
+        if _count_wrong(tried) < _count_wrong(outcomes):
             self._settle({key: state.inferred[key] for key in left_open})
             return tried
         state.shown = before
@@ -324,7 +324,7 @@ def _spelt(node: n.Node) -> str:
 
 def _turns(node: n.Node, names: Names) -> bool:
     """Whether a node is a joint's angle, or the sine or the cosine of one."""
-    angle = node.arguments[0] if isinstance(node, n.Call) and node.function in ("sin", "cos") else node
+    angle = node.arguments[0] if n.is_call(node, "sin", "cos") else node
     if not isinstance(angle, n.JointAngles):
         return _is_joint(angle, names)
     return len(angle.terms) == 1 and names.is_angle(names.joint_angle(angle.terms[0][1]))

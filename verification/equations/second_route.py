@@ -189,8 +189,8 @@ class SecondRoute:
 
     def _rests_on_roots(self, node: n.Node) -> bool:
         """Whether a name in a tree was defined by a square root."""
-        named = (self._named(b) for b in n.walk(node) if isinstance(b, n.Name))
-        return any(isinstance(b, n.Call) and b.function in ROOTS for each in named for b in n.walk(each))
+        named = (self._named(b) for b in n.names(node))
+        return any(n.is_call(b, *ROOTS) for each in named for b in n.walk(each))
 
     def _holds_for_negative(self, letter: str, outcome: Outcome, branches: bool) -> bool:
         """Whether both sides have values where a letter is negative, and the same: arcsin(f/K) has none anywhere."""
@@ -258,7 +258,7 @@ class SecondRoute:
         by_itself = any(below == node for below in n.walk(by)) and not _is_of_both_sides(node, by)
         if by_itself or any(call.function in ("abs", "norm") for call in calls):
             return False
-        if isinstance(node, n.Call) and node.function in ("cos", "sin", "tan"):
+        if n.is_call(node, "cos", "sin", "tan"):
             value = self.members.evaluate(node).value
             same = (self.members.evaluate(call).value for call in calls if call.function == node.function)
             if isinstance(value, Scalar) and any(
@@ -299,7 +299,7 @@ class SecondRoute:
     def _has_roots(self, node: n.Node) -> bool:
         """Whether a square root stands in a tree, or may stand behind one of its names."""
         return any(
-            (isinstance(b, n.Call) and b.function in ROOTS) or (isinstance(b, n.Power) and not isinstance(b.exponent, n.Number))
+            n.is_call(b, *ROOTS) or (isinstance(b, n.Power) and not isinstance(b.exponent, n.Number))
             or (isinstance(b, n.Name) and b.key in self.names.state.definitions)
             for b in n.walk(node)
         )  # fmt: skip
@@ -346,7 +346,7 @@ class SecondRoute:
 def _is_of_both_sides(node: n.Node, by: n.Node) -> bool:
     """Whether an angle is solved for by its sine and its cosine, which were found before: θ_2 = arctan(sin θ_2 / cos θ_2)."""
     by = bare(by)
-    quotient = bare(by.arguments[0]) if isinstance(by, n.Call) and by.function == "atan" else None
+    quotient = bare(by.arguments[0]) if n.is_call(by, "atan") else None
     sides = (quotient.numerator, quotient.denominator) if isinstance(quotient, n.Quotient) else ()
     calls = [side for side in map(bare, sides) if isinstance(side, n.Call) and side.arguments == (node,)]
     return [call.function for call in calls] == ["sin", "cos"]
@@ -363,7 +363,7 @@ def _undoes(arc: n.Node, angle: n.Node) -> bool:
 def is_distance(node: n.Node) -> bool:
     """Whether a tree is the root of a sum of squares."""
     node = bare(node)
-    inner = bare(node.arguments[0]) if isinstance(node, n.Call) and node.function == "sqrt" else None
+    inner = bare(node.arguments[0]) if n.is_call(node, "sqrt") else None
     terms = inner.terms if isinstance(inner, n.Sum) else ()
     squares = [isinstance(bare(t), n.Power) and bare(t).exponent == n.Number(Fraction(2)) for _, t in terms]  # type: ignore[attr-defined]
     return len(squares) > 1 and all(squares) and all(sign == "+" for sign, _ in terms)

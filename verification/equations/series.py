@@ -51,7 +51,7 @@ def unless_added(outcome: Outcome, quantity_of: Callable[[n.Node], Quantity | No
     sides = outcome.nodes if outcome.verdict is Verdict.REFUTED else []
     for whole, terms in (sides, sides[::-1]) if len(sides) == 2 else ():
         meant = quantity_of(whole)
-        names = (below for below in n.walk(terms) if isinstance(below, n.Name))
+        names = n.names(terms)
         name = next((each for each in names if meant is not None and _is_alike(quantity_of(each), meant)), None)
         if name is not None:
             return outcome.left_open(say(Kind.MAY_BE_ADDED, name=name.text))

@@ -29,10 +29,10 @@ def own_shorthands(members: Members, said: Iterable[str]) -> Iterator[Shorthand]
         of_any = _ANY.search(latex) is not None
         numbered = _ANY.sub(lambda found: f"_{{{(found[1] or found[2]).translate(_NUMBERS)}}}", latex)
         with suppress(ReadError, EvaluationError, RecursionError):
-            for chain in members.names.reader.read(numbered):
-                if isinstance(chain, n.Chain) and set(chain.relations) in ({"="}, {"≡"}):
-                    for call in _said_otherwise(members, chain):
-                        yield call.function, len(angles_of(call)) if of_any else angles_of(call)
+            chains = [each for each in members.names.reader.read(numbered) if isinstance(each, n.Chain)]
+            for chain in (each for each in chains if set(each.relations) in ({"="}, {"≡"})):
+                for call in _said_otherwise(members, chain):
+                    yield call.function, len(angles_of(call)) if of_any else angles_of(call)
 
 
 def shorthands_in_row(cells: Iterable[str]) -> Iterator[str]:
@@ -81,6 +81,6 @@ def _is_shorthand(node: n.Node) -> bool:
 
 def _defines(call: n.Call, other: n.Node) -> bool:
     """Whether a side may say what a shorthand stands for: it holds a sine or a cosine that is written out, or a formula for one of several digits."""
-    turns = [each for each in n.walk(other) if isinstance(each, n.Call) and each.function in ("cos", "sin")]
+    turns = [each for each in n.walk(other) if n.is_call(each, "cos", "sin")]
     is_formula = len(angles_of(call)) > 1 and not _is_shorthand(bare(other))
     return any(not _is_shorthand(each) or is_formula for each in turns)

@@ -109,7 +109,7 @@ class Members:
 
     def quantity_of(self, node: n.Node) -> Quantity | None:
         """Return the arm's quantity that a name, with or without arguments, stands for."""
-        if isinstance(node, n.Call) and node.function == "name" and all(isinstance(a, n.Name) for a in node.arguments):
+        if n.is_call(node, "name") and all(isinstance(a, n.Name) for a in node.arguments):
             found = self.names.quantities.get(call_key(node))
             return found or self.quantity_of(node.arguments[0])
         return self.names.quantity(node) if isinstance(node, n.Name) else None
@@ -150,7 +150,7 @@ class Members:
         )
 
     def _without_variables(self, node: n.Node) -> n.Node:
-        if not isinstance(node, n.Call) or node.function != "name":
+        if not n.is_call(node, "name"):
             return node
         name, *arguments = node.arguments
         return name if all(is_variable(argument, self.names) for argument in arguments) else node

@@ -108,7 +108,7 @@ class Spellings:
 
 def _unapplied(node: n.Node) -> n.Node:
     """Return the A_1 of A_1(q_1)."""
-    applied = isinstance(node, n.Call) and node.function == "name" and len(node.arguments) == 2
+    applied = n.is_call(node, "name") and len(node.arguments) == 2
     return node.arguments[0] if applied and isinstance(node, n.Call) else node
 
 

@@ -55,7 +55,7 @@ class TableAngles:
 
     def _is_loose(self, chain: n.Chain, outcomes: list[Outcome], again: Callable[[], list[Outcome]]) -> bool:
         """Whether an equation is wrong of the table's angles, and would be right if θ_i meant q_i: nobody says it does not."""
-        keys = {below.key for below in n.walk(chain) if isinstance(below, n.Name)}
+        keys = {below.key for below in n.names(chain)}
         symbols = {key: symbol for key in keys if (symbol := self.names.known_symbol(key)) is not None}
         angles = [key for key, symbol in symbols.items() if key != symbol and self.names.table_row(symbol, key)]
         refuted = any(each.verdict is Verdict.REFUTED for each in outcomes)

@@ -51,7 +51,7 @@ class UnderRates:
 
     def unless_data(self, outcome: Outcome) -> Outcome:
         """Return an outcome, left open where it says no more than which rates the velocity asks for: q̇ = J^{-1} (0.1, 0.2)^T."""
-        named = [{b.base for b in n.walk(each) if isinstance(b, n.Name)} for each in outcome.nodes]
+        named = [{b.base for b in n.names(each)} for each in outcome.nodes]
         is_data = len(named) == 2 and all("J" in bases for bases in named)
         return outcome.left_open(say(Kind.GIVES_RATES)) if is_data else outcome
 
@@ -77,7 +77,7 @@ class UnderRates:
 
     def _moved(self, member: n.Node, given: Sequence[tuple[n.Node, n.Node]]) -> n.Node:
         """Return a side at the rates given, unless it is a formula of other rates, or of none."""
-        of_rates = {b.key for b in n.walk(member) if isinstance(b, n.Name) and self._rate(b)}
+        of_rates = {b.key for b in n.names(member) if self._rate(b)}
         names = {name.key for name, _ in given if isinstance(name, n.Name)}
         moves = any(isinstance(b, n.Name) and (b.dots or b.base in ("v", "V", "omega", "J")) for b in n.walk(member))
         apart = of_rates and of_rates.isdisjoint(names)

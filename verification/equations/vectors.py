@@ -49,7 +49,7 @@ def of_vectors(
             components = [f"{letter}_{suffix}" for suffix in _suffixes(chain, letter)]
             names.define(letter, partial(_column, components), line)
         tried = check(False)
-    others = {b.key for b in n.walk(chain) if isinstance(b, n.Name) and b.key != "pi"} - letters
+    others = {b.key for b in n.names(chain) if b.key != "pi"} - letters
     of_letters = {key for key in others if key.rpartition("_")[0] in letters}
     refuted = [any(o.verdict is Verdict.REFUTED for o in outcomes) for outcomes in (of_numbers, tried)]
     if hold(tried) or (all(refuted) and others == of_letters):
@@ -59,7 +59,7 @@ def of_vectors(
 
 def _suffixes(chain: n.Chain, letter: str) -> str:
     """Return how the components of a vector are told in a chain: a_1, a_2, a_3, else a_x, a_y, a_z."""
-    found = {b.key for b in n.walk(chain) if isinstance(b, n.Name)}
+    found = {b.key for b in n.names(chain)}
     return SUFFIXES[any(f"{letter}_{digit}" in found for digit in SUFFIXES[1])]
 
 

@@ -55,7 +55,7 @@ def _add(evaluator: Evaluating, a: Value, b: Value) -> Value:
 
 def product_value(evaluator: Evaluating, node: n.Product) -> Value:
     """Return a product, from left to right."""
-    if any(isinstance(f, n.Call) and f.function == "Trans" for f in node.factors):  # R_z(θ) T_z(d), all 4×4
+    if any(n.is_call(f, "Trans") for f in node.factors):  # R_z(θ) T_z(d), all 4×4
         whole = (_in_four_rows(factor) for factor in node.factors)
         node = replace(node, factors=tuple(whole))
     if (turned := _in_plane(evaluator, node)) is not None:
@@ -78,7 +78,7 @@ def product_value(evaluator: Evaluating, node: n.Product) -> Value:
 def _in_plane(evaluator: Evaluating, node: n.Product) -> Matrix | None:
     """Return R(θ) v for a v of two components, where the document says nothing else of R: v turned by θ."""
     first, *others = node.factors
-    is_turn = isinstance(first, n.Call) and first.function == "name" and bare_key(first.arguments[0]) == "R"
+    is_turn = n.is_call(first, "name") and bare_key(first.arguments[0]) == "R"
     if not (is_turn and isinstance(first, n.Call) and len(first.arguments) == 2) or node.operators[0] not in ("", "⋅"):
         return None
     if any(key == "R" or key.startswith("R(") for key in evaluator.names.state.definitions):
@@ -109,7 +109,7 @@ def _is_nought(node: n.Node) -> bool:
 
 
 def _in_four_rows(node: n.Node) -> n.Node:
-    return replace(node, function="Rot") if isinstance(node, n.Call) and node.function == "Rot3" else node
+    return replace(node, function="Rot") if n.is_call(node, "Rot3") else node
 
 
 def multiply(a: Value, operator: str, b: Value) -> Value:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
-from armproof.verification.algebra.matrix import Matrix, inverse_pose, is_zero
+from armproof.verification.algebra.matrix import Matrix, inverse_pose, is_zero, pose_of
 from armproof.verification.algebra.protocol import Algebra, identity
 from armproof.verification.evaluation.evaluating import Evaluating
 from armproof.verification.latex import nodes as n
@@ -59,7 +59,7 @@ class Twist:
         omega, v = (Matrix(tuple((each,) for each in part)) for part in (self.omega, self.v))
         along = (omega @ (omega.transpose @ v)) if turns else v
         place = (unit + -turn) @ (skew @ v) + along.map(lambda cell: cell * amount)
-        return Matrix((*((*row, *at) for row, at in zip(turn.rows, place.rows, strict=True)), (zero, zero, zero, one)))
+        return pose_of(turn, place, zero, one)
 
     def column(self, direction_first: bool) -> tuple[Any, ...]:
         """Return the six components, ω above v or below."""
@@ -104,7 +104,7 @@ def is_exponential(node: n.Node) -> n.Node | None:
     """Return the exponent of e^{…} or exp(…), None of another node."""
     if isinstance(node, n.Power) and isinstance(node.base, n.Name) and node.base.key == "e":
         return node.exponent
-    is_call = isinstance(node, n.Call) and node.function == "exp" and len(node.arguments) == 1
+    is_call = n.is_call(node, "exp") and len(node.arguments) == 1
     return node.arguments[0] if is_call else None  # type: ignore[attr-defined]
 
 
@@ -188,12 +188,12 @@ def written_out(node: n.Product) -> n.Product:
 def _index(factor: n.Node) -> int:
     """Return the one index of the names in an exponential, 0 without."""
     exponent = is_exponential(factor)
-    found = {below.sub for below in n.walk(exponent) if isinstance(below, n.Name)} if exponent is not None else set()
+    found = {below.sub for below in n.names(exponent)} if exponent is not None else set()
     return int(index) if len(found) == 1 and (index := found.pop()).isdigit() else 0
 
 
 def _with_index(factor: n.Node, old: int, new: int) -> n.Node:
-    names = [below for below in n.walk(factor) if isinstance(below, n.Name) and below.sub == str(old)]
+    names = [below for below in n.names(factor) if below.sub == str(old)]
     return n.substitute_each(factor, {id(name): replace(name, sub=str(new)) for name in names})
 
 

@@ -109,9 +109,9 @@ def write(finding: Finding, audience: Audience = Audience.REPORT) -> str:
     return "".join(text for text, _ in pieces(finding, audience))
 
 
-def write_all(findings: Iterable[Finding], audience: Audience = Audience.REPORT) -> str:
+def write_all(findings: Iterable[Finding]) -> str:
     """Return findings in words, each sentence once."""
-    return look_up("; ").join(write(finding, audience) for finding in distinct(findings, audience))
+    return look_up("; ").join(map(write, distinct(findings)))
 
 
 def distinct(findings: Iterable[Finding], audience: Audience = Audience.REPORT) -> list[Finding]:

@@ -79,7 +79,7 @@ def _read_name(arm: Arm, text: str) -> Quantity:
         node = Reader().read_expression(text)
     except ReadError as error:
         raise QuestionError("the quantity '{text}' cannot be read: {reason}", text=text, reason=str(error)) from None
-    while isinstance(node, n.Call) and node.function == "name":  # J(q)
+    while n.is_call(node, "name"):  # J(q)
         node = node.arguments[0]
     quantity = implied_quantity(node, arm, "upper") if isinstance(node, n.Name) else None
     if quantity is None:

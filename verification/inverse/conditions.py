@@ -61,7 +61,7 @@ def _degenerate(formula: Formula, compiled: Compiled) -> Iterator[str]:
 
 
 def _names(formula: Formula) -> set[str]:
-    return {below.key for below in n.walk(formula.node) if isinstance(below, n.Name)}
+    return {below.key for below in n.names(formula.node)}
 
 
 def _calls(formula: Formula, *functions: str) -> Iterator[n.Call]:

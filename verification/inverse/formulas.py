@@ -124,7 +124,7 @@ def _equation_formulas(left: n.Node, right: n.Node, line: int, names: Names) -> 
 def joint_function_key(node: n.Node, names: Names) -> str | None:
     """Return "cos theta_2" for the cosine of one joint, "sin theta_2" for its sine, None for anything else."""
     node = bare(node)
-    if not isinstance(node, n.Call) or node.function not in ("cos", "sin") or len(node.arguments) != 1:
+    if not n.is_call(node, "cos", "sin") or len(node.arguments) != 1:
         return None
     argument = bare(node.arguments[0])
     symbol: str | None = None

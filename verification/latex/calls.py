@@ -148,7 +148,7 @@ class CallReader(NameReader):
         return angle if self._is_angle(angle) else None
 
     def _is_angle(self, node: n.Node) -> bool:
-        names = [below for below in n.walk(node) if isinstance(below, n.Name)]
+        names = [*n.names(node)]
         calls = any(isinstance(below, n.Call | n.Matrix) for below in n.walk(node))
         angles = all(name.base in ANGLE_LETTERS or name.base == "pi" for name in names)
         return bool(names) and not calls and angles and not any(name.dots for name in names)  # a rate is no angle

@@ -78,7 +78,7 @@ class NameReader:
         if _NO_SIZE.fullmatch(note):
             return n.Name("words", note, text=self.text[slice(*span)], span=span)
         is_printed = isinstance(n.ungrouped(node), n.Matrix) or isinstance(node, n.Sequence)
-        is_norm = isinstance(node, n.Call) and node.function == "norm"
+        is_norm = n.is_call(node, "norm")
         if (is_norm and note == "2") or _NOTED_SIZE.fullmatch(note) or (is_printed and _NOTED_BASE.fullmatch(note)):
             return node
         if note == "(0)" or (isinstance(node, n.Number) and node.value == 0):  # seen from frame 0; 0_3, a zero vector

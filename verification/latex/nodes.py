@@ -15,11 +15,12 @@ from typing import Any, TypeGuard
 
 
 class _Walked:
-    """Keeps the nodes below one that was walked, the letters in them, which stands above which, and a name's key: a tree never changes."""
+    """Keeps the nodes below one that was walked, the names and letters in them, which stands above which, and a name's key: a tree never changes."""
 
-    __slots__ = ("_key", "_letters", "_parents", "_walked")
+    __slots__ = ("_key", "_letters", "_names", "_parents", "_walked")
     _key: str
     _letters: frozenset[str]
+    _names: tuple[Name, ...]
     _parents: dict[int, Node | None]
     _walked: tuple[Node, ...]
 
@@ -289,12 +290,21 @@ def walk(node: Node) -> Iterator[Node]:
         return iter(node._walked)
 
 
+def names(node: Node) -> Iterator[Name]:
+    """Yield the names in a tree, depth first."""
+    try:
+        return iter(node._names)
+    except AttributeError:
+        object.__setattr__(node, "_names", tuple(below for below in walk(node) if isinstance(below, Name)))
+        return iter(node._names)
+
+
 def letters(node: Node) -> frozenset[str]:
     """Return the letters of the names in a tree, without indices and accents: what a rule never speaks of, it is not asked about."""
     try:
         return node._letters
     except AttributeError:
-        object.__setattr__(node, "_letters", frozenset(each.base for each in walk(node) if isinstance(each, Name)))
+        object.__setattr__(node, "_letters", frozenset(each.base for each in names(node)))
         return node._letters
 
 
@@ -318,6 +328,17 @@ def bare(node: Node) -> Node:
     while isinstance(node, Group | Labelled):
         node = node.inner
     return node
+
+
+def unapplied(node: Node) -> Node:
+    """Return what a name applied to arguments is without them: q of q(t)."""
+    return node.arguments[0] if isinstance(node, Call) and node.function == "name" else node
+
+
+def plain_name(node: Node) -> Name | None:
+    """Return the name that a node is, without its dots and arguments, or None."""
+    node = unapplied(bare(node))
+    return node.undotted if isinstance(node, Name) and node.base not in ("words", "=") else None
 
 
 def bare_key(node: Node) -> str | None:
@@ -365,7 +386,7 @@ def call_key(node: Call) -> str:
 ARCS = ("acos", "asin", "atan", "atan2")
 
 
-def is_call(node: Node, *functions: str) -> TypeGuard[Call]:
+def is_call(node: Node | None, *functions: str) -> TypeGuard[Call]:
     """Whether a node is a call of one of these functions."""
     return isinstance(node, Call) and node.function in functions
 

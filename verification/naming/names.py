@@ -56,6 +56,12 @@ class Names:
     lacks_base: bool = False
 
     @property
+    def base(self) -> str:
+        """The frame that the arm stands on."""
+        assert self.arm is not None
+        return self.arm.frames[0]
+
+    @property
     def transforms(self) -> str:
         """Which index of T^i_j names the reference: as stated, else as the first link matrix shows, else the upper one."""
         return self.stated_transforms or self.state.transforms or "upper"

@@ -191,7 +191,7 @@ def is_inverse_link(node: n.Node, transforms: str) -> bool | None:
 
 def _of_its_parameters(node: n.Node) -> n.Node:
     """Return the A_i of A_i(θ_i, d_i, α_i, a_i), which is of all four: what is of some alone is another matrix."""
-    if not (isinstance(node, n.Call) and node.function == "name"):
+    if not n.is_call(node, "name"):
         return node
     name, *given = node.arguments
     bases = sorted(each.base for each in given if isinstance(each, n.Name) and each.sub)

@@ -202,6 +202,6 @@ def name_key(reader: Reader, key: str) -> str:
         raise DocumentError(say(Kind.NO_NAME_BECAUSE, name=key, problem=finding_of(error))) from None
     if isinstance(node, n.Name):
         return node.key
-    if isinstance(node, n.Call) and node.function == "name":
+    if n.is_call(node, "name"):
         return call_key(node)
     raise DocumentError(say(Kind.NO_NAME, name=key))

@@ -332,6 +332,11 @@ class DocumentState:
         """Return the names consulted that the document defines, each with its definition."""
         return {(key, self.definitions[key]) for key, _ in self.consulted if key in self.definitions}
 
+    def forget_consulted(self) -> None:
+        """Forget which definitions and signs were met: what follows is another equation."""
+        self.consulted.clear()
+        self.signs.read.clear()
+
     def infer_usual(self, key: str, quantity: Quantity) -> None:
         """Give a name a meaning that only convention binds."""
         self.inferred[key] = quantity
@@ -345,7 +350,7 @@ class DocumentState:
 
     def compare(self, chain: n.Chain, lengths: Iterable[str]) -> None:
         """Remember a comparison if it is one of lengths: l_1 > l_2."""
-        names = {below.key for below in n.walk(chain) if isinstance(below, n.Name)}
+        names = {below.key for below in n.names(chain)}
         if names and names <= set(lengths) and set(chain.relations) <= {"<", "≤", ">", "≥"}:
             self.comparisons.append(chain)
 

@@ -49,7 +49,7 @@ def _written(node: n.Node) -> tuple[str, int]:
         return f"{_at_least(node.numerator, _PRODUCT)} / {_at_least(node.denominator, _POWER)}", _PRODUCT
     if isinstance(node, n.Power) and isinstance(node.exponent, n.Number):
         return f"{_at_least(node.base, _ATOM)}**{_at_least(node.exponent, _ATOM)}", _POWER
-    if isinstance(node, n.Call) and node.function in _FUNCTIONS and len(node.arguments) == 1:
+    if n.is_call(node, *_FUNCTIONS) and len(node.arguments) == 1:
         return f"m.{node.function}({_written(node.arguments[0])[0]})", _ATOM
     raise NotPython("no Python for a {type}", type=type(node).__name__)
 

@@ -27,9 +27,9 @@ PROVED, NOT_ATTEMPTED = "correct (proved)", "not attempted"
 REBUILD = "armproof lesson build"
 
 
-def check_lessons(place: Place, sources: Sequence[Path], processes: int) -> Iterator[Report]:
-    """Yield the report of each lesson, in their order, several at once."""
-    yield from share_out(partial(check_lesson, place), sources, processes, _ended, fresh=True)
+def check_lessons(place: Place, sources: Sequence[Path], processes: int, lang: str = ENGLISH) -> Iterator[Report]:
+    """Yield the report of each lesson, in their order, several at once; its editions are run in a language."""
+    yield from share_out(partial(check_lesson, place, lang=lang), sources, processes, _ended, fresh=True)
 
 
 def _ended(source: Path) -> Report:
@@ -37,10 +37,10 @@ def _ended(source: Path) -> Report:
     return Report(source, (fault,), cannot_run=True)
 
 
-def check_lesson(place: Place, source: Path) -> Report:
+def check_lesson(place: Place, source: Path, lang: str = ENGLISH) -> Report:
     """Return all that is wrong with a lesson; no exception but an interrupt leaves this function."""
     try:
-        return _check(place, source)
+        return _check(place, source, lang)
     except SourceError as error:
         return Report(source, (str(error),), cannot_run=True)
     except ArmproofError as error:
@@ -52,13 +52,15 @@ def check_lesson(place: Place, source: Path) -> Report:
         return Report(source, (fault,), cannot_run=True)
 
 
-def _check(place: Place, source: Path) -> Report:
+def _check(place: Place, source: Path, lang: str) -> Report:
     from armproof.verification.check import verify
 
     lesson = read_lesson_source(source)
-    tasks, result = load_tasks(place, lesson), verify(source)
-    solved = run_cells(lesson.name, list(solved_cells(lesson)), place)
-    blank = run_cells(lesson.name, list(student_cells(lesson)), place)
+    edition, speaking = read_lesson_source(source, lang), {"LANGUAGE": lang}
+    own_words = ENGLISH if place.is_course else ""  # the language of the words that wrong answers declare
+    tasks, result = load_tasks(place, lesson, own_words), verify(source)
+    solved = run_cells(lesson.name, list(solved_cells(edition)), place, speaking)
+    blank = run_cells(lesson.name, list(student_cells(edition)), place, speaking)
     names = [task.name for task in tasks.tasks]
     problems = [
         *_of_build(place, source),

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from armproof.course.errors import SourceError
 from armproof.course.sources.lesson_source import LessonSource, read_lesson_source
 from armproof.course.sources.places import Place
-from armproof.models.language import look_up
+from armproof.models.language import look_up, spoken, use
 
 if TYPE_CHECKING:
     from armproof.course.feedback import Lesson
@@ -21,15 +21,16 @@ def tasks_file(place: Place, name: str) -> Path:
     return place.tasks / f"{name}.py"
 
 
-def load_tasks(place: Place, source: LessonSource) -> Lesson:
-    """Return the lesson that the tasks' module declares; raises SourceError where that cannot be done."""
+def load_tasks(place: Place, source: LessonSource, lang: str = "") -> Lesson:
+    """Return the lesson that the tasks' module declares, in a language or that which is spoken; raises SourceError where that cannot be done."""
     from armproof.course.feedback import LessonError, open_lesson
 
     file = tasks_file(place, source.name)
     if not file.is_file():
         raise SourceError(source.path, 1, "the lesson has no tasks; expected the file {file}", file=file)
     try:
-        lesson = open_lesson(source.name, folder=None if place.is_course else place.root)
+        with use(spoken()):  # an open lesson speaks its language from there on
+            lesson = open_lesson(source.name, folder=None if place.is_course else place.root, lang=lang)
     except LessonError as error:
         raise SourceError(file, 1, str(error)) from None
     except Exception as error:

@@ -24,7 +24,6 @@ _PRELOADED = (
     "numpy", "matplotlib.pyplot", "pydrake.math", "pydrake.multibody.plant", "pydrake.symbolic", "armproof.models.catalogue",
     "armproof.course.feedback",
 )  # fmt: skip
-OWN_FOLDER = ".."  # as the notebooks that `armproof lesson build` makes say
 _OF_STUDENTS = ("sympy",)  # where it is installed
 Result = dict[str, Any]
 

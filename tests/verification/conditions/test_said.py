@@ -171,3 +171,33 @@ def test_the_text_tells_of_which_joints_a_law_is(said: str, display: str, verdic
 )  # fmt: skip
 def test_what_holds_at_quarter_turns_may_be_meant_of_a_posture_in_words(said: str, display: str, verdict: str) -> None:
     assert verdicts_of(said, "", f"$$ {display} $$") == [verdict]
+
+
+ELBOW = "$\\theta_2 = 0$ or $\\theta_2 = \\pi$"
+
+
+@pytest.mark.parametrize("said", [f"{{}}\n\nThe arm is singular for {ELBOW}.", f"The arm is singular for {ELBOW}.\n\n{{}}"])  # fmt: skip
+@pytest.mark.parametrize(
+    ("display", "verdict"),
+    [
+        ("x = l_1 c_1 + l_2 c_{12}", "proved"),
+        ("x = l_1 c_1 + l_2 s_{12}", "refuted"),  # holds in neither posture
+        ("x = l_1 c_1 + l_2 c_1", "unchecked"),  # holds where the arm is stretched
+        ("x = l_1 c_1 - l_2 c_1", "unchecked"),  # holds where it is folded
+    ],
+)
+def test_two_values_of_a_joint_are_two_postures(said: str, display: str, verdict: str) -> None:
+    assert verdicts_of(said.format(f"$$ {display} $$")) == [verdict]
+
+
+@pytest.mark.parametrize(
+    ("display", "verdict"),
+    [
+        ("(l_1 + l_2) c_1 \\\\ (l_1 + l_2) s_1", "proved"),
+        ("l_1 + l_2 \\\\ 0", "unchecked"),  # words may tell θ_1, too
+        ("(l_1 + 2 l_2) c_1 \\\\ (l_1 + 2 l_2) s_1", "refuted"),  # at no quarter turn of θ_1
+    ],
+)
+def test_what_says_itself_where_it_holds_is_refuted_beside_a_posture_in_words(display: str, verdict: str) -> None:
+    there = f"$$ \\left. p_2 \\right|_{{\\theta_2 = 0}} = \\begin{{bmatrix}} {display} \\\\ 0 \\end{{bmatrix}} $$"
+    assert verdicts_of("With the arm stretched along the first axis:", there) == [verdict]

@@ -22,6 +22,7 @@ FORMS = {
     "an environment": "Words\n\\begin{equation}\np_x = <>\n\\end{equation}\nwords\n",
     "several lines": "> \\begin{align*}\n> p_x &= <> \\\\\n> p_y &= l_1 s_1 + l_2 s_{12}\n> \\end{align*}\n",
     "under words, with a blank line": "Words:\n$$\np_x = <> \\\\\n\np_y = l_1 s_1 + l_2 s_{12}\n$$\u200b\nand words\n",
+    "an item of a list": "Words:\n\n1. $p_x = <>$\n2. $l_1 = 2$\n",
     "macros": "$\\def\\C#1{\\cos\\theta_{#1}}\\newcommand{\\x}{p_x}$\n\n$$ \\x = <> + \\C1 - c_1 $$\n",
 }
 

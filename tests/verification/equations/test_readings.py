@@ -15,6 +15,8 @@ from armproof.verification.equations.readings import _part_of_jacobian as part_o
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.reading import read_names
+from armproof.verification.verdict import Verdict
+from tests.labelled.judging import verify_text
 
 RING = Ring()
 SCALAR = RING.one
@@ -77,3 +79,12 @@ def test_a_shorter_jacobian_holds_the_rows_that_are_usual() -> None:
     value = Matrix(((RING.zero,), (RING.one,), (RING.zero,), (RING.one,)))
     assert list(likely_rows(value)) == [(1, 2, 3), (1, 2), (2, 4), (4, 5, 6)]
     assert list(likely_rows(SCALAR)) == []
+
+
+def test_a_jacobian_with_a_slip_is_of_the_frame_of_which_fewer_entries_are_wrong() -> None:
+    front = "---\narm:\n  dh: modified\n  rows:\n  - {a: 0, alpha: 0, d: 0, theta: theta_1}\n  - {a: L_1, alpha: 0, d: 0, theta: theta_2}\n  joints: [theta_1, theta_2]\n  tool:\n    xyz: [L_2, 0, 0]\n---\n"
+    rows = r"-L_1 s_1 - L_2 s_{12} & -L_2 s_{12} \\ L_1 c_1 + L_2 c_{12} & L_2 s_{12}"
+    displays = rf"$$ J = \begin{{bmatrix}} {rows} \end{{bmatrix}} $$", r"$$ \det J = L_1 L_2 s_2 $$"
+    jacobian, determinant = verify_text(front + "\n\n".join(displays) + "\n").equations
+    assert jacobian.message.startswith("entry (2, 2): sine for cosine")
+    assert determinant.verdict is Verdict.PROVED

@@ -31,3 +31,12 @@ def test_a_wrong_entry_beside_them_is_found(wrong: str) -> None:
 def test_a_matrix_of_another_size_that_is_not_near_stays_open() -> None:
     other = r"$$ J = \begin{bmatrix} -d_1 s_1 & d_2 \\ d_1 c_1 & d_2 s_2 \end{bmatrix} $$"
     assert verdicts("$$ x = l_1 c_1 + l_2 c_{12} $$", other)[-1] == "unchecked"
+
+
+@pytest.mark.parametrize(("determinant", "verdict"), [("-a_1 a_2 s_2", "proved"), ("a_1 a_2 s_2", "refuted")])
+def test_the_determinant_of_a_linear_part_is_that_of_the_columns_printed(determinant: str, verdict: str) -> None:
+    front = "---\narm:\n  dh: classic\n  rows:\n  - {a: a_1, alpha: 0, d: 0, theta: theta_1}\n  - {a: a_2, alpha: pi, d: 0, theta: theta_2}\n  - {a: 0, alpha: 0, d: d_3, theta: 0}\n  - {a: 0, alpha: 0, d: 0, theta: theta_4}\n  joints: [theta_1, theta_2, d_3, theta_4]\n---\n"
+    linear = r"-a_1 s_1 - a_2 s_{12} & -a_2 s_{12} & 0 \\ a_1 c_1 + a_2 c_{12} & a_2 c_{12} & 0 \\ 0 & 0 & -1"
+    displays = rf"$$ J_v = \begin{{bmatrix}} {linear} \end{{bmatrix}} $$", rf"$$ \det(J_v) = {determinant} $$"
+    found = verify_text(front + "\n\n".join(displays)).equations
+    assert [record.verdict.value for record in found] == ["proved", verdict]

@@ -26,6 +26,7 @@ from armproof.verification.tables.arms.jacobians import coordinates_of_jacobian
 from armproof.verification.tables.arms.letters import equations_of, unapplied, value_in_letters
 from armproof.verification.tables.arms.moves import Moves
 from armproof.verification.tables.arms.poses import candidate_of_pose, frame_of_tool
+from armproof.verification.tables.arms.rates import rates_in
 
 _COORDINATE = re.compile(r"([xyzXYZ])(?:_(?:e|E|ee|EE|tool|n|\d))?|[pP]_(?:e|E|ee|EE|(?P<point>\d))?,?([xyz])")
 _OF_WRIST = re.compile(r"[pP]_(?:W|w|WC|wc),?([xyz])|(?:WC|wc)_([xyz])|([xyzXYZ])_(?:WC|wc)")
@@ -79,7 +80,7 @@ def _of_point(document: Document, names: Names, spelt: re.Pattern[str]) -> list[
                 if axis not in found or is_next or (before is not None and not number):
                     found[axis], points[axis] = (value, display), number
                 meant = {**meant, key: value} if number else meant
-        rates = _rates(document)
+        rates = rates_in(document.displays)
         arms = _arms(found, letters, algebra, rates) if {"x", "y"} <= found.keys() else []
         if any(each.mended for each in arms) and (as_told := _told_in_words(document, arms)) is not None:
             arms = [as_told]
@@ -279,12 +280,6 @@ def _is_end_or_numbered(name: n.Name) -> bool:
     """Whether a point is the tool, p or p_e, or one of the points of a chain: p_1, p_2, p_3."""
     is_numbered = name.sub.isdigit() and name.sub != "0" and name.key == f"{name.base}_{name.sub}"
     return name.key in (name.base, *_ENDS_OF[name.base]) or is_numbered
-
-
-def _rates(document: Document) -> set[str]:
-    """Return the letters, as keys, of which a display has the rate: those of joints."""
-    found = (m for d in document.displays for m in re.findall(r"\\dot\s*\{?\s*\\?([A-Za-z]+)(?:_\{?(\d+))?", d.latex))
-    return {f"{letter}_{index}" if index else letter for letter, index in found}
 
 
 # where to: a column of a DH table or an axis to slide along; how far; the joint that moves it

@@ -21,7 +21,7 @@ from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import transform_pair
-from armproof.verification.tables.angles import TWELFTHS, angle_as_scalar
+from armproof.verification.tables.angles import TWELFTHS, angle_as_scalar, roll_pitch_yaw
 from armproof.verification.tables.arms.candidate import Candidate, entry_text
 from armproof.verification.tables.arms.letters import equations_of, unapplied, value_in_letters
 from armproof.verification.tables.arms.rows import joint_of
@@ -152,21 +152,14 @@ def _pose(value: Matrix) -> dict[str, Any] | None:
     """Return a pose as front matter has it, its turns quarter turns: Trans(x, y, z) Rot(z, yaw) Rot(y, pitch) Rot(x, roll)."""
     rotation = value.block(range(3), range(3))
     turns = [angle for angle in TWELFTHS if angle.denominator <= 2]
-    found = next((each for each in product(turns, repeat=3) if is_zero(_turned(value, each) + -rotation)), None)
+    found = next((each for each in product(turns, repeat=3) if is_zero(_rotation(value, each) + -rotation)), None)
     if found is None:
         return None
     pi = value.cells[0].ring.generator(("pi", ""))
     return {"xyz": [entry_text(row[3]) for row in value.rows[:3]], "rpy": [entry_text(pi * each) for each in found]}
 
 
-def _turned(value: Matrix, angles: Sequence[Fraction]) -> Matrix:
+def _rotation(value: Matrix, angles: Sequence[Fraction]) -> Matrix:
     """Return the rotation by roll, pitch and yaw in parts of π."""
     ring = value.cells[0].ring
-    (cr, sr), (cp, sp), (cy, sy) = (cos_sin(ring.generator(("pi", "")) * ring.rational(each)) for each in angles)
-    return Matrix(
-        (
-            (cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr),
-            (sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr),
-            (-sp, cp * sr, cp * cr),
-        )
-    )
+    return roll_pitch_yaw(*(cos_sin(ring.generator(("pi", "")) * ring.rational(each)) for each in angles))

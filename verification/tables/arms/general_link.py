@@ -40,7 +40,7 @@ def shown_convention(document: Document, names: Names) -> str:
 
 def _conventions(node: n.Node, names: Names, algebra: ExactAlgebra) -> list[str]:
     """Return the conventions whose link matrix a member is, in letters of no link's own."""
-    letters = [below for below in n.walk(node) if isinstance(below, n.Name) and below.key not in ("pi", "x", "y", "z")]
+    letters = [below for below in n.names(node) if below.key not in ("pi", "x", "y", "z")]
     if not {"theta", "alpha", "a", "d"} <= {_LETTERS.get(each.base) for each in letters}:
         return []
     if any(each.base not in _LETTERS or not _OF_ANY_LINK.fullmatch(each.sub) for each in letters):

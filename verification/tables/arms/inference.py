@@ -28,6 +28,7 @@ from armproof.verification.tables.arms.matrices import (
     poses_that_are_links,
 )
 from armproof.verification.tables.arms.other_case import in_other_case
+from armproof.verification.tables.arms.rates import rates_in
 from armproof.verification.tables.arms.rows import candidates
 from armproof.verification.tables.arms.support import Inference
 from armproof.verification.tables.arms.variables import in_variables, told_variables
@@ -40,7 +41,6 @@ from armproof.verification.verdict import TakenArm
 _LENGTH_UNIT = re.compile(r"(?<![A-Za-z])[mc]m(?![A-Za-z])")
 _NUMBER = re.compile(r"(?<![\d._{])[1-9]\d*(?:\.\d+)?(?![\d.])")
 _AT_REST = re.compile(r"\\dot\s*\{?\s*\\?(?:theta|q)\s*_\s*\{?\d+[\s}]*=\s*0(?![\d.])")  # of what does not move
-_RATE = re.compile(r"\\d{1,2}ot\s*\{?\s*([A-Za-z])\s*\}?\s*_\s*\{?\s*(\w+)")
 _INDEXED = re.compile(r"(?:theta|(?<![A-Za-z])[qcsCS])\s*_\s*\{?\s*(\d+)(?!\d|\s*\\times)")
 
 
@@ -182,8 +182,32 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
         return Inference(document)
     if is_told:
         return _taken(document, found, best, bool(more)) if found[0].told_by in best.joints else Inference(document)
+    best, rivals, is_shown = _shown_best(document, found[0].stated, best, others)
+    best = with_point_beyond(document, best) if best.held and not rivals else best
+    if best.held and not rivals:
+        best, found = with_ends(document, plain_names(document), best, found)
+    if more and (rivals or best.failed >= best.held):  # a part of an arm shows itself in poses of its own frames
+        return Inference(document, None, missing, line)
+    taken = _taken(document, found, best, bool(more))
+    if _stated(document):
+        return taken
+    is_plain = found[0].source in ("table", "matrices") and len(found) == 1 and not rivals
+    unfit = taken if is_plain else None
+    is_pinned = found[0].source == "closed form" and not found[0].is_alone  # then one line alone may be what is wrong
+    if rivals or not (best.held or is_shown or (is_pinned and best.failed == 1)):
+        return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line, unfit=unfit)
+    if best.failed > max(best.held, int(is_pinned)) + found[0].in_words and not best.is_near:  # words hold, too
+        problem = say(Kind.ARM_DOES_NOT_FIT, held=best.held, failed=best.failed)
+        return Inference(document, problem=problem, line=line, unfit=unfit)
+    return taken
+
+
+def _shown_best(
+    document: Document, stated: str, best: Reading, others: list[Reading]
+) -> tuple[Reading, list[Reading], bool]:
+    """Return the best reading that the document shows to be meant, its rivals, and whether something shows it but its equations."""
     rivals = _rivals(best, others)
-    shown = shown_convention(document, plain_names(document)) or found[0].stated if rivals or not best.held else ""
+    shown = shown_convention(document, plain_names(document)) or stated if rivals or not best.held else ""
     is_shown = shown != ""
     if is_shown:  # by the link matrix that it prints for any link, else by the headers of its table
         best, *others = [each for each in (best, *others) if each.convention == shown]
@@ -194,22 +218,7 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     alike = any(one.counts == best.counts and one.front["arm"] == best.front["arm"] for one in others)
     if alike and "transforms" not in document.front:  # nothing tells which index is the reference
         best = replace(best, front={key: value for key, value in best.front.items() if key != "transforms"})
-    best = with_point_beyond(document, best) if best.held and not rivals else best
-    if best.held and not rivals:
-        best, found = with_ends(document, plain_names(document), best, found)
-    if more and (rivals or best.failed >= best.held):  # a part of an arm shows itself in poses of its own frames
-        return Inference(document, None, missing, line)
-    if _stated(document):
-        return _taken(document, found, best, bool(more))
-    is_plain = found[0].source in ("table", "matrices") and len(found) == 1 and not rivals
-    unfit = _taken(document, found, best, bool(more)) if is_plain else None
-    is_pinned = found[0].source == "closed form" and not found[0].is_alone  # then one line alone may be what is wrong
-    if rivals or not (best.held or is_shown or (is_pinned and best.failed == 1)):
-        return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line, unfit=unfit)
-    if best.failed > max(best.held, int(is_pinned)) + found[0].in_words and not best.is_near:  # words hold, too
-        problem = say(Kind.ARM_DOES_NOT_FIT, held=best.held, failed=best.failed)
-        return Inference(document, problem=problem, line=line, unfit=unfit)
-    return _taken(document, found, best, bool(more))
+    return best, rivals, is_shown
 
 
 def _weighed(
@@ -235,12 +244,6 @@ def joints_used(displays: Iterable[Display]) -> set[int]:
     """Return the indices of joint variables in displays, as in θ_3 or c_{23}; a rate that is zero is that of none."""
     texts = (_AT_REST.sub("", normalise_unicode(d.latex)) for d in displays if not (d.erratum or d.denied))
     return {int(digit) for text in texts for part in _INDEXED.findall(text) for digit in part}
-
-
-def rates_in(displays: Iterable[Display]) -> set[str]:
-    r"""Return the letters whose rates stand in displays: d_2 of \dot{d}_2."""
-    texts = (normalise_unicode(d.latex) for d in displays if not (d.erratum or d.denied))
-    return {f"{base}_{index}" for text in texts for base, index in _RATE.findall(text)}
 
 
 def _stated(document: Document) -> tuple[str, ...]:

@@ -71,8 +71,7 @@ def with_point_of_law(found: Candidate, document: Document, names: Names) -> Can
     if not links >= {(row["a"], joint) for row, joint in zip(law.rows, law.joints, strict=True)}:
         return found
     for display in document.displays:
-        used = {below.key for chain in equations_of(display, names) for m in chain.members for below in n.walk(m)
-                if isinstance(below, n.Name)}  # fmt: skip
+        used = {below.key for chain in equations_of(display, names) for m in chain.members for below in n.names(m)}  # fmt: skip
         if used & set(law.quantities) and used & {*_PLAIN, *found.quantities}:
             return found
     return replace(found, quantities={**law.quantities, **found.quantities})
@@ -170,7 +169,7 @@ class _Reader:
         if key and len(chain.members) == 2 and (value := self._value(right)) is not None:
             self.given.setdefault(key, []).append(value)
         if joint:
-            used = (bare_key(below) for below in n.walk(right) if isinstance(below, n.Name))
+            used = (bare_key(below) for below in n.names(right))
             self.cosines.update({each: joint for each in used if each and each not in self.cosines})
         elif key and _COORDINATE.fullmatch(key) is None and (value := self._value(right)) is not None:
             square = (value * value).normal()
@@ -185,7 +184,7 @@ class _Reader:
 
     def _joint(self, node: n.Node) -> str:
         """Return the joint whose angle or cosine this is."""
-        if isinstance(node, n.Call) and node.function == "cos" and len(node.arguments) == 1:
+        if n.is_call(node, "cos") and len(node.arguments) == 1:
             node = bare(node.arguments[0])
         if isinstance(node, n.JointAngles) and len(node.terms) == 1:
             return f"{self.names.reader.spelling.angle}_{node.terms[0][1]}"

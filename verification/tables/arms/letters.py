@@ -37,7 +37,7 @@ def equations_of(display: Display, names: Names) -> Iterator[n.Chain]:
 def unapplied(node: n.Node) -> n.Node:
     """Return a name without the joint variables that it is applied to: the T_{01} of T_{01}(q_1), the p of p(θ)."""
     node = bare(node)
-    if not (isinstance(node, n.Call) and node.function == "name"):
+    if not n.is_call(node, "name"):
         return node
     name, *arguments = node.arguments
     return name if all(isinstance(each, n.Name) and _JOINT.fullmatch(each.key) for each in arguments) else node
@@ -50,7 +50,7 @@ def value_in_letters(node: n.Node, names: Names, algebra: ExactAlgebra) -> tuple
     """
     if any(_is_of_half_an_angle(below) for below in n.walk(node)):
         return None
-    letters = tuple(below for below in n.walk(node) if isinstance(below, n.Name) and below.key != "pi")
+    letters = tuple(below for below in n.names(node) if below.key != "pi")
     try:
         return Evaluator(replace(names, symbols={name.key: name.key for name in letters}), algebra).evaluate(
             node
@@ -60,7 +60,7 @@ def value_in_letters(node: n.Node, names: Names, algebra: ExactAlgebra) -> tuple
 
 
 def _is_of_half_an_angle(node: n.Node) -> bool:
-    quotients = n.walk(node) if isinstance(node, n.Call) and node.function in ("cos", "sin", "tan") else ()
+    quotients = n.walk(node) if n.is_call(node, "cos", "sin", "tan") else ()
     return any(isinstance(each, n.Quotient) and _holds_a_joint(each.numerator) for each in quotients)
 
 

@@ -270,7 +270,7 @@ def _printed(chain: n.Chain) -> Iterator[tuple[n.Node, n.Node, bool]]:
 def _is_written(node: n.Node) -> bool:
     """Whether a matrix, or an elementary one, or a product of such is written out, and no other name stands for it."""
     factors = map(bare, node.factors) if isinstance(node, n.Product) else (node,)
-    return all(isinstance(f, n.Matrix) or (isinstance(f, n.Call) and f.function in ELEMENTARY) for f in factors)
+    return all(isinstance(f, n.Matrix) or n.is_call(f, *ELEMENTARY) for f in factors)
 
 
 def _index(node: n.Node) -> int | None:

@@ -9,7 +9,7 @@ from functools import partial, reduce
 from itertools import product
 
 from armproof.verification.algebra.calculus import angles_in, derivative, substitute, symbols_in
-from armproof.verification.algebra.matrix import Matrix, inverse_pose
+from armproof.verification.algebra.matrix import Matrix, column, inverse_pose, pose_of
 from armproof.verification.algebra.protocol import elementary
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document import Display, Document
@@ -55,7 +55,7 @@ def pose_of_tool(document: Document, names: Names) -> tuple[Display, frozenset[s
             name, printed = unapplied(chain.members[0]), n.bare(chain.members[-1])
             rows = printed.rows if isinstance(printed, n.Matrix) else ()
             if isinstance(name, n.Name) and frame_of_tool(name) and [len(row) for row in rows] == [4] * 4:
-                return display, frozenset(each.key for each in n.walk(printed) if isinstance(each, n.Name))
+                return display, frozenset(each.key for each in n.names(printed))
     return None
 
 
@@ -185,8 +185,8 @@ class _Chain:
 
     def _matrix(self, turned: Sequence[Axis], shift: Sequence[Scalar]) -> Matrix:
         ring = self.algebra.ring
-        rows = [(*(ring.rational(column[row]) for column in turned), shift[row]) for row in range(3)]
-        return Matrix((*rows, (ring.zero, ring.zero, ring.zero, ring.one)))
+        turn = Matrix(tuple(tuple(ring.rational(axis[row]) for axis in turned) for row in range(3)))
+        return pose_of(turn, column(shift), ring.zero, ring.one)
 
 
 def _unit(values: Sequence[Scalar]) -> Axis:
@@ -211,12 +211,12 @@ def _turned_to(axis: Axis, turn: Turn) -> Turn:
 
 
 def _shift(moves: Moves, shift: Sequence[Scalar]) -> None:
-    for column, value in zip(("a", "y", "d"), shift, strict=True):
+    for parameter, value in zip(("a", "y", "d"), shift, strict=True):
         if (text := entry_text(value)) != "0":
-            if column == "y":
+            if parameter == "y":
                 moves.slide("y", text, "")
             else:
-                moves.add(column, text)
+                moves.add(parameter, text)
 
 
 def _turn(moves: Moves, turned: Turn) -> None:

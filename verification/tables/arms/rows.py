@@ -120,7 +120,7 @@ def _read_row(names: Names, table: Table, columns: Columns, number: int, in_metr
 
 
 def _names_in(cell: Cell) -> Iterator[n.Name]:
-    return (node for tree in cell.trees for node in n.walk(tree) if isinstance(node, n.Name))
+    return (node for tree in cell.trees for node in n.names(tree))
 
 
 def _is_general(keys: set[str]) -> bool:

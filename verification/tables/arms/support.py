@@ -82,7 +82,7 @@ def _multiplies_moves(node: n.Node, members: Members) -> bool:
     """Whether a node multiplies a Jacobian or a velocity by one, or takes its size: J J^T and |v| are the same of -x."""
     if isinstance(node, n.Power):
         return _moves(node.base, members)
-    if isinstance(node, n.Call) and node.function in ("abs", "norm"):
+    if n.is_call(node, "abs", "norm"):
         return any(_moves(each, members) for each in node.arguments)
     factors = node.factors if isinstance(node, n.Product) else ()
     return sum(_moves(factor, members) for factor in factors) > 1
@@ -139,7 +139,7 @@ def _angle_rows(outcome: Outcome, members: Members) -> frozenset[int]:
     arm, names = members.names.arm, members.names
     if arm is None or any(_quantities(node, members) for node in outcome.nodes):
         return frozenset()
-    keys = {below.key for node in outcome.nodes for below in n.walk(node) if isinstance(below, n.Name)}
+    keys = {below.key for node in outcome.nodes for below in n.names(node)}
     symbols = {s for key in keys if (s := names.known_symbol(key)) is not None and names.table_row(s, key) is not None}
     depths = [trace_of(arm).depth(frame) for frame in arm.frames]
     return frozenset(depths.index(arm.joint(symbol).index) for symbol in symbols)
@@ -194,7 +194,7 @@ def _quantities(side: n.Node, members: Members) -> list[Quantity]:
 
 def _rates(side: n.Node, members: Members) -> list[Quantity]:
     """Return the velocities of the places whose rates stand in a side."""
-    dotted = (node for node in n.walk(side) if isinstance(node, n.Name) and node.dots)
+    dotted = (node for node in n.names(side) if node.dots)
     found = (members.quantity_of(replace(name, dots=0)) for name in dotted)
     return [
         replace(quantity, kind="velocity") for quantity in found if quantity is not None and quantity.kind == "origin"

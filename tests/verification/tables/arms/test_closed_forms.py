@@ -110,6 +110,10 @@ RATE = r"$$ \dot x = \dot r \cos\theta - r \sin\theta \dot\theta $$" + "\n\n"
     [
         (POLAR, "theta_1, d_2"),
         (RADIUS + RATE, "theta, r"),
+        (
+            (RADIUS + RATE).replace(r"\dot r", r"\dot{r}_a").replace(" r ", " r_a ").replace("= r ", "= r_a "),
+            "theta, r_a",
+        ),
         (RADIUS, ""),  # a circle
         (POLAR.replace("y = d_2", "y = -d_2"), ""),
         (r"$$ x = d_2 c_1 + l_3 c_{13}, \quad y = d_2 s_1 + l_3 s_{13} $$", "theta_1, d_2, theta_3"),
