@@ -341,6 +341,7 @@ class TakenArm:
         several_tools: whether the table shows more end effectors than this arm's.
         is_part: whether the document speaks of joints behind its last one.
         mended: the links, from 1, whose printed matrices are none, and would be with another entry.
+        in_words: whether the text names the arm of the Jacobian that it was taken from.
         told_by: the joint whose equation must hold before anything is refuted for it, where a law of cosines gave it.
     """
 
@@ -357,6 +358,7 @@ class TakenArm:
     is_part: bool = False
     told_by: str = ""
     mended: frozenset[int] = frozenset()
+    in_words: bool = False
 
     def __str__(self) -> str:
         """Return "arm of the table at line 12, classic DH"."""

@@ -62,11 +62,14 @@ class Circumstances:
         if outcome.verdict is not Verdict.REFUTED or outcome.true is None or outcome.printed is None:
             return outcome
         conditions: list[n.Chain] = []
+        is_of_determinant = False  # "det J = 0 when the arm is stretched" says so of the determinant
         for latex in self.text.in_letters(each for each in said if each != FROM_VALUES):
             with suppress(ReadError, RecursionError):
                 found = [each for each in self.names.reader.read(unbraced(latex)) if isinstance(each, n.Chain)]
                 conditions += [condition for chain in found for condition in self.text.conditions_of(chain)]
-                if not found and self._may_hold_there(outcome, THERE in latex):
+                members = [member for chain in found for member in chain.members]
+                is_of_determinant |= any(n.is_call(below, "det") for member in members for below in n.walk(member))
+                if not found and not is_of_determinant and self._may_hold_there(outcome, THERE in latex):
                     return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
         for posture in postures_of(conditions) if conditions else ():
             if self._follows(posture, outcome) and not self._vanishes(posture, outcome):

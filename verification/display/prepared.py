@@ -8,12 +8,14 @@ from typing import TypeGuard
 from armproof.verification.equations.index_ranges import without_index_range
 from armproof.verification.evaluation.calls import WHOLE_VECTORS
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.latex.vocabulary import ASKED
 from armproof.verification.naming.names import Names
 
 WHOLE = ("Z", "N")  # the sets of k in θ = kπ
 DEGREES = frozenset(range(30, 361, 15))  # without a mark
 TURNS = ("cos", "sin", "tan")
+VECTORS = ("\\mathbf", "\\boldsymbol", "\\bm", "\\vec", "\\overrightarrow", "\\underline", "\\textbf")
 FOR_ALL = ("forall", "for all", "for every", "for any", "pour tout", "pour tous")
 
 
@@ -150,6 +152,16 @@ def of_all_joints(chain: n.Statement) -> n.Statement:
     return replace(chain, members=tuple(n.substitute_each(m, applied) for m in chain.members)) if applied else chain
 
 
+def with_bare_letters(chain: n.Statement) -> n.Statement:
+    """Return a chain with a_{11} for a_{11}(q) in a matrix of letters alone, where p_1(q) is no point either."""
+    matrices = map(bare, chain.members) if isinstance(chain, n.Chain) else ()
+    cells = [each for m in matrices if isinstance(m, n.Matrix) and all(map(_is_letter, m.cells)) for each in m.cells]
+    applied = {id(each): each.arguments[0] for each in map(bare, cells) if isinstance(each, n.Call)}
+    if not isinstance(chain, n.Chain) or not applied:
+        return chain
+    return replace(chain, members=tuple(n.substitute_each(m, applied) for m in chain.members))
+
+
 def _is_of_all_joints(node: n.Node) -> TypeGuard[n.Call]:
     if not n.is_call(node, "name"):
         return False
@@ -157,6 +169,25 @@ def _is_of_all_joints(node: n.Node) -> TypeGuard[n.Call]:
     joints = [each for each in arguments if each.base in ("q", "theta") and each.sub.isdigit() and not each.dots]
     is_whole = len(arguments) == 1 and arguments[0].key in WHOLE_VECTORS
     return name.base == "J" and (is_whole or (len(joints) == len(arguments) > 1))
+
+
+def without_its_letters(chain: n.Statement) -> n.Statement:
+    """Return 𝐱 = (x, y) = … without the vector, which is called by the letter of its first coordinate and so no other value of that."""
+    if not isinstance(chain, n.Chain) or len(chain.members) < 3 or set(chain.relations) != {"="}:
+        return chain
+    vector, letters = map(bare, chain.members[:2])
+    is_vector = isinstance(vector, n.Name) and vector.text.startswith(VECTORS) and isinstance(letters, n.Matrix)
+    if not is_vector or not all(map(_is_letter, letters.cells)) or vector not in map(bare, letters.cells):  # type: ignore[attr-defined]
+        return chain
+    return replace(chain, members=chain.members[1:], relations=chain.relations[1:])
+
+
+def _is_letter(node: n.Node) -> bool:
+    """Whether a cell of a matrix is a number, a letter, or one that is applied to the vector of all joints."""
+    node = bare(node)
+    if isinstance(node, n.Call) and node.function == "name" and len(node.arguments) == 2:
+        return bare_key(node.arguments[1]) in WHOLE_VECTORS
+    return isinstance(node, n.Number | n.Name)
 
 
 def _without_for_all(statements: list[n.Statement], names: Names) -> list[n.Statement]:

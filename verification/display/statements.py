@@ -20,7 +20,14 @@ from armproof.verification.conditions.implication import (
 from armproof.verification.conditions.implications import Implications, Judgement
 from armproof.verification.conditions.wording import is_alternative, is_concluded, tell_words_that_change
 from armproof.verification.display.claims import Claims
-from armproof.verification.display.prepared import asked, beside_arcs, of_all_joints, prepared
+from armproof.verification.display.prepared import (
+    asked,
+    beside_arcs,
+    of_all_joints,
+    prepared,
+    with_bare_letters,
+    without_its_letters,
+)
 from armproof.verification.equations.cells_left_out import with_cells
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.given_values import named_sign
@@ -38,6 +45,10 @@ from armproof.verification.naming.conventions import is_usual
 from armproof.verification.verdict import DECIDED, HOLDS, Role, Verdict
 
 SCRIPTED = re.compile(r"\\?[A-Za-z.…⋯]+(?:\s*[_^]\s*(?:\{[^{}]*\}|[^\\{]))*")  # \sum_{i=1}^{2}
+_OF_LETTERS = re.compile(
+    r"\((?:q|t|\\?[tT]heta|\\\w+\s*\{q\})\).*matrix|matrix.*\((?:q|t|\\?[tT]heta|\\\w+\s*\{q\})\)|^\s*\\(?:mathbf|boldsymbol|bm|vec|overrightarrow|underline|textbf)\b.*matrix",
+    re.DOTALL,
+)
 _ARC = re.compile(
     r"arc|tan|acos|asin|\^\s*\{?\s*-|(?:cos|sin)[\s{(]*(?:\\left)?[\s({]*-?\d\d", re.IGNORECASE
 )  # where an inverse function may stand, however spelled, or a number of degrees in a cosine
@@ -115,6 +126,8 @@ class Statements:
             statements = [beside_arcs(statement) for statement in statements]
         if self.names.arm is None:
             statements = [of_all_joints(statement) for statement in statements]
+        if _OF_LETTERS.search(latex):
+            statements = [without_its_letters(with_bare_letters(statement)) for statement in statements]
         if len(statements) > 1 or any(isinstance(each, n.Chain) and len(each.members) > 2 for each in statements):
             statements = prepared(statements, self.names)
         if any(map(n.is_rank, (member for each in statements if isinstance(each, n.Chain) for member in each.members))):

@@ -10,6 +10,7 @@ from typing import Any
 
 from armproof.models.catalogue import arm_names
 from armproof.verification.document.accepts import MARK, with_accepts
+from armproof.verification.document.arm_in_words import MAY_NAME, planar_arms
 from armproof.verification.document.cells import percent_cells
 from armproof.verification.document.code_tables import code_tables
 from armproof.verification.document.denials import denied_in, denies_above, denies_below, is_denied_by_headings
@@ -103,7 +104,8 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
         told = say(Kind.IMAGES, count=images) if images > 1 else say(Kind.IMAGE)
         document = replace(document, remarks=(*document.remarks, told))
     headings = tuple(_headings(text)) if "arms" in document.front and suffix not in (".ipynb", ".py") else ()
-    document = replace(document, named=named_arms(text), headings=headings)
+    planar = planar_arms(text) if MAY_NAME.search(text) else frozenset[int]()
+    document = replace(document, named=named_arms(text), planar=planar, headings=headings)
     return with_accepts(document, text.replace("\r\n", "\n"), suffix) if MARK in text else document
 
 

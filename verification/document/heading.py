@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import re
+
+RULE = re.compile(r"([=\-`:'\"~^_*+#<>.])\1{2,}\s*$")
+
 
 class Heading(str):
     """The text of a heading, which knows the headings that it stands under, the outermost first."""
@@ -23,6 +27,11 @@ def begin_section(before: str, text: str, level: float) -> Heading:
     """Return the heading that follows another section: those of it that are of a higher rank stand around it."""
     open_ones = (*before.around, before) if isinstance(before, Heading) else ()
     return Heading(text, level, tuple(each for each in open_ones if each.level < level))
+
+
+def is_ruled(line: str, below: str) -> bool:
+    """Whether a line is a heading by the rule that stands below it."""
+    return bool(line.strip()) and not line[0].isspace() and bool(RULE.match(below)) and not RULE.match(line)
 
 
 def encloses(outer: str, inner: str) -> bool:

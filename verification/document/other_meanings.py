@@ -8,8 +8,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from math import inf
 
+from armproof.verification.document.heading import is_ruled
 from armproof.verification.document.hearing import MOST_CHARACTERS, hears, hears_denied, says, with_axes, words_of
 from armproof.verification.document.model import Display, Document
 from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, subjects
@@ -49,6 +51,10 @@ _PLURAL = re.compile(
     r"\b(?:angles|(?:second|third|last|elbow|other) angle|both|all|each|every|chaque|rotations?|turns|positi[fv]e?|winkel|ángulos|deux|number(?:ed)?|roles)\b",
     re.IGNORECASE,
 )
+_OF_EULER = re.compile(  # angles of an orientation, and of no joint
+    r"\beuler(?:ian)? angles?\b|\bangles? (?:of|d'|de|di) ?euler\b|\bángulos de euler\b|\beuler-?winkel\b",
+    re.IGNORECASE,
+)
 
 TURNS = "turns"  # the order of the factors of rotations one after another, as their axes, and their angles where they are told: zyx α β γ
 OMEGA_FIRST = "omega first"  # a Jacobian, or a twist, whose first rows are those of ω
@@ -80,10 +86,20 @@ def with_other_meanings(document: Document, text: str) -> Document:
 
 def _reach(line: int, text: str) -> tuple[int, float]:
     """Return from the heading above a line to the next one that is not below that: lines, 0 and infinity where there is none."""
-    found = [(at, match) for at, each in enumerate(text.split("\n"), start=1) if (match := _HEADING.match(each))]
-    headings = [(at, len(match[1]) if match[1] else 1 + len(match[2]) // len("sub")) for at, match in found]
+    headings = [*_headings(text)]
     begin, level = next((each for each in reversed(headings) if each[0] <= line), (0, 0))
     return begin, next((at for at, own in headings if at > line and own <= level), inf)
+
+
+def _headings(text: str) -> Iterator[tuple[int, int]]:
+    """Yield the lines of the headings of a text and their levels; of those with a rule below, by the order in which the marks come."""
+    lines, marks = text.split("\n"), list[str]()
+    for at, (line, below) in enumerate(pairwise([*lines, ""]), start=1):
+        if match := _HEADING.match(line):
+            yield at, len(match[1]) if match[1] else 1 + len(match[2]) // len("sub")
+        elif is_ruled(line, below) and len(below.rstrip()) >= len(line.rstrip()):
+            marks += [below[0]] * (below[0] not in marks)
+            yield at, 1 + marks.index(below[0])
 
 
 def _with(display: Display, said: Iterable[tuple[Meaning, int, float]]) -> Display:
@@ -115,7 +131,10 @@ def _meanings(text: str) -> Iterator[Meaning]:
             continue
         line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
         plain = with_axes(" ".join(sentence.split()))
-        words, formulas = words_of(plain), [each[0] or each[1] for each in _FORMULA.findall(plain)]
+        words, formulas = (
+            _OF_EULER.sub("these", words_of(plain)),
+            [each[0] or each[1] for each in _FORMULA.findall(plain)],
+        )
         if letters := tuple(_letters(words, formulas)):
             yield Meaning(line, letters)
         if (frame := _OF_FRAME.search(words)) is not None:

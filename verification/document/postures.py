@@ -17,7 +17,7 @@ _BENT_TO = re.compile(rf"\b{_BENT}\s+\Z", re.IGNORECASE)
 _DEGREES = re.compile(r"(?:\$`?|\\\(|:math:`)\s*-?\d+(?:\.\d+)?\s*(?:\^\s*\{?\s*\\circ|°)")
 _POSTURE = re.compile(
     rf"\b(?:(?:out)?stretched|(?:fully|completely|entirely) (?:extended|folded|retracted)|full extension|folded|"
-    rf"(?:zero|home|rest|initial|reference|singular|upright|vertical|horizontal) {_PLACE}|at the origin|straight {_ARM}|"
+    rf"(?:zero|home|rest|initial|reference|singular|upright|vertical|horizontal) {_PLACE}|at the origin|straight (?!links?\b|segments?\b){_ARM}|"
     rf"(?:boundary|edge|border|limits?|bord|limite|frontière) (?:of|de) (?:the |its |l['’])?(?:workspace|reach|espace)|"
     rf"(?:{_ARM}|elbow|coude)(?: (?:is|are|being|est|sont|étant))? {_LIES}|tendue?s?|en extension|repliée?s?|dépliée?s?|à l['’]origine|"
     rf"{_PLACE} (?:zéro|nulle|initiale|singulière|de repos|de référence|verticale|horizontale)|"

@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, FrontMatter, split_front_matter
-from armproof.verification.document.heading import begin_section
+from armproof.verification.document.heading import RULE, begin_section, is_ruled
 from armproof.verification.document.in_words import said_in_words
 from armproof.verification.document.model import INLINE, Display, Document, Piece
 from armproof.verification.document.postures import postures
@@ -37,7 +37,6 @@ _HIDES = re.compile(
     r"\s*\.\. (?:code|code-block|sourcecode|parsed-literal|raw|testcode|doctest)::"
     r"|(?!\s*\.\. ).*(?<!:)::\s*$"
 )
-_RULE = re.compile(r"([=\-`:'\"~^_*+#<>.])\1{2,}\s*$")
 
 
 def read_rst(path: Path, text: str) -> Document:
@@ -51,7 +50,7 @@ def _front_matter(path: Path, lines: list[str]) -> FrontMatter:
     """Read the YAML of the first comment, or the fields at the head or below the title."""
     row = next((k for k, line in enumerate(lines) if line.strip()), len(lines))
     if row + 1 < len(lines) and not lines[row].startswith(("..", ":")):  # a title, under its rule or between two
-        row += 3 if _RULE.match(lines[row]) else 2
+        row += 3 if RULE.match(lines[row]) else 2
         row = next((k for k in range(row, len(lines)) if lines[k].strip()), len(lines))
     if row >= len(lines):
         return FrontMatter()
@@ -137,7 +136,7 @@ def _displays(lines: list[str]) -> Iterator[Display]:
             erratum = indent + 1 if line.lstrip().startswith("..") else indent
         elif _HIDES.match(line):
             hidden = indent
-        elif row + 1 < len(lines) and not indent and _RULE.match(lines[row + 1]) and not _RULE.match(line):
+        elif row + 1 < len(lines) and is_ruled(line, lines[row + 1]):
             if (mark := lines[row + 1].strip()[0]) not in rules:
                 rules.append(mark)
             section = begin_section(section, line.strip(), rules.index(mark))

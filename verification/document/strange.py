@@ -27,7 +27,7 @@ _SUBJECT = 5  # words of a sentence of the arm within which a word for a part of
 _RATIO_OF_ARM = 5  # of how many words of such a one
 _MANY = 50  # words of a text that tell its language
 _NO_WORDS = re.compile(
-    r"\b\d\w*|https?:\S*|\S+\.(?:png|jpe?g|svg|eps|pdf|gif|md|py|m)\b|\S*[/_=]\S*|`[^`]*`|\b[lcr]{2,}\b"
+    r":[a-z:]+:(?=`)|\b\w{1,3}[₀-₉ₙᵢ]+|[α-ωΑ-Ω]\w*|\b\d\w*|https?:\S*|\S+\.(?:png|jpe?g|svg|eps|pdf|gif|md|py|m)\b|\S*[/_=]\S*|`[^`]*`|\b[lcr]{2,}\b"
 )
 _OF_DISPLAY = re.compile(  # a sentence whose subject is the display, or a part of it
     r"(?:[^\w\s]+ )*(?:(?:and|but|so|yet|however|thus|hence|et|mais|or|donc|aber|und|doch|pero|y|ma|mas|e) (?:, )?)?"
@@ -52,7 +52,9 @@ def is_strange_behind(words: str) -> bool:
         return False  # of the next
     subject = _subject(words)
     if subject or (words[:1].islower() and found[0] not in _table("GOES_ON")):
-        return bool(_strange(_words(words.removeprefix(subject))[:_HEAD]))
+        return bool(
+            _strange(found[:_HEAD])
+        )  # the subject is of known words, and what stands behind it begins no sentence
     return _is_mostly_strange(found, _SHORT if words[:1].isupper() and _is_over(words) else 0)
 
 

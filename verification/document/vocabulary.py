@@ -9,174 +9,187 @@ a display, and `LOADED` are those that a sentence of the display may deny it by,
 """
 
 ENGLISH = """
-abbreviate ability able about above abscissa absolute accelerate according account accuracy achievable achieve achieving across act acting action
-actions activates actor acts actual actually actuated actuation actuator adaptive add added adding addition additive adds adjacent adjoint adjugate
-adjust admissible advance advantage affect aforementioned after afterwards again against agree agrees algebra algorithm align aligned all allow allows
-alone along alpha already also alternate although always among amount amounts amplified amplify an analogous analogue analysis analytic analyzing
-anchor and angles angular anisotropy ankle announced annulus another answer anthropomorphic anticlockwise any apart appear appears appendix
-applications applied applies apply applying approach appropriate approximately arbitrary architecture arcs arctan arctangent are area aren argument
-arise arises arising arithmetic arms around array arrive arrow articulated as asks aspects assembly assign assignment assigns associated assume
-assumed assumes assuming assumption asymptotic at atan attached attachment attainable augmented automatically auxiliary available average avoid
-avoidance axis back backlash backward balance ball based basic basically basis be because become becomes been before beforehand begin behavior behind
-being believe belongs below belt bench bend bending bends between beyond bibliography big bigger bin bins bisector bit blackboard block blocks bodies
-body bolt bolted book books boom both bottom bound boundary bounded bounding bounds box boxes brackets brakes braking branch branches break breaks
-brevity bucket building builds built but button by calculate calculus call called calls camera can cancel cancellation candidate cannot canonical
-capture carriage carries carry cart cartesian cascade case cases cauchy causes ceiling center centers centimetres central centre centrifugal certain
-chain chaining chains change changes changing chapter characterized chart check checked checking checks choice cholesky choose choosing chosen circle
-circles circular claim clarity classic classify clear clearly clockwise close closed closes closure cm code coefficient cofactor coincide col
-collaborative collecting college collision collocation column columns columnwise combination combine combining comes command common commonly
-communicates compact companion compare comparing compatible compensating complete complex component compose composite compound computation compute
-computing concatenate concept concisely conclude conclusion concrete condition cone cones confirm conjugate connect consecutive consequence
-conservation consider consist constant constraint construct contact contain context continues contrast contributes control convenient converge
-conversely convert convex convexity conveyor coordinated core coriolis cornerstone corollary correct corresponds cos cosine cosines cost
-counterclockwise coupled course courses covariance covers craig crane crank create creates critically cross crucial cubic cubing cumulative current
-curve curves custom cycle cycles cylinder cylindrical damped damping dashed decay deceleration decide decides decision decomposing decreases deficient
-defined defines defining definite deformation degenerate degree degrees delta demonstrate denavit denominator denote denoted denotes denoting dense
-density depend dependent depending depends depicted derivation derive derived descent describe description design designate designed desirable desire
-desired desk desktop det detail detailed details detect detection determine deviation device dexterity diagonal diagram did different difficulty
-dimension directions directly disc discrete discriminant discuss displacement display distal distribution diverges divide dividing division document
-does dof dofs doing domain done dot dots double down download downward draw drawing drawn drill drilling drive drives dual duality duration during
-dynamic each earlier easier easiest easily easy edge edition educational effect effective effector effects efficient effort efforts eigen eigenvalue
-eigenvector eight either elastic elbow elbows elegant element eliminate ellipsoid elsewhere embed embedded embedding emphasizes employed enables
-enabling encode encoded encoder encodes encompassed end ends energy enforce enforcing engine engineering enough ensure ensures ensuring enter entire
-entirely entries entry entrywise eq eqn eqs equal equality equals equate equated equating equation equilibrium equivalent especially essential
-establish estimation etc euclidean euler evaluate even eventually every everything everywhere exact exactly example excavator execute exercise exerted
-exist existence existing exists expand expanded expanding expansion expect expected experiment explain explicit exponential express extend extended
-extends extension external extra extract extremely face faces fact factor factoring factors factory facts families family far farther fashion fast
-faster fastest feasible feature feed feedback few field fields fifth fig figure figures file files fill filter filtering finally find finding finds
-finger fingers finite firmly firmware first five fix fixed fixes fk flange flat flipped flipping floor flow focus fold folded folder folding folds
-follow followed following follows foot for force forced forces forearm form formal formally format formed former forming forms formulae forward found
-foundation four fourth fraction frame frames framework free freedom frequency fresh friction frobenius from front full fully function fundamental
-further future gain gamma gantry gear gearbox general generate generic gently geometry get gets gimbal give given gives giving global go goal goals
-good governed gradient graph graphed graphical grasp gravitational gravity greater grid gripper ground group grouping grow grows guarantees had half
-halfway hand handed handle handling handy happens hartenberg has have having header headers heading heads heart heavier heel height helper hence here
-herein hertz hexapod high higher highly hint hip historically history hobby hold holds hollow holonomic homework homogenous horizontal host hour hours
-how however humanoid hypothesis ideal identical identify identity if iff ik ill-conditioned illustrate image images imaginary immediately impedance
-implement implies implying important in include including incorporate incremental indeed independent index indicate individual induced industrial
-inequality inertia infinity influence information initial inner input inputs inserted inserting inside insight inspecting instance instant instead
-integer integral interactive interested interface interior intermediate internal interpolate interpret interrupt intersect interval into introduce
-intuitive invariant inverse inversion invert inverted inverting inverts invoking involves is isolate isolating isotropic it iteration ith its itself
-jacobian jerk jib joint joints jordan jth just keep keeping keeps kept kernel key keyboard keys kinematic kinetic kit knee know knowing knowledge
-known kutta lab label labeled labels laboratory lagrange language laplace laplacian large larger largest last later laterally latter law laws lead
-leading leads learn learned learning least lecture left left-handed leg legible legs leibniz lemma length lengthen lengths lengthy lens less lesson
-lessons let lets letters level lever library lie lies lift lifting lifts lighter like likewise limit limited limits line linearise linearly lines link
-linkage links list listed listing little load loaded local locally located location lock log logarithm logic long longer longest look looking looks
-loop loosely lower lowering lowers lyapunov made magnitude main mainly maintaining make makes making manifold manipulate manual many map mapping maps
-mass masses massive massless mast match matches matching math mathematica matlab matter matters maximal maximise maximize maximum may mean meaning
-means meant meanwhile measure mechanism meet meets memorise memorize meter meters method methods metre metres metric metrics microcontroller middle
+abbreviate ability able about above abscissa absolute accelerate according account accuracy achievable achieve achieving across acrylic act acting
+action actions activates active activity actor acts actual actually actuated actuation actuator adaptive add added adding addition additive adds
+adjacent adjoint adjugate adjust admissible advance advantage affect affine aforementioned after afterwards again against agree agrees algebra
+algorithm align aligned all allow allowing allows alone along alpha already also alternate although always among amount amounts amplified amplify an
+analogous analogue analysis analytic analyze analyzing anchor and angles angular animation anisotropy ankle ankles annotations announced annulus
+another answer anthropomorphic anticlockwise any apart app appear appears appendix applications applied applies apply applying approach appropriate
+approximately arbitrary architecture arcs arctan arctangent arduino are area aren argument arise arises arising arithmetic arms around array arrive
+arrow articulated as asks aspects assembly assign assignment assigns associated assume assumed assumes assuming assumption asymptotic at atan attached
+attachment attainable augmented automatically autonomous auxiliary available average avoid avoidance axis back background backlash backward balance
+ball based basic basically basis battery be beam because become becomes been before beforehand begin behave behavior behind being believe belongs
+below belt bench bend bending bends between beyond bibliography bicep big bigger bin bins biomechanical bisector bit black blackboard block blocks
+blue bodies body bolt bolted book books boom both bottom bound boundary bounded bounding bounds box boxes brackets brakes braking branch branches
+break breaks brevity briefly browser bucket building builds built but button by cable cables calculate calculus call called calls camera cameras can
+cancel cancellation candidate cannot canonical capture carriage carries carry cart cartesian cascade case cases cauchy causes ceiling center centered
+centers centimetres central centre centrifugal centripetal certain chain chaining chains change changes changing channel chapter characterized chart
+check checked checking checks choice cholesky choose choosing chosen circle circles circular claim clarity classes classic classify claw clear clearly
+click clock clockwise close closed closes closure cm code coefficient cofactor coincide col collaborative collecting college collision collocation
+colored colors column columns columnwise combination combine combining comes command common commonly communicates compact companion compare comparing
+compatible compensating compiled complete complex component compose composite compound computation compute computing concatenate concept concisely
+conclude conclusion concrete condition cone cones confirm conjugate connect consecutive consequence conservation consider consist constant constraint
+construct contact contain contents context continues contrast contributes control convenient converge conversely convert convex convexity conveyor
+coordinated core coriolis cornerstone corollary correct corresponds cos cosine cosines cost counterclockwise coupled course courses covariance covers
+craig crane crank create created creates creating creation critically cross crucial cubic cubing cumulative current curvature curve curved curves
+custom cycle cycles cylinder cylindrical damped damping dark dashed dataset decay deceleration decide decides decision decomposing decreases deficient
+defined defines defining definite deformation degenerate degree degrees delta demo demonstrate denavit denominator denote denoted denotes denoting
+dense density depend dependent depending depends depicted derivation derive derived deriving descent describe description design designate designed
+designing desirable desire desired desk desktop det detail detailed details detect detection determine developed deviation device dexterity diagonal
+diagram did different difficulty dimension directions directly disc discrete discriminant discuss displacement display distal distribution diverges
+divide dividing division docs document does dof dofs dog doing domain done dot dots dotted double down download downward draw drawing drawn draws
+drill drilling drive driven drives driving drone drones dual duality duration during dynamic each earlier easier easiest easily easy edge edges
+edition educational effect effective effector effects efficient effort efforts eigen eigenvalue eigenvector eight either elastic elbow elbows electric
+elegant element elevator eliminate ellipsoid elsewhere embed embedded embedding emphasizes employed enables enabling encode encoded encoder encodes
+encompassed end endpoint ends energy enforce enforcing engine engineering enough ensure ensures ensuring enter entire entirely entries entry entrywise
+environment environments eq eqn eqs equal equality equals equate equated equating equation equilibrium equivalent especially essential establish
+estimation etc euclidean euler evaluate even eventually every everything everywhere exact exactly example excavator execute exercise exerted exist
+existence existing exists expand expanded expanding expansion expect expected experiment explain explicit exploration explore exponential express
+extend extended extends extension external extra extract extremely face faces fact factor factoring factors factory facts familiar families family
+famous far farther fashion fast faster fastest feasible feature feed feedback femur few field fields fifth fig figure figures file files fill filled
+filter filtering finally find finding finds finger finger's fingers finite firmly firmware first fitting five fix fixed fixes fk flange flat flexible
+flipped flipping floating floor flow focus focused fold folded folder folding folds follow followed following follows foot for force forced forces
+forearm form formal formalism formally format formed former forming forms formulae forward found foundation four fourth fraction frame frames
+framework free freedom frequency fresh friction frobenius from front full fully function fundamental further future gain gait gamma gantry gaps gazebo
+gear gearbox general generate generic gently geometry get gets gimbal github give given gives giving global go goal goals good governed grabbing
+gradient graph graphed graphical grasp gravitational gravity greater green grid gripper gripping ground group grouping grow grows guarantees had half
+halfway hand handed handle handling handy happens hardware hartenberg has have having header headers heading heads heart heavier heel height helper
+helpful hence here herein hertz hexapod high higher highly hinge hint hip hips historically history hobby hold holds hollow holonomic home homework
+homogenous horizontal host hour hours how however humanoid hybrid hypotenuse hypothesis ideal identical identify identity if iff ik ill-conditioned
+illustrate image images imaginary imagine immediately impedance implement implies implying important in include including incorporate incremental
+indeed independent index indicate individual induced industrial inequality inertia infinity influence information initial inner input inputs inserted
+inserting inside insight inspecting install instance instant instead integer integral intelligent interactive interested interface interior
+intermediate internal interpolate interpret interrupt intersect interval into introduce intuitive invariant inverse inversion invert inverted
+inverting inverts invoking involves is isolate isolating isotropic it iteration ith its itself jacobian jerk jib joint joints jordan joystick jth
+julia just keep keeping keeps kept kernel key keyboard keys kinematic kinetic kit kitchen knee knees know knowing knowledge known kutta lab label
+labeled labels laboratory lagrange language laplace laplacian large larger largest last later laterally latter law laws layout lead leading leads
+learn learned learning least lecture left left-handed leg legged legible legs leibniz lemma length lengthen lengths lengthy lens less lesson lessons
+let lets letters level lever leverage libraries library lidar lie lies life lift lifting lifts lighter lightweight like likewise limit limited limits
+line linearise linearly lines link linkage links list listed listing little live lives living load loaded local locally located location lock log
+logarithm logic long longer longest look looking looks loop loops loosely lower lowering lowers lyapunov machine machines made magnetic magnitude main
+mainly maintaining make makes making manifold manipulate manual manually manufacturing many map mapping maps markers mass masses massive massless mast
+master match matches matching materials math mathematica matlab matplotlib matter matters maximal maximise maximize maximum may mean meaning means
+meant meanwhile measure mechanism meet meets memorise memorize meshes meter meters method methods metre metres metric metrics microcontroller middle
 millimetres milling millisecond minimal minimise minimize minimum minor minors minus minute minutes mirror mirrors mm mobile mobility mode model
-modeled modeling models modes modest modified modify module modulo moment moments momentum moore more morning most motion motions motor motors mounted
-mouse move movements moves moving mth much multi multiple must mutually name named namely names natural nature near neatly necessary need needed needs
-negative neglect neighborhood neither net new newton next nicely nine node noise non nonconvex none nonlinear nonsingular nontrivial nonzero norm
-normal normalise norms note notebook notes notice noting notions now nozzle null number numbers numerator numeric object objective objects observation
-observe observing obstacles obtain obtained obtaining obtains occur occurs of off offers offset offsets often once one online onto open operation
-operator opposite optimal optimise optimized optional or order ordered ordinate orientations oriented origin original origins orthogonal our out outer
-outline output outputs outside outwards over overall overshoot own packages packing page pages painting pair pairs pallet palletizing panel panning
-paper papers paragraph parallel parameter part partial particle particular partition parts pass passed passing passive passivity path paths pattern
-payload peak peaks pedestal pen pencil pendulum penrose perfectly perform period periodic periods perpendicular perspective perturbations pfaffian
-phase phi physical pi pick picking picks piece pieper pin pinned pipeline pitch pitching pivoting place places planar plane planes planned planning
-plate platform plays plot plots plotted plotting plug plugged plugging plus pocket pointing polar polar-coordinate polynomial poor portion portrait
-posed poses positional positive possibility possible post postmultiply postures potential power powerful powers practice pre preceding precise
-precision predict preferable preferred premultiply prepare preparing prescribed present preserves prevent previous primary principal printed printer
-prism prismatic problem procedure proceeds process produce product profile program project promised proof propagate proper properly property
-proportional proposition prototype prove proved provide providing proximal proximity pseudo pseudoinverse published pulling pulls puma pure purely
-purposes push pushes pushing put puts putting pythagoras python quadrant quadratic quadruped quantities quarter quasi quaternion query question
-quickly quintic quoted quotient rack radial radially radians radius rail raise raises ram random range ranges rank rate rates ratio rational re reach
-reachable reached reaches reaching reactions read readability readable reader readers reading ready real realizing rearrange reason reasonable recall
-recalled recalling recalls recap recent recognise recommended record recorded records recover rectangular recursion reduce reducer reduces redundant
-refer reference referred refers reflects regardless region regions regrouping regular relabeling relate related relates relating relationship relative
-relevant remain remainder remaining remains remark remember reminder remove removed removes removing render rendered repeat repeated repeats replace
-replay report repository represent reprinted reproduced require requiring research reset resistance resolution resolving respect responsiveness rest
-restrict result resultant resulting results retracting return returned returning returns review revolute rewrite rewriting rewritten rhs right
-right-handed rigid rigidly rigorous ring robotic robots robust robustness rodrigues roll rolling root roots rotary rotate rotated rotates rotating
-rotational roto rototranslation roughly round routine row row-wise rows rpy rule run runge running runs rx sac same sampled sampling satisfied satisfy
-saw say scalar scale scaled scaling scara scene schematic school schur schwarz science scratch screen screw screws script scripts sec second seconds
-section see seek seen select selecting selects self semester semi sense sensitive sensor sensors sent separate sequence sequentially serial series
-serves set sets setting settling setup seven several severity shall shank shape share shared sheet shelf shifts shop short shortcut shorten shorter
-shortest shorthand shoulder show showed showing shown shows side sides signal signed similar simple simpler simplest simplicity simplified simply
-simulated simultaneous sin since sine sines single singular situation sixth size sketch skew slice slide slider sliders slides slow slowest slowly
-small smaller smallest smooth smoother smoothly smoothness smooths so software solve solved solver solvers solves solving some sophisticated sort
-source space spaces span sparse spatial speak speaks special specific specify spectral speed speeds spelled sphere spheres spherical spindle spline
-splitting spoon spray spreadsheet square squared squares squaring stability stable stack stacking stage stand standard stands start started starting
-starts state stated statement states static statics stay step steps stewart still stop stops stored stores straight strategy stress stretch strictly
-strong strongly structural studied studies study studying sub subject submatrix subscript subsection subsequent subset subspace substitute subtract
-success such suitable sum summarize summary summation summed summing sums superscript supported suppose supposing sure surface sweep sweeping sweeps
-swept swing swinging swings switch switched swivelling symbolic symbols symmetry system systems table tables tabular take taken takes taking tall
-tangent target targets task tasks taylor tcp technically techniques tedious telescoping ten tends tensor term term-by-term terms test text textbook th
-than that the their them then theorem theoretical theory there thereby therefore therein these thesis theta they thigh third this those though three
-three-dimensional threshold thrice through thumb thus tilting time timer times tip to toe together tolerances too tool toolbox tools top topology
-torch torque torques torso total toward towards toy trace traced traces tracing tracking trajectory transcendental transcription transfer transform
-transition translate transmitted transpose trapezoid traslation tray treat treated treatment treats tree triangular trick trig trigonometry trivial
-true trunk turn turned turning turns turret twelve twice twist twists two two-dimensional type types typical ultimate unattainable unchanged under
-underlying understand uniform unique uniquely unit units universal unknown unreachable unstable until up update updated updates upon upper upward
-upwards us use used useful uses using usual usually valid value values vanish vanishes variable variance variation varies various vary varying vectors
-velocity verification verified verify version vertical very via vice view virtual viscous visualize volume waist walker wall wall-mounted want
-warehouse was way waypoint ways we weight weighted weighting weights welded welding well were what wheel wheels when whence whenever where whereas
-wherein which while whiteboard whole whom whose why wide widely width will window with within word words work workpiece works workshop workspace world
-worth wrap wrapped wrench wrenches wrist write writes writing written wrt xy yaw yawing yet yield yielding yields yoshikawa you your zero zeros zyx
-zyz
+modeled modeling models modes modest modified modify modular module modules modulo moment moments momentum moore more morning most motion motions
+motor motors mounted mounting mouse move moveit movements moves moving mth much multi multiple muscle muscles must mutually name named namely names
+natural nature navigate navigation near neatly necessary need needed needs negative neglect neighborhood neither net neural new newton next nicely
+nine node noise non nonconvex none nonlinear nonsingular nontrivial nonzero norm normal normalise norms note notebook notes notice noting notion
+notions now nozzle null number numbers numerator numeric numpy object objective objects observation observe observing obstacles obtain obtained
+obtaining obtains occur occurs of off offers offset offsets often onboard once one online onto open operate operates operation operator opposite
+optimal optimise optimized optional or orange order ordered ordinate orientations oriented origin original origins orthogonal oscillates our out outer
+outline output outputs outside outwards over overall overshoot overview own packages packing page pages painting pair pairs pallet palletizing panel
+panning paper papers paragraph parallel parameter part partial particle particular partition parts pass passed passing passive passivity path paths
+pattern payload peak peaks pedestal pen pencil pendulum penrose perfectly perform period periodic periods perpendicular perspective perturbations
+pfaffian phase phi phone physical pi pick picking picks pictured piece pieces pieper pin pinned pipeline pitch pitching pivoting place places planar
+plane planes planned planning plate plates platform plays plot plots plotted plotting plug plugged plugging plus pocket pointing polar
+polar-coordinate polynomial poor popular portion portrait posed poses positional positive possibility possible post postmultiply postures potential
+power powered powerful powers practice pre preceding precise precision predict preferable preferred premultiply prepare preparing prescribed present
+preserves press prevent previous primary principal printed printer prism prismatic problem procedure proceeds process produce product profile program
+project promised proof propagate proper properly property proportional proposition prototype prove proved provide providing proximal proximity pseudo
+pseudoinverse published pulling pulls puma pure purely purposes push pushes pushing put puts putting pythagoras python quadrant quadratic quadruped
+quantities quarter quasi quaternion query question quick quickly quintic quoted quotient rack radial radially radians radii radius rail raise raises
+ram random range ranges rank rate rates ratio rational re reach reachable reached reaches reaching reactions read readability readable reader readers
+reading readme ready real realistic realizing rearrange reason reasonable recall recalled recalling recalls recap recent recognise recommended record
+recorded records recover rectangular recursion reduce reducer reduces redundant refer reference referred refers reflects regardless region regions
+regrouping regular relabeling relate related relates relating relationship relative relevant remain remainder remaining remains remark remember
+reminder remotely remove removed removes removing render rendered rendering repeat repeated repeats replace replay report repository represent
+reprinted reproduced require requiring research reset resistance resolution resolving respect responsiveness rest restrict result resultant resulting
+results retracting return returned returning returns review revolute rewrite rewriting rewritten rhs right right-handed rigid rigidly rigorous ring
+robot's robotic robots robust robustness rodrigues roll rolling root roots rotary rotate rotated rotates rotating rotational roto rototranslation
+roughly round routine rover row row-wise rows rpy rule run runge running runs rviz rx sac safety same sampled sampling satisfied satisfy saw say
+scalar scale scaled scaling scara scenario scene schematic school schur schwarz science scipy scratch screen screw screws script scripts sec second
+seconds section see seek seen select selecting selects self semester semi sense sensed sensing sensitive sensor sensors sent separate sequence
+sequentially serial series serves servo servo-driven servomotors servos set sets setting settling setup seven several severity shall shank shape
+shapes share shared sheet sheets shelf shifts shin shop short shortcut shorten shorter shortest shorthand shoulder show showed showing shown shows
+side sides signal signed similar simple simpler simplest simplicity simplified simply simulated simulink simultaneous sin since sine sines single
+singular sits situation sixth size skeleton sketch skew slice slide slider sliders slides slope slow slowest slowly small smaller smallest smooth
+smoother smoothly smoothness smooths snippet so soft software solid solve solved solver solvers solves solving some sophisticated sort source sources
+space spaced spaces span sparse spatial speak speaks special specific specify spectral speed speeds spelled sphere spheres spherical spider spin
+spindle spinning spline splitting spoon spray spreadsheet spring square squared squares squaring stability stable stack stacking stage stages stand
+standard standing stands start started starting starts state stated statement states static statics station stay steering step stepper steps stewart
+stiffness still stop stops stored stores straight strategy stress stretch strictly strong strongly structural studied studies study studying sub
+subject submatrix subscript subsection subsequent subset subspace substitute subtract success such suitable sum summarize summary summation summed
+summing sums superscript supported suppose supposing sure surface sweep sweeping sweeps swept swing swinging swings switch switched swivelling
+symbolic symbols symmetry sympy system systems table tables tabular take taken takes taking tall tangent target targets task tasks taylor tcp
+technically techniques technology tedious telescoping ten tends tensor term term-by-term terms test text textbook th than that the their them then
+theorem theoretical theory there thereby therefore therein these thesis theta they thigh thing things third this those though three three-dimensional
+threshold thrice through thumb thus tibia tilting time timer times timing tip to toe together tolerances too tool toolbox tools top topology torch
+torque torques torso total touch toward towards toy trace traced traces tracing track tracked tracking tracks traditional train training trajectory
+transcendental transcription transfer transform transition translate transmitted transpose trapezoid traslation traveled traveling tray treat treated
+treatment treats tree triangular trick trig trigonometry trivial true trunk turn turned turning turns turret tutorial twelve twice twist twists two
+two-dimensional type types typical typing ultimate unattainable unchanged under underlying understand uniform unique uniquely unit units universal
+unknown unreachable unstable until up update updated updates upon upper upward upwards urdf us usage use used useful uses using usual usually valid
+value values vanish vanishes variable variance variation varies variety various vary varying vast vectors vehicle vehicles velocity verification
+verified verify version vertical very via vice video videos view virtual viscous visible vision visual visualize visually voltage volume waist walker
+walking wall wall-mounted want warehouse was way waypoint ways we web weight weighted weighting weights welded welding well were what wheel wheeled
+wheels when whence whenever where whereas wherein which while white whiteboard whole whom whose why wide widely width will window with within word
+words work workflow workpiece works workshop workspace workstation world worth wrap wrapped wrench wrenches wrist write writes writing written wrt xy
+yaw yawing yellow yet yield yielding yields yoshikawa you your zero zeros zyx zyz
 """
 FRENCH = """
-a abord abordé aboutissons abrégée abréviation abscisse absolue accorde accélère accélération achève addition adjointe affecte affichage ai aide
-ailleurs ainsi aisée aisément ait ajoutant ajoute algébriquement alignement aligné aller allongement alors altitude amortis amène analogie analyse
-angle angles angulaire annexe annoncé annule antisymétrique apparaître appelant appelle appelons appelée application applique apport approche après
-arc arrivons arrivée arrière arrête article articulaire asservir atelier atteindre au au-dehors au-delà au-dessous auparavant aussi autant autour
-autre autrement autres aux avance avant avant-bras avec avoir avons axe axes baissent banc barre barres bas base basse beaucoup besoin bibliothèque
-bien bientôt bloc blocs bon bonne bonnes bons bord bords borne bornent boucle bouge bougent bouger boule bout bouts bras broche buse butée butées bâti
-calcul caméra canonique capteur car caractérise carré carrée carrés carte cartésien cas cauchy cause ce ceci cela celle celles celui centimètre cercle
-ces cet cette ceux chacun changement chapitre chaque charge chargé chariot chaîne chemin cherche cheville chiffres choisit choix chose chuter ci
-ci-dessus cible cibles cinq cinquième cinématique classique code codeur coefficient cofacteurs cohérente colinéaire colonne comatrice combien commande
-comme commence commode commune comparaison complète complément composante comprendre compte comptée concourant conditionnement conduit configuration
-confirment confondus connaissant connaît connu connue connus considère consigne constitue constructeur consulter conséquence contient continuons
-contribution convention conviennent convoyeur coordonnée coplanaire corps correct correspond cosinus cote coude coudes coulisse coupent couple
-couramment courant courbe couronne cours court courte courts coïncide coûtent crayon crochet croissent croît croître cuisse câble câbles côte côté
-côtés d d'où dans de degré degrés demande demi-tour depuis dernier dernière derrière des descend dessin dessus deux deuxième devant devient devoir
-dextérité deçà di diagonale diapositive diffèrent différence dimension dire direct dirigé discutez dispose disque distance dit divisant divise
-division doigt doigts doit donc donne donnent donnez donné donnée dont dos dossier douze droit droite droits du durant durée dynamique débattement
-début débute décalage décide découle découplage décrit déduire déduisons déduit défini déjà démarche démonstration démontrer dénominateur départ
-dépasse dépend déplace déplié déport dépôt dérivant dérivez dérivée désigne désormais détaillé déterminer développant effecteur effet elle elles
-ellipse embase empilant emploi employer en encore endroit enfin engrenage ensemble ensuite entier entière entre enveloppe espace essai essais est
-est-à-dire et euler exact exacte examen excentricité exemple exercice existe exposant expression exprime expérience extrémité extérieur facile facteur
-factorisant faire faisant fait faites faits famille faut façon façons ferme feuille fiche fichier figure fin finalement fixe flèches fois fonction
-font force forces forcée forcément forme forment formes formule fort fourche fourni frein freins frontière frottement gagne gagnent gauche genou
-glisse glissière godet grand grande graphe graphie gravitation grue grâce général géométrie habituel hanche haut haute hautes hauteur histoire
-historiquement homogène horizontalement hors huit hypothèse hypoténuse ici identifiant il ils image immobile immédiatement impair implantée implémenté
-important imprime inchangée inclinaison inconnues incrémental indication indice indique indispensable industriel indépendamment inertie inférieur
-injectant interne interprétation interviennent intitulé introduire intuition intègre intégrant intéressant intérieur inverse isolant jacobienne jambe
-joint joue joule jusqu juste kilogramme l la laboratoire lacet lagrange laissant laisse langage laquelle large le lecteur lectrice lecture lemme lente
-lentes lequel les lesquelles lettre leur leurs liaison liberté libre libres lieu ligne lignes limite limités linéaire lire lisent lisons liste lit
-livre livres lié logiciel loi loin longs longue lors lorsqu lourd lourde lue lui lui-même lus là là-bas léger légère maintenant maintient mais
-majuscule manipulabilité manière manuel marque masse masses matlab matrice membre mesure mesurés mettent mettre mi-parcours mieux milieu millimètre
-milliseconde mince mineurs minuscules mise mobilité modèle modélisation moindres moins moitié monte montre montrons moteur motif motivation mouvement
-moyen multipliant mutuellement mât mène mènent mètre mètres mécanisme méthode même mêmes n naturel neuf newton nom nombre nommant nomme nommer nommé
-nommée noms normale norme normes nos notamment notation note noter notons notre noté notée notées notés nous nouveau nouvel noyau nul nulle nulles
-nuls numérateur numériquement nécessaire négatif négligé nôtre nôtres objet obtenir obtenons obtention obtenu obtiendra on ont opposée opérateur
-ordinaire ordonnée ordre organe orientation origine orthogonale orthonormé ou oublier outil ouverte ouvrage où page pages paire par par-dessus
-paragraphe parallèle paramètre paramétrage parcourt pareillement parent parfois parler partent partie partir partout parvenons parvient passage
-passant passe passent passer passons peinture pelle penche pend pendant perd perdent perdu perdue permet perpendiculaire perçage pesanteur petit
-petite peut peuvent photo physiquement pied pilotage piloter pince pinces pivot pivote pivots pièce pièces place placent placez plan plane
-planification plateau plaçons plein plie plié plupart plus plusieurs poids poignet point pointe points polaire polycopié polynôme porte porteur
-portique porté portée posant pose poser position posons possède posture posé posée pour pourra pourrons poursuivons pourtant pousse poutre pouvez
-pouvons premier première prend prendre prenons preuve primes pris prismatique processeur proche procédure produit programmation projection projet
-propre propriété prototype prouver près précis précède précédent prédiction prédire prédisez préférée préhenseur prémisse présente publié puis puisqu
-python période pôles qu quand quart quatre quatrième que quel quelconque quelle quels question qui quitte quoi quotient racine radian raison ramener
-rang rapide rappel rapport rarement rassemble rayon reconnaît recule redondance regroupant rejoignent relation remarquable remontant remplace remplies
-rencontre rend rendent rentrée replier replié reportant repos repose représente repère respectifs restant reste restent retenir retenons retenue
-retourné retranchez retrouve revenons revient rigide robot robotique rotation rotatoire rotoïde roulis règle règles réalisé réciproque récurrence
-réducteur réduire réduite réel réflexion référence région réglage régler réglée régulateur répond réponse répète répétabilité résolution résolvant
-résoudre résout résultat résumé réuni réunissent rôle s s'écrit sa sait satisfont saute sautent savoir schéma se seconde secteur section segment selon
-semaine semblable sens septième sera seront sert servent servira ses seul seule si signe signification similaire simple simplification simulateur
-singularité sinus six sixième socle soient soit solide solution sommant somme sommes sommet son sont sort sorte sortie sortir soudure souhaite sous
-soustraction souvent spatiale sphère sphérique statique strictement structure stylo substituant successivement suffisant suffit suit suite suivant
-suivent suivre supposant supérieur sur surface symbole symétrique système séance sécants sépare série t-elle t-il table tableau tableur taille tandis
-tangage tangente tant tard technique tel telle tels temps tendu tenu terme termes terminal testez texte thèse théorème tient tige tiges tire tirer
-titre tombe torche torse torsion total totale toujours tour tournant tourne tourné tours tous tout toute toutes tracé tracée traité trajectoire
-transformation translation transposer travail travers triangle trigonométrique trièdre trois troisième tronc trop trouve trouvons trouvée tâche tâches
-tôt ultérieure un une unicité unitaire unité unités usine usuel usuelle utile utilise va vaille valable valeur valoir variable varie vaut vecteur
-vectoriel ventouse verra verrons vers verticalement vides viennent vient vissage vitesse voici voilà voir voit volume vont vrai vraie vu vue
-vérification vérin vérins y zone zéro à à-dire écart écarts échange échantillonnage écrire écrit écriture écrivez écrivons édition égal égalant égale
-également égaler égales égalité égaux élevant élever éliminant élongation élément énergie énoncent énoncé épais épaule équation équivaut établi était
-étant étape étapes étend étendu étroit étude étudie étudié été évaluation évaluer évident être
+a abord abordé aboutissons abrégée abréviation abscisse absolue accorde accélère accélération achève actionneur actionneurs addition adjointe affecte
+affichage ai aide ailleurs ainsi aisée aisément ait ajout ajoutant ajoute algébriquement alignement aligné aller allongement alors altitude amortis
+amène analogie analyse angle angles angulaire animation annexe annoncé annule antisymétrique apparaître appelant appelle appelons appelée application
+applique apport approche appui après arc arrivons arrivée arrière arrête article articulaire arête asservir atelier atteignable atteignables atteindre
+au au-dehors au-delà au-dessous auparavant aussi autant autour autre autrement autres aux avance avant avant-bras avec avoir avons axe axes baissent
+banc barre barres bas base basse beaucoup besoin bibliothèque bien bientôt bleu bloc blocs bon bonne bonnes bons bord bords borne bornent boucle bouge
+bougent bouger boule bout bouts bras broche buse butée butées bâti calcul caméra canonique capteur car caractérise carré carrée carrés carte cartésien
+cas cauchy cause ce ceci cela celle celles celui centimètre cercle ces cet cette ceux chacun changement chapitre chaque charge chargé chariot chaîne
+chemin cherche cheville chiffres choisit choix chose chuter ci ci-dessus cible cibles cinq cinquième cinématique classique code codeur coefficient
+cofacteurs cohérente colinéaire colonne comatrice combien commande comme commence commode commune comparaison complète complément composante
+comprendre compte comptée concourant conditionnement conduit configuration confirment confondus connaissant connaît connu connue connus considère
+consigne constitue constructeur consulter conséquence contient continuons contribution convention conviennent convoyeur coordonnée coplanaire corps
+correct correspond cosinus cote coude coudes coulisse coupent couple couramment courant courbe couronne cours court courte courts coïncide coûtent
+crayon crochet croissent croît croître cuisse câble câbles côte côté côtés d d'où dans de degré degrés demande demi-tour depuis dernier dernière
+derrière des descend dessin dessus deux deuxième devant devient devoir dextérité deçà di diagonale diapositive diffèrent différence dimension dire
+direct dirigé discutez dispose disque distance dit divisant divise division doigt doigts doit donc donne donnent donnez donné donnée dont dos dossier
+douze droit droite droits du durant durée dynamique débattement début débute décalage décide découle découplage décrit déduire déduisons déduit défini
+déjà démarche démonstration démontrer dénominateur départ dépasse dépend déplace déplié déport dépôt dérivant dérivez dérivée désigne désormais
+détaillé déterminer développant effecteur effet elle elles ellipse embase empattement empilant emploi employer en encore endroit enfin engrenage
+ensemble ensuite entier entière entre enveloppe espace essai essais est est-à-dire et euler exact exacte examen excentricité exemple exercice existe
+exposant expression exprime expérience extrémité extérieur facile facteur factorisant faire faisant fait faites faits famille faut façon façons ferme
+feuille fiche fichier figure fin finalement fixe flèches fois fonction font force forces forcée forcément forme forment formes formule fort fourche
+fourni frein freins frontière frottement gagne gagnent gauche genou glisse glissière godet grand grande graphe graphie gravitation grue grâce général
+géométrie habituel hanche haut haute hautes hauteur histoire historiquement homogène horizontalement hors huit hypothèse hypoténuse ici identifiant il
+ils image immobile immédiatement impair implantée implémenté important imprime inchangée inclinaison inconnues incrémental indication indice indique
+indispensable industriel indépendamment inertie inférieur injectant interne interprétation interviennent intitulé introduire intuition intègre
+intégrant intéressant intérieur inverse isolant jacobienne jambe jambes joint joue joule jusqu juste kilogramme l la laboratoire lacet lagrange
+laissant laisse langage laquelle large laser le lecteur lectrice lecture lemme lente lentes lequel les lesquelles lettre leur leurs liaison liberté
+libre libres lieu ligne lignes limite limités linéaire lire lisent lisons liste lit livre livres lié logiciel loi loin longs longue lors lorsqu lourd
+lourde lue lui lui-même lus là là-bas léger légère machine maintenant maintient mais majuscule manipulabilité manière manuel marque masse masses
+matlab matrice membre mesure mesurés mettent mettre mi-parcours mieux milieu millimètre milliseconde mince mineurs minuscules mise mobilité modèle
+modélisation moindres moins moitié monte montre montrons moteur motif motivation mouvement moyen multipliant mutuellement mât mène mènent mètre mètres
+mécanisme méthode même mêmes n naturel neuf newton nom nombre nommant nomme nommer nommé nommée noms normale norme normes nos notamment notation note
+noter notons notre noté notée notées notés nous nouveau nouvel noyau nul nulle nulles nuls numérateur numériquement nécessaire négatif négligé nôtre
+nôtres objet obtenir obtenons obtention obtenu obtiendra on ont opposée opérateur orange ordinaire ordonnée ordre organe orientation origine
+orthogonale orthonormé ou oublier outil outils ouverte ouvrage où page pages paire panneau par par-dessus paragraphe parallèle paramètre paramétrage
+parcourt pareillement parent parfois parler partent partie partir partout parvenons parvient passage passant passe passent passer passons patte pattes
+peinture pelle penche pend pendant perd perdent perdu perdue permet perpendiculaire perçage pesanteur petit petite peut peuvent photo physiquement
+pied pilotage piloter pince pinces pivot pivote pivots pièce pièces place placent placez plan planaire plane planification plans plateau plaçons plein
+plie plié plupart plus plusieurs poids poignet point pointe points polaire polycopié polynôme porte porteur portique porté portée posant pose poser
+position posons possède posture posé posée pour pourra pourrons poursuivons pourtant pousse poutre pouvez pouvons premier première prend prendre
+prenons preuve primes pris prismatique processeur proche procédure produit programmation projection projet propre propriété prototype prouver près
+précis précède précédent prédiction prédire prédisez préférée préhenseur prémisse présente publié puis puisqu python période pôles qu quand quart
+quatre quatrième que quel quelconque quelle quels question qui quitte quoi quotient racine radian raison ramener rang rapide rappel rapport rarement
+rassemble rayon rayons reconnaît recule redondance regroupant rejoignent relation remarquable remontant remplace remplies rencontre rend rendent
+rentrée replier replié reportant repos repose représente repère respectifs restant reste restent retenir retenons retenue retourné retranchez retrouve
+revenons revient rigide robot robotique rotation rotatoire rotoïde rotule roulis règle règles réalisé réciproque récurrence réducteur réduire réduite
+réel réflexion référence région réglage régler réglée régulateur répond réponse répète répétabilité résolution résolvant résoudre résout résultat
+résumé réuni réunissent rôle s s'écrit sa sait satisfont saute sautent savoir scalaire schéma se seconde secteur section segment selon semaine
+semblable sens septième sera seront sert servent servira servomoteur servomoteurs ses seul seule si signe signification similaire simple
+simplification simulateur singularité sinus six sixième socle soient soit solide solution sommant somme sommes sommet son sont sort sorte sortie
+sortir soudure souhaite sous soustraction souvent spatiale sphère sphérique statique strictement structure stylo substituant successivement suffisant
+suffit suit suite suivant suivent suivre supposant supérieur sur surface symbole symétrique système séance sécants sépare série t-elle t-il table
+tableau tableur taille tandis tangage tangente tant tard technique tel telle tels temps tendu tenu terme termes terminal testez texte thèse théorème
+tient tige tiges tire tirer titre tombe torche torse torseur torseurs torsion total totale toujours tour tournant tourne tourné tours tous tout toute
+toutes tracé tracée traité trajectoire transformation translation transposer travail travers triangle trigonométrique trièdre trois troisième tronc
+trop trouve trouvons trouvée tâche tâches télescopique tôt ultérieure un une unicité unitaire unité unités usine usuel usuelle utile utilise va vaille
+valable valeur valoir variable varie vaut vecteur vectoriel ventouse verra verrons vers vert verte verticalement vides viennent vient virtuel visible
+vissage vitesse voici voilà voir voit volume vont vrai vraie vu vue vérification vérin vérins y zone zéro à à-dire écart écarts échange
+échantillonnage écrire écrit écriture écrivez écrivons édition égal égalant égale également égaler égales égalité égaux élevant élever éliminant
+élongation élément élévation énergie énoncent énoncé épais épaule équation équivaut établi était étant étape étapes étend étendu étroit étude étudie
+étudié été évaluation évaluer évident être
 """
 GERMAN = """
 ab abbildung aber abgeleitet abgeschlossen ableiten ablesen absatz abschnitt absolut abstand abszisse absätze abtastung achse achsen addieren addition
@@ -224,48 +237,53 @@ zwar zwei zweimal zweite zwischen zyklus zylinder zähler ähnlich äußere übe
 übungen
 """
 SPANISH = """
-a abajo abierta abscisa acción aceleración acumulada adelante además adición agrupando ahora aislando al alcance alcanza algebraica algunas algunos
-algún alrededor alto altura ambas ambos amplitud analizar anexo angular anillo antebrazo anterior antes antorcha antropomórfico análisis análoga
-aparece apartado aplica aporte apoyo apunta apuntes apéndice aquí arcotangente arriba articular artículo asigna asociada asume así atrás aula
-autovalor aún baja barra barras base bases biblioteca bien bloque boquilla borde brazo brazos bucle buscada buscamos básica búsqueda cada cadena
-cadera caja calcula camino cantidad capacidad capítulo característica carpeta carrera carro cartesiana caso catetos centro cero cerrada ciclo ciclos
-cierra cierta cierto cilindro cilíndrico cinco cinemática circunferencia clase clases clásica codo coeficiente coincide columna combinando comentarios
-comienza como comparando complejo compone comprender comprobar comprueba computador común con concatenar concuerda condición conduce configuraciones
-conjunto conocer conocida consecuencia considera consigue consiste consta construir consultar contiene continuación control convención coordenada
-correcta corresponde coseno cruz cuadrado cuadrática cual cuales cualquier cuando cuarta cuarto cuatro cuenta cuerpo cumple cumplir curso curva curvas
-cuya cuyas cuyos cálculo cámara círculo código dada dadas dado dados datos de debe decir deducción deduce deducimos define definir del demostrar
-demuestra demás denominador denota dentro depende derecha derivada desarrolla descompone describe desde deseada despejando desplaza después detallada
-determina dh diagonal diagrama dibujo dicho diferencia difieren dimensión dinámica dirección directa diseñar diseño disponible distancia distinto
-divide dividiendo división documento donde dos durante ecuación edición efector efectuando efectúa eje ejecutar ejemplo ejercicio ejes el elegimos
-elegir elemento eleva elevando elimina eléctrico emplea en encoder encontramos encuentra energía engranaje enlace ensayo entonces entre entrega
-enunciado equivale es escalar escogido escribe esférica eslabones eslabón espacio especial esquema esta establece estas este esto estos estructura
-estudia está están evaluar evalúa exactamente examen existe experimento explica expresa extendida externa extremo fabricante factor falta fichero
-figura fija fijo fijos fila filas fin final finales finalmente flexión flujo forma forman formas freno frenos fricción fue fuente fuera fuerza función
-fácil fácilmente fórmula garra general geometría geométrica gira giran girar giro giros grado grados gravedad gráfica grúa haber había hace hacemos
-hacen hacer hacia hallamos hallar han hasta hay hecha hecho herramienta hipotenusa hipótesis historia hoja hojas hombro homogénea horizontales husillo
-identidad igual igualando igualdades iguales igualmente implementa implica importante inclinación incluye incógnita indica industria inercia
-ingeniería inicial inicio inmediata integrando interior intermedia interna intersección interés introdujo inversa invertir invirtiendo ir isotrópica
-izquierda jacobiana la laboratorio lado lados lagrange las le leemos leer lenguaje ley libertad libre libres libro libros lineal llama llamada
-llamamos llamando llega llegada llegamos llegar lleva lo local localización longitud los luego límite línea líneas manera manipuladores mano marco
-masa masas matrices matriz mecanismo mediante medición medida medido medio memoria menos mesa meta metros mide miden miembro milisegundo milímetros
-misma mismo mismos modelo modifica momento montaje motor motores mover movimiento mucho muchos muestra mueve mueven multiplica muslo muñeca más máxima
-máximo método mínima mínimo módulo múltiples natural necesaria necesita negativa norma normal nos nota notación notas nueva nuevo nula nulo numerador
-numérica número objetivo obtenemos obtenida obtiene obtuvo operación operador operando orden ordenada orientación origen ortogonal otra otras otro
-otros pala palabras par para paralela parcial pared pares parte particular partida partir parámetros paso pasos pedestal pendiente perfil periodo
-permite pero perpendicular pie pierna pieza piezas pinza pitágoras plana planar planificación plano planos plantea plataforma poco pocos podemos
-polares polinomio por posible posición positiva posterior postura potencia precedente pregunta presenta primer principal prismática problema procede
-proceso producto programa propia propiedad propio proporciona prototipo proyecciones prueba práctica publicado puede pueden punta punto puntos página
-pórtico que queda quedan queremos quitando rad radianes radio rama rango razón raíces raíz realiza recoge recogidos recordar recta rectángulo
-recíproca reemplazando reescribe referencia región regla relación repositorio representa resolver respecto respuesta resta restando restar resto
-resuelve resulta resumen riel robot robots robótica rodilla rota rotación rotan rotativa rotatoria rueda ruedas ruta rápidamente rápido rígida rígido
-sabe sabemos saber sabiendo salida se sea sean secciones sección secuencia segmento segunda según selección semana semestre sencilla seno senos sensor
-sentido separa ser serie será serán señala si sido siendo significa sigue siguen siguiente simbólica similar simple simplifica simulador singular
-sistema situación situado sobre software soluciones son su subconjunto sube subsistema suele suelo suma sumando sumar sumas superficie superior sus
-sustituir sólido tabla tablas tal tales también tangente tanto tarea tareas techo tema temas temporal tenemos teniendo tensor teorema teoría tercer
-tesis texto textos teórico tiempo tiene tienen tipo tipos tobillo toda todas todavía todos toma tomamos toman tomando tomar tope torque torre total
-trabajo tramo transforma transponer tras traslada trata tratará través trayectoria tres trigonométrica triángulo tronco término un una unidad unitario
-usamos usando usar usaremos usará utiliza vale valor valores variable varilla varía vector velocidad ver verdadero veremos verifica vertical verán vez
-viene vimos vio vista vistas visto volveremos vuelve válida válido vástago x y ya zona ángulo índice órdenes última último única único útil
+a abajo abierta abscisa acciones acción aceleración acumulada adelante además adición agrupando ahora aislando al alcance alcanza algebraica algunas
+algunos algún alrededor alta alto altura ambas ambos amplitud analizar anexo angular anillo antebrazo anterior antes antorcha antropomórfico análisis
+análoga aparece apartado aplica aporte apoyo apunta apuntes apéndice aquí archivo archivos arcocoseno arcos arcoseno arcotangente arriba articular
+artículo asigna asociada asume así atrás aula automática automáticamente automático autovalor aún baja bajo barra barras base bases biblioteca bien
+bloque boquilla borde botones brazo brazos bucle buscada buscamos básica búsqueda cada cadena cadera caja calcula calibración camino cantidad
+capacidad capítulo característica carpeta carrera carro cartesiana caso catetos cenital centro cero cerrada ciclo ciclos cierra cierta cierto cilindro
+cilíndrico cinco cinemática circunferencia clara clase clases clásica codo coeficiente coincide color columna comando comandos combinando comentarios
+comienza como comparando complejo compone comportamiento comprender comprobar comprueba computador común con concatenar concuerda condición conduce
+conexión configuraciones conjunto conocer conocida consecuencia considera consigue consiste consta construir consultar contiene continuación control
+convención coordenada correcta corresponde coseno cruz cuadrado cuadrática cual cuales cualquier cuando cuarta cuarto cuatro cuenta cuerpo cumple
+cumplir curso curva curvas cuya cuyas cuyos cálculo cámara círculo código dada dadas dado dados datos de debe decir deducción deduce deducimos define
+definir del demostrar demuestra demás denominador denota dentro depende derecha derivada desacople desacoplo desarrolla descompone describe desde
+deseada despejando desplaza después detallada determina dh diagonal diagrama dibujo dicho diferencia difieren digital dimensión dinámica dirección
+directa diseñar diseño disponible distancia distinto divide dividiendo división doblado documento donde dos durante ecuación edición efector
+efectuando efectúa eje ejecución ejecutar ejemplo ejercicio ejes el elegimos elegir elemento eleva elevando elimina eléctrico emplea en encoder
+encontramos encuentra energía engranaje enlace ensayo entonces entorno entre entrega enunciado envía equipo equivale es escalar escogido escribe
+esférica eslabones eslabón espacio especial espera esquema esta establece estado estas este estirado esto estos estructura estudia está están estándar
+evaluar evalúa exactamente examen existe experimento explica expresa extendida externa extrae extraen extremo fabricante factor falta fichero figura
+fija fijo fijos fila filas fin final finales finalmente flexión flujo forma forman formas frecuencia freno frenos frente fricción frontal fue fuente
+fuera fuerza funcionamiento funciones función fácil fácilmente física físicas físico físicos fórmula garantizando garantizar garra general geometría
+geométrica gira giran girar giro giros grado grados gravedad gráfica grúa haber había hace hacemos hacen hacer hacia hallamos hallar han hasta hay
+hecha hecho herramienta hipotenusa hipótesis historia hoja hojas hombro homogénea horizontales husillo idea identidad igual igualando igualdades
+iguales igualmente imagen implementa implica importante imágenes inclinación incluye incógnita indica industria inercia ingeniería inicial inicio
+inmediata integrando interior intermedia interna intersección interés introdujo inversa invertir invirtiendo ir isotrópica izquierda jacobiana la
+laboratorio lado lados lagrange largo las le leemos leer lenguaje ley leyes libertad libre libres libro libros lineal llama llamada llamamos llamando
+llega llegada llegamos llegar lleva lo local localización longitud los luego lugar límite línea líneas manera manipuladores mano manualmente marco
+marcos masa masas matemática matemáticamente matemáticas matemático matrices matriz mecanismo mecánica mecánico mecánicos mediante medición medida
+medido medio memoria menos mesa meta metros mide miden miembro milisegundo milímetros misma mismo mismos modelo modifica momento montaje motor motores
+mover movimiento mucho muchos muestra mueve mueven multiplica muslo muñeca máquina más máxima máximo método mínima mínimo módulo múltiples natural
+necesaria necesita negativa nivel nodos norma normal nos nota notación notas nueva nuevo nula nulo numerador numérica número objetivo obtenemos
+obtenida obtiene obtuvo operación operador operando orden ordenada orientación origen ortogonal otra otras otro otros pala palabras pantalla par para
+paralela parcial pared pares parte particular partida partir parámetros paso pasos pedestal pendiente perfil periodo permite pero perpendicular pie
+pierna pieza piezas pinza pitágoras plana planar planificación plano planos planta plantea plataforma plegado poco pocos podemos polares polinomio por
+posible posición positiva posterior postura potencia precedente pregunta presenta primer principal prismática problema procede proceso producto
+programa propia propiedad propio proporciona prototipo proyecciones prueba práctica publicado puede pueden punta punto puntos página pórtico que queda
+quedan queremos quitando rad radianes radio rama rango razón raíces raíz realiza recoge recogidos recordar recta rectángulo recíproca reemplazando
+reescribe referencia región regla relación repositorio representa resolución resolver respecto respuesta resta restando restar resto resuelve resulta
+resumen riel robot robots robótica rodilla rota rotación rotan rotativa rotatoria rueda ruedas ruta rutina rápidamente rápido rígida rígido sabe
+sabemos saber sabiendo salida se sea sean secciones sección secuencia segmento segunda segura seguro seguros según selección semana semestre sencilla
+seno senos sensor sentido separa ser serie servomotor servomotores será serán señal señala señales si sido siendo significa sigue siguen siguiente
+simbólica similar simple simplifica simulador singular sistema situación situado sobre software soluciones son su subconjunto sube subsistema suele
+suelo suma sumando sumar sumas superficie superior sus sustituir sólido tabla tablas tal tales también tangente tanto tarea tareas techo tema temas
+temporal tenemos teniendo tensor teorema teoría tercer tesis texto textos teórico tiempo tiene tienen tipo tipos tobillo toda todas todavía todos toma
+tomamos toman tomando tomar tope torque torre total trabajo tramo transforma transponer tras traslada trata tratará través trayectoria tres
+tridimensional trigonométrica triángulo tronco término ubicación un una unidad unitario usamos usando usar usaremos usará utiliza vale valor valores
+variable varilla varía vector velocidad ver verdadero veremos verifica vertical verán vez viene vimos vio vista vistas visto volveremos vuelve válida
+válido vástago x y ya zona ángulo área índice órdenes última último única único útil
 """
 ITALIAN = """
 a abbiamo accelerazione addizione adesso affronta aggiunge al alcuni algebrica alla allora alto altra altre altri ambedue ampiezza analitica

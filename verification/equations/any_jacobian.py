@@ -19,7 +19,7 @@ from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare
+from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import DocumentState
 
@@ -32,6 +32,7 @@ OF_JACOBIAN, OF_RATES, OF_VELOCITY = "jacobianrate", "accelerations", "accelerat
 _IN_TIME = {JACOBIAN: OF_JACOBIAN, RATES: OF_RATES, VELOCITY: OF_VELOCITY}
 _TERMS = ((JACOBIAN, OF_RATES), (OF_JACOBIAN, RATES))  # of \\ddot x
 _JOINTS, _TASK = ("q", "theta", "Theta"), ("x", "X", "p", "P", "r")
+_DIRECT = ("f", "h", "FK", "fk")
 _OF_TOOL = ("", "e", "E", "ee", "EE", "end", "tip", "t", "d", "des", "n", "c")
 _SEEN = (
     "J",
@@ -74,7 +75,7 @@ def holds_of_any_jacobian(chain: n.Chain, names: Names) -> bool:
     if any(isinstance(b, n.Matrix) and len(b.cells) == 1 for member in chain.members for b in n.walk(member)):
         return False  # the one component that a bracket holds is no vector
     spoken: set[tuple[str, str]] = set()
-    chain = _of_one_frame(chain)
+    chain = _with_jacobians(_of_one_frame(chain), names)
     members = [_usual(member, spoken) for member in chain.members]
     kinds = [kind for kind, _ in spoken]
     if any(
@@ -99,6 +100,33 @@ def _of_one_frame(chain: n.Chain) -> n.Chain:
         return chain
     plain = {id(each): replace(each, pre_sup="") for each in seen}
     return replace(chain, members=tuple(n.substitute_each(member, plain) for member in chain.members))
+
+
+def _with_jacobians(chain: n.Chain, names: Names) -> n.Chain:
+    """Return a chain with J for the derivatives of the task by all joints, as the chain names it: ∂x/∂q, ∂f(q)/∂q."""
+    nodes = [each for member in chain.members for each in n.walk(member)]
+    named = next((each for each in nodes if isinstance(each, n.Name) and _kind_of(each) == JACOBIAN), None)
+    derived = [each for each in nodes if isinstance(each, n.Derivative) and _is_jacobian(each, names)]
+    if named is None or not derived:
+        return chain
+    meant = {id(each): named for each in derived}
+    return replace(chain, members=tuple(n.substitute_each(member, meant) for member in chain.members))
+
+
+def _is_jacobian(node: n.Derivative, names: Names) -> bool:
+    """Whether a derivative is that of the task, or of the direct kinematics, by the vector of all joints."""
+    name, by = bare(node.operand), bare(node.variable)
+    if (
+        isinstance(name, n.Call)
+        and name.function == "name"
+        and [bare_key(each) for each in name.arguments[1:]] == [bare_key(by)]
+    ):
+        name = bare(name.arguments[0])  # f(q)
+    if not (isinstance(name, n.Name) and isinstance(by, n.Name)) or node.order != 1 or name.dots or by.dots:
+        return False
+    own = names.arm is not None and any(joint.symbol == by.key for joint in names.arm.joints)
+    is_told = any(key.partition("(")[0] == name.key for key in names.state.definitions)
+    return by.key in _JOINTS and not own and not is_told and name.base in (*_TASK, *_DIRECT) and name.sub in _OF_TOOL
 
 
 def _has_inverse(members: Sequence[n.Node]) -> bool:

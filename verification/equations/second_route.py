@@ -232,9 +232,12 @@ class SecondRoute:
         return [] if errors is None or errors.wrong(TOLERANCE) else slides
 
     def on_a_branch(self, outcome: Outcome, errors: SampledErrors, branches: bool) -> bool:
-        """Confirm what holds on one branch of its square roots and arc functions, and say at how many configurations."""
+        """Confirm what holds on one branch of its square roots and arc functions, and say at how many configurations; leave open what undoes itself."""
         assert outcome.true is not None and outcome.printed is not None
         left, right = sorted((outcome.true.node, outcome.printed.node), key=lambda node: node.span)
+        if _undoes(bare(right), bare(left)):  # θ = arccos(cos θ), where a line above may say what cos θ is
+            outcome.verdict, outcome.wrong, outcome.findings = Verdict.UNCHECKED, [], (say(Kind.UP_TO_A_SIGN),)
+            return True
         counts = errors.on_a_branch(TOLERANCE) if self.is_solved_for(left, right) else None
         if counts is None or not all(e.on_a_branch(TOLERANCE) for e in self._for_other_lengths(outcome, branches)):
             return False
@@ -358,6 +361,14 @@ def _is_of_both_sides(node: n.Node, by: n.Node) -> bool:
     sides = (quotient.numerator, quotient.denominator) if isinstance(quotient, n.Quotient) else ()
     calls = [side for side in map(bare, sides) if isinstance(side, n.Call) and side.arguments == (node,)]
     return [call.function for call in calls] == ["sin", "cos"]
+
+
+def _undoes(arc: n.Node, angle: n.Node) -> bool:
+    """Whether a side is the arc function of the function of the angle that is the other side."""
+    if not (isinstance(arc, n.Call) and arc.function in ("acos", "asin", "atan") and len(arc.arguments) == 1):
+        return False
+    inner = bare(arc.arguments[0])
+    return isinstance(inner, n.Call) and inner.function == arc.function[1:] and bare(inner.arguments[0]) == angle
 
 
 def is_distance(node: n.Node) -> bool:

@@ -20,6 +20,7 @@ from armproof.verification.latex.runs import (
     partial_derivative,
     product,
     scripts_before,
+    slashed_derivative,
     total_derivative,
 )
 from armproof.verification.latex.statements import Cell, build_statements, environment_node
@@ -101,6 +102,8 @@ class TreeBuilder(Transformer):
         if operator.type == "SLASH":
             if isinstance(left, Differential) and isinstance(right, Differential):
                 return partial_derivative(left, right, span)
+            if (rate := slashed_derivative(left, run, span)) is not None:
+                return rate
             below = n.Quotient(left, right, "slash", span=span)
             if len(run) == 1:  # a b / c is (a b)/c
                 return below

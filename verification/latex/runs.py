@@ -300,6 +300,21 @@ def total_derivative(above: n.Node, below: n.Node, span: tuple[int, int]) -> n.N
     return None
 
 
+def slashed_derivative(above: n.Node, run: Seq[n.Node], span: tuple[int, int]) -> n.Node | None:
+    r"""Return the derivative in L dx/dt, with what stands before and behind it; None for another quotient."""
+    factors = above.factors if isinstance(above, n.Product) else ()
+    if len(factors) < 2 or any(above.operators) or len(run) < 2:  # type: ignore[attr-defined]
+        return None
+    begin, end = factors[-2].span[0], run[1].span[1]
+    over = n.Product(factors[-2:], ("",), span=span_of(factors[-2:]))
+    under = n.Product(tuple(run[:2]), ("",), span=span_of(run[:2]))
+    derived = total_derivative(over, under, (begin, end))
+    if derived is None:
+        return None
+    whole = (*factors[:-2], derived, *run[2:])
+    return derived if len(whole) == 1 else n.Product(whole, ("",) * (len(whole) - 1), span=span)
+
+
 def _is_mark(node: n.Node, mark: str, order: int) -> bool:
     """Whether a node is d, or d² above dt²."""
     base, power = _powered(node)

@@ -32,6 +32,7 @@ class Candidate:
         stated: the convention that the headers of a table state, α_{i-1} and a_{i-1}, or "".
         several_tools: whether the table shows more end effectors than the one of the last row.
         mended: the links, from 1, whose matrices are none as printed, and would be with another entry.
+        in_words: whether the text names the arm of a Jacobian that stands alone, so that it is no other.
         is_alone: whether an equation of another display must hold: a Jacobian by itself may be any.
         told_by: the joint of which an equation must hold, where nothing else could tell that this arm is meant.
     """
@@ -52,6 +53,7 @@ class Candidate:
     told_by: str = ""
     is_alone: bool = False
     mended: frozenset[int] = frozenset()
+    in_words: bool = False
 
     @property
     def lines(self) -> frozenset[tuple[int | None, int]]:

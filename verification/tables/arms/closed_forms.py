@@ -35,7 +35,8 @@ _ENDS_OF = {letter: [f"{letter}_{end}" for end in ("e", "E", "ee", "EE", "tool",
 _ANGLE = re.compile(r"(?:theta|q|phi|varphi)(?:_?\d+)?")
 _SUM = re.compile(r"(theta|q)_(\d{2,})")
 _SLIDE = re.compile(r"[dqr]_?\d+")
-_LETTER = re.compile(r"(?:r|R|rho|w|k|u|D|phi|psi|beta|gamma|alpha)(?:_?\w+)?")
+_NAMED = re.compile(r"[A-Za-z]\w*")
+_LETTER = re.compile(r"(?:r|R|rho|w|k|u|d|D|phi|psi|beta|gamma|alpha)(?:_?\w+)?")
 SECONDS = 0.3
 
 
@@ -81,6 +82,8 @@ def _of_point(document: Document, names: Names, spelt: re.Pattern[str]) -> list[
                 meant = {**meant, key: value} if number else meant
         rates = rates_in(document.displays)
         arms = _arms(found, letters, algebra, rates) if {"x", "y"} <= found.keys() else []
+        if any(each.mended for each in arms) and (as_told := _told_in_words(document, arms)) is not None:
+            arms = [as_told]
         above = _arm_of_jacobian(document, names, algebra, rates) if not arms and spelt is _COORDINATE else []
         told = [(display.cell or 0, display.line) for _, display in found.values()]
         return arms or [each for each in above if all((each.cell or 0, each.line) < place for place in told)]
@@ -98,12 +101,28 @@ def _arms(found: Found, letters: Mapping[str, n.Name], algebra: ExactAlgebra, ra
 
 
 def _arm_of_jacobian(document: Document, names: Names, algebra: ExactAlgebra, rates: set[str]) -> list[Candidate]:
-    """Return the arm whose tool has the Jacobian that a document prints, which another display must show to be meant."""
+    """Return the arm whose tool has the Jacobian that a document prints, which another display, or the text, must show to be meant."""
     letters: dict[str, n.Name] = {}
     points, has_slip = coordinates_of_jacobian(document, names, algebra, letters)
     arms = [each for found in points for each in _arms(found, letters, algebra, rates)]
-    mended = [frozenset(range(1, len(each.rows) + 1)) if has_slip else each.mended for each in arms]
-    return [replace(each, is_alone=True, mended=links) for each, links in zip(arms, mended, strict=True)]
+    if has_slip:
+        arms = [replace(each, mended=frozenset(range(1, len(each.rows) + 1))) for each in arms]
+    told = _told_in_words(document, arms)
+    return [told] if told is not None else [replace(each, is_alone=True) for each in arms]
+
+
+def _told_in_words(document: Document, arms: Sequence[Candidate]) -> Candidate | None:
+    """Return the one of the arms that the text names, "a planar two-link arm": of its revolute joints alone, each link of a length of its own."""
+    told = [each for each in arms if _is_plain(each) and len(each.joints) in document.planar]
+    return replace(told[0], in_words=True, mended=frozenset()) if len(told) == 1 else None
+
+
+def _is_plain(found: Candidate) -> bool:
+    """Whether an arm is a planar one, whose links have the letters of different lengths."""
+    rows = list(zip(found.rows, found.joints, strict=True))
+    turns = all(row["theta"] == joint and row["d"] == row["alpha"] == "0" for row, joint in rows)
+    lengths = [row["a"] for row in found.rows]
+    return turns and all(map(_NAMED.fullmatch, lengths)) and len({*lengths}) == len(lengths)
 
 
 def _are_of_another_point(given: Sequence[tuple[str, str, Scalar]], found: Found, points: Mapping[str, int]) -> bool:

@@ -196,7 +196,7 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     is_pinned = found[0].source == "closed form" and not found[0].is_alone  # then one line alone may be what is wrong
     if rivals or not (best.held or is_shown or (is_pinned and best.failed == 1)):
         return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line, unfit=unfit)
-    if best.failed > max(best.held, int(is_pinned)) and not best.is_near:
+    if best.failed > max(best.held, int(is_pinned)) + found[0].in_words and not best.is_near:  # words hold, too
         problem = say(Kind.ARM_DOES_NOT_FIT, held=best.held, failed=best.failed)
         return Inference(document, problem=problem, line=line, unfit=unfit)
     return taken
@@ -225,7 +225,9 @@ def _weighed(
     document: Document, found: Sequence[Candidate], apart: Collection[tuple[int | None, int]]
 ) -> list[Reading]:
     """Return the readings that candidates can have, the best first; with L_2 for their l_2 where more holds so."""
-    readings = weigh(document, [front for candidate in found for front in _fronts(document, candidate)], apart)
+    source = found[0].source if found[0].is_alone else ""  # \dot q = J^{-1} \dot x in letters tells of a Jacobian
+    fronts = [front for candidate in found for front in _fronts(document, candidate)]
+    readings = weigh(document, fronts, apart, source=source)
     cased = [each for candidate in found if (each := in_other_case(candidate, document)) is not None]
     if not cased:
         return readings
@@ -279,5 +281,6 @@ def _taken(document: Document, found: Sequence[Candidate], reading: Reading, is_
         is_part,
         candidate.told_by,
         candidate.mended,
+        candidate.in_words,
     )
     return Inference(replace(document, front=dict(reading.front)), arm)

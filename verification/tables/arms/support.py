@@ -416,7 +416,8 @@ class _Settled:
 
     def _data(self, index: int, links: frozenset[int] = frozenset()) -> EquationResult:
         lines = sorted(frozenset[int]().union(*(self.against.get(link, ()) for link in links - self.confirmed)))
-        verdict = Verdict.DEFINED if self.is_used and not lines else Verdict.UNCHECKED
+        is_known = self.taken.in_words or (self.is_used and not lines)
+        verdict = Verdict.DEFINED if is_known else Verdict.UNCHECKED
         gives = say(Kind.GIVES_ARM, convention=self.taken.convention)
-        doubt = (say(Kind.CONTRADICTED, lines=lines),) if lines else ()
+        doubt = (say(Kind.CONTRADICTED, lines=lines),) if lines and not self.taken.in_words else ()
         return EquationResult(index, Role.DATA, verdict, findings=(gives, *doubt), links=links)

@@ -82,9 +82,9 @@ class _Trial:
     """A document read in one way, its displays taken one by one."""
 
     def __init__(
-        self, spelling: SpellingOf, front: Mapping[str, Any], arm: Arm, numbers: Mapping[str, Fraction]
+        self, spelling: SpellingOf, front: Mapping[str, Any], arm: Arm, numbers: Mapping[str, Fraction], source: str
     ) -> None:
-        self.name = arm.name
+        self.name, self.source = arm.name, source
         names = read_names(arm, front)
         names.reader.spelling = spelling(names.reader.words)
         self.checker = ChainChecker(names, ExactAlgebra(Ring(), arm), no_samples)
@@ -119,7 +119,7 @@ class _Trial:
         if outcomes and _may_hold(outcomes[0]) and (key := bare_key(chain.members[0])):
             self.joints.add(key)
         for outcome in outcomes:
-            tells = bool(links_of(outcome, self.checker.members))
+            tells = bool(links_of(outcome, self.checker.members, self.source))
             self.held += tells and (outcome.verdict is Verdict.PROVED or holds_at_listed_values(outcome))
             self.failed += tells and outcome.verdict is Verdict.REFUTED
             self.near += tells and outcome.verdict is Verdict.REFUTED and _has_one_slip(outcome)
@@ -136,12 +136,13 @@ def weigh(
     apart: Collection[tuple[int | None, int]] = (),
     numbers: Mapping[str, Fraction] = MappingProxyType({}),
     only: Collection[tuple[int | None, int]] = (),
+    source: str = "",
 ) -> list[Reading]:
     """Return the readings that an arm can be built of, the one under which most holds first; raises where there is none.
 
-    What stands at the places `apart` is no evidence; `numbers` are those that names stand for by their indices. Where `only` names places, what stands elsewhere only tells how the document is spelt. What is read is judged by its equations alone: labels often belong to another convention than the table beside them.
+    What stands at the places `apart` is no evidence; `numbers` are those that names stand for by their indices. Where `only` names places, what stands elsewhere only tells how the document is spelt. What a `source` of its own shows an arm to be, rates tell of, too. What is read is judged by its equations alone: labels often belong to another convention than the table beside them.
     """
-    trials = list(_trials(document, fronts, numbers))
+    trials = list(_trials(document, fronts, numbers, source))
     for display in (each for each in document.displays if not only or each.place in only):
         if sum(trial.checker.exact.budget.asked for _, trial in trials) > WORK_IN_ALL:
             break
@@ -155,7 +156,7 @@ def weigh(
 
 
 def _trials(
-    document: Document, fronts: Sequence[Mapping[str, Any]], numbers: Mapping[str, Fraction]
+    document: Document, fronts: Sequence[Mapping[str, Any]], numbers: Mapping[str, Fraction], source: str
 ) -> Iterator[tuple[Mapping[str, Any], _Trial]]:
     """Yield the trial of each front matter; of two that differ in what nobody asks it is one."""
     begun: dict[str, _Trial] = {}
@@ -169,7 +170,7 @@ def _trials(
             yield front, begun[told]
             continue
         try:
-            trial = _Trial(spelling, front, load_arm(front["arm"], document.path.parent), numbers)
+            trial = _Trial(spelling, front, load_arm(front["arm"], document.path.parent), numbers, source)
         except ArmproofError as error:
             problem = problem or error
             continue
