@@ -43,6 +43,7 @@ from armproof.verification.equations.letter_matrices import (
     stale,
     take_entries,
     target_pose,
+    with_entries_of_capitals,
     with_small_letters,
 )
 from armproof.verification.equations.of_points import OfPoints
@@ -157,6 +158,7 @@ class ChainChecker:
         A chain is read, its sides are evaluated and compared with the one that is true, and each outcome is judged by what
         the document says beside it. Another reading is checked in the same way, from the beginning.
         """
+        chain = with_entries_of_capitals(chain, self.names)
         now = self._begun(chain, first_equation, line, define)
         if (said := self._of_other_index(now)) is not None or (said := self._of_no_value(now)) is not None:
             return said

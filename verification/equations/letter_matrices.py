@@ -103,6 +103,26 @@ def with_small_letters(chain: n.Chain) -> n.Chain | None:
     return replace(chain, members=tuple(n.substitute_each(m, found) for m in chain.members)) if found else None
 
 
+def with_entries_of_capitals(chain: n.Chain, names: Names) -> n.Chain:
+    """Return a chain with r_{ij} for R_{ij} where a matrix, in it or before, has these in their places: they are no rotations."""
+    is_shown = any(_has_capitals_in_place(below) for member in chain.members for below in n.walk(member))
+    names.state.has_capital_entries |= is_shown
+    if not (is_shown or (names.state.has_capital_entries and not _holds_a_matrix(chain))):
+        return chain
+    return with_small_letters(chain) or chain
+
+
+def _has_capitals_in_place(node: n.Node) -> bool:
+    """Whether R_{ij} stands in row i and column j of a matrix, as most of its cells do."""
+    cells = written_rows(node) if isinstance(node, n.Matrix) else ()
+    places = [(n.bare(cell), f"{i}{j}") for i, row in enumerate(cells or (), 1) for j, cell in enumerate(row, 1)]
+    return sum(cell == n.Name("R", place) for cell, place in places) >= FEWEST_LETTERS
+
+
+def _holds_a_matrix(chain: n.Chain) -> bool:
+    return any(isinstance(below, n.Matrix) for member in chain.members for below in n.walk(member))
+
+
 def _of_wrist(arm: Arm) -> list[Quantity]:
     """Return the rotation that the last three of six joints or more make, seen from before them; rows behind them are of a tool."""
     rows = arm.dh.rows if arm.dh is not None else ()

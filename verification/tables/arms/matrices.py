@@ -259,12 +259,17 @@ def _printed(chain: n.Chain) -> Iterator[tuple[n.Node, n.Node, bool]]:
     named = [member for member in members if _index(member) is not None or (len(members) == 2 and _digits(member))]
     written = [member for member in members if _is_written(member)]
     if written and len({_index(name) for name in named}) == 1:
-        yield named[0], min(written, key=lambda one: not isinstance(one, n.Matrix)), False
+        yield named[0], min(written, key=lambda one: (not isinstance(one, n.Matrix), _has_primes(one))), False
     products = [tuple(map(unapplied, member.factors)) for member in members if isinstance(member, n.Product)]
     for names, values in permutations(products, 2):
         are_named = all(_digits(name) or not isinstance(name, n.Name) for name in names)  # V T1 is the one name VT1
         if are_named and len(names) == len(values) and all(isinstance(value, n.Matrix) for value in values):
             yield from ((name, value, True) for name, value in zip(names, values, strict=True))
+
+
+def _has_primes(node: n.Node) -> bool:
+    """Whether a name with a prime stands in a matrix: A_2 = [cos θ' …] = [s_2 …], where θ' is another in each link."""
+    return any(isinstance(below, n.Name) and below.primes for below in n.walk(node))
 
 
 def _is_written(node: n.Node) -> bool:
