@@ -566,8 +566,10 @@ def _is_label(chain: n.Chain) -> bool:
 
 
 def _has_letter_index(chain: n.Chain) -> bool:
-    """Whether a name in a chain has a letter for its index, as what is said of any link does: A_n, {}^jT_{j+1}."""
-    names = (below for below in n.walk(chain) if isinstance(below, n.Name))
+    """Whether a name in a chain has a letter for its index, as what is said of any link does: A_n, {}^jT_{j+1}; or α has none."""
+    names = [below for below in n.walk(chain) if isinstance(below, n.Name)]
+    if any(name.base == "alpha" and not name.sub for name in names):
+        return True
     return any(script[:1] in {*"ijkn"} for name in names for script in (name.sub, name.pre_sub))
 
 
