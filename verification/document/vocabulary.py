@@ -224,48 +224,55 @@ zwar zwei zweimal zweite zwischen zyklus zylinder zähler ähnlich äußere übe
 übungen
 """
 SPANISH = """
-a abajo abierta abscisa acción aceleración acumulada adelante además adición agrupando ahora aislando al alcance alcanza algebraica algunas algunos
-algún alrededor alto altura ambas ambos amplitud analizar anexo angular anillo antebrazo anterior antes antorcha antropomórfico análisis análoga
-aparece apartado aplica aporte apoyo apunta apuntes apéndice aquí arcotangente arriba articular artículo asigna asociada asume así atrás aula
-autovalor aún baja barra barras base bases biblioteca bien bloque boquilla borde brazo brazos bucle buscada buscamos básica búsqueda cada cadena
-cadera caja calcula camino cantidad capacidad capítulo característica carpeta carrera carro cartesiana caso catetos centro cero cerrada ciclo ciclos
-cierra cierta cierto cilindro cilíndrico cinco cinemática circunferencia clase clases clásica codo coeficiente coincide columna combinando comentarios
-comienza como comparando complejo compone comprender comprobar comprueba computador común con concatenar concuerda condición conduce configuraciones
-conjunto conocer conocida consecuencia considera consigue consiste consta construir consultar contiene continuación control convención coordenada
-correcta corresponde coseno cruz cuadrado cuadrática cual cuales cualquier cuando cuarta cuarto cuatro cuenta cuerpo cumple cumplir curso curva curvas
-cuya cuyas cuyos cálculo cámara círculo código dada dadas dado dados datos de debe decir deducción deduce deducimos define definir del demostrar
-demuestra demás denominador denota dentro depende derecha derivada desarrolla descompone describe desde deseada despejando desplaza después detallada
-determina dh diagonal diagrama dibujo dicho diferencia difieren dimensión dinámica dirección directa diseñar diseño disponible distancia distinto
-divide dividiendo división documento donde dos durante ecuación edición efector efectuando efectúa eje ejecutar ejemplo ejercicio ejes el elegimos
-elegir elemento eleva elevando elimina eléctrico emplea en encoder encontramos encuentra energía engranaje enlace ensayo entonces entre entrega
-enunciado equivale es escalar escogido escribe esférica eslabones eslabón espacio especial esquema esta establece estas este esto estos estructura
-estudia está están evaluar evalúa exactamente examen existe experimento explica expresa extendida externa extremo fabricante factor falta fichero
-figura fija fijo fijos fila filas fin final finales finalmente flexión flujo forma forman formas freno frenos fricción fue fuente fuera fuerza función
-fácil fácilmente fórmula garra general geometría geométrica gira giran girar giro giros grado grados gravedad gráfica grúa haber había hace hacemos
-hacen hacer hacia hallamos hallar han hasta hay hecha hecho herramienta hipotenusa hipótesis historia hoja hojas hombro homogénea horizontales husillo
-identidad igual igualando igualdades iguales igualmente implementa implica importante inclinación incluye incógnita indica industria inercia
-ingeniería inicial inicio inmediata integrando interior intermedia interna intersección interés introdujo inversa invertir invirtiendo ir isotrópica
-izquierda jacobiana la laboratorio lado lados lagrange las le leemos leer lenguaje ley libertad libre libres libro libros lineal llama llamada
-llamamos llamando llega llegada llegamos llegar lleva lo local localización longitud los luego límite línea líneas manera manipuladores mano marco
-masa masas matrices matriz mecanismo mediante medición medida medido medio memoria menos mesa meta metros mide miden miembro milisegundo milímetros
-misma mismo mismos modelo modifica momento montaje motor motores mover movimiento mucho muchos muestra mueve mueven multiplica muslo muñeca más máxima
-máximo método mínima mínimo módulo múltiples natural necesaria necesita negativa norma normal nos nota notación notas nueva nuevo nula nulo numerador
-numérica número objetivo obtenemos obtenida obtiene obtuvo operación operador operando orden ordenada orientación origen ortogonal otra otras otro
-otros pala palabras par para paralela parcial pared pares parte particular partida partir parámetros paso pasos pedestal pendiente perfil periodo
-permite pero perpendicular pie pierna pieza piezas pinza pitágoras plana planar planificación plano planos plantea plataforma poco pocos podemos
-polares polinomio por posible posición positiva posterior postura potencia precedente pregunta presenta primer principal prismática problema procede
-proceso producto programa propia propiedad propio proporciona prototipo proyecciones prueba práctica publicado puede pueden punta punto puntos página
-pórtico que queda quedan queremos quitando rad radianes radio rama rango razón raíces raíz realiza recoge recogidos recordar recta rectángulo
-recíproca reemplazando reescribe referencia región regla relación repositorio representa resolver respecto respuesta resta restando restar resto
-resuelve resulta resumen riel robot robots robótica rodilla rota rotación rotan rotativa rotatoria rueda ruedas ruta rápidamente rápido rígida rígido
-sabe sabemos saber sabiendo salida se sea sean secciones sección secuencia segmento segunda según selección semana semestre sencilla seno senos sensor
-sentido separa ser serie será serán señala si sido siendo significa sigue siguen siguiente simbólica similar simple simplifica simulador singular
-sistema situación situado sobre software soluciones son su subconjunto sube subsistema suele suelo suma sumando sumar sumas superficie superior sus
-sustituir sólido tabla tablas tal tales también tangente tanto tarea tareas techo tema temas temporal tenemos teniendo tensor teorema teoría tercer
-tesis texto textos teórico tiempo tiene tienen tipo tipos tobillo toda todas todavía todos toma tomamos toman tomando tomar tope torque torre total
-trabajo tramo transforma transponer tras traslada trata tratará través trayectoria tres trigonométrica triángulo tronco término un una unidad unitario
-usamos usando usar usaremos usará utiliza vale valor valores variable varilla varía vector velocidad ver verdadero veremos verifica vertical verán vez
-viene vimos vio vista vistas visto volveremos vuelve válida válido vástago x y ya zona ángulo índice órdenes última último única único útil
+a abajo abduccion abducción abierta abscisa absorbiendo acción aceleración acumulada adelante además adentro adición aducción afuera agrupa agrupando
+ahora aislando al alcance alcanza algebraica algunas algunos algún alrededor alto altura ambas ambos amplitud analizar anexo angular anillo antebrazo
+anterior antes antorcha antropomórfico análisis análoga análogamente aparece aparecen apartado aplica aplicamos aplicando aporte apoyo apunta apuntes
+apéndice aquí arcotangente arriba articular artículo asigna asociada asume así atrás aula autovalor auxiliar aún baja barra barras base bases basta
+biblioteca bien bloque boquilla borde brazo brazos bucle buscada buscamos básica búsqueda cada cadena cadera caja calcula calculando camino cantidad
+capacidad capítulo característica carpeta carrera carro cartesiana caso catetos centro cero cerrada ciclo ciclos cierra cierta cierto cilindro
+cilíndrico cinco cinemática circunferencia clase clases clásica codificador codo coeficiente coincide colapsa colgando columna combinando comentarios
+comienza como comparando complejo compone componente comprender comprobar comprueba computador común con concatenar concuerda condición conduce
+configuraciones conjunto conocer conocida consecuencia considera considerando consigue consiste consta construir consultar contiene continuación
+control convención convierte coordenada correcta corresponde coseno cruz cruzada cuadrado cuadrática cuadrático cual cuales cualquier cuando cuarta
+cuarto cuatro cuenta cuerpo cumple cumplir curso curva curvas cuya cuyas cuyos cálculo cámara círculo código dada dadas dado dados datos de debe decir
+deducción deduce deducimos define definir del demostrar demuestra demás denomina denominador denota dentro depende dependen derecha derecho derivada
+desacoplamiento desarrolla descompone describe descuenta desde deseada desfase despejando despejar desplaza después detallada determina dh diagonal
+diagrama dibujo dicho diferencia difieren dimensión dinámica dirección directa directamente directo diseñar diseño disponible distancia distinto
+divide dividiendo división documento donde dos durante ecuación edición efectivo efector efectuando efectúa eje ejecutar ejemplo ejercicio ejes el
+elegimos elegir elemental elemento eleva elevando elimina eliminar eléctrico emplea empleamos en encoder encontramos encuentra energía engranaje
+enlace ensayo entonces entre entrega enunciado equivale es escalar escogido escribe escribimos esférica eslabones eslabón espacio especial esquema
+esta establece estandar estas este estirado esto estos estructura estudia está están estándar evaluar evalúa exactamente examen existe expande
+expandiendo experimento explica explícita expresa extendida extensión externa extremo fabricante factor falta fase fichero figura fija fijo fijos fila
+filas fin final finales finalmente fisica flexión flujo forma forman formas freno frenos fricción fue fuente fuera fuerza función fácil fácilmente
+física físico fórmula garra general genérica genérico geometría geométrica gira giran girar giro giros grado grados gravedad gráfica grúa haber había
+hace hacemos hacen hacer hacia hallamos hallando hallar han hasta hay hecha hecho herramienta hipotenusa hipótesis historia hoja hojas hombro
+homogénea horizontales husillo identidad igual igualando igualdades iguales igualmente implementa implica implícita importante inclinación incluye
+incorpora incógnita independiente indica industria inercia ingeniería inicial inicialmente inicio inmediata integrando interior intermedia interna
+intersección interés introdujo inversa invertido invertir invirtiendo ir isotrópica izquierda jacobiana justificación la laboratorio lado lados
+lagrange las lazo le lectura leemos leer lenguaje ley libertad libre libres libro libros lineal llama llamada llamamos llamando llega llegada llegamos
+llegar lleva lo local localización longitud los luego límite línea líneas manera manipuladores mano marco masa masas matrices matriz mecanismo
+mecánico mediante medición medida medido medio memoria menos mesa meta metros mide miden miembro milisegundo milímetros misma mismo mismos modelar
+modelo modifica momento montaje motor motores mover movimiento mucho muchos muestra mueve mueven multiplica muslo muñeca más máxima máximo método
+mínima mínimo módulo múltiples natural necesaria necesita negativa negativo neutra neutral norma normal normalmente nos nota notación notas nueva
+nuevo nula nulo numerador numérica número objetivo obtenemos obtener obtenida obtiene obtuvo ocurre operación operador operando opuesta opuesto orden
+ordenada orientación origen ortogonal otra otras otro otros pala palabras par para paralela parcial pared pares parte particular partida partir
+parámetros paso pasos pata pedestal pendiente perfil periodo permite pero perpendicular pie pierna pieza piezas pinza pitágoras plana planar
+planificación plano planos plantea planteamiento plataforma plegado poco pocos podemos polares polinomio por posible posición positiva positivo
+posterior postura potencia precedente pregunta presenta primer principal prismática problema procede proceso producto programa propia propiedad propio
+proporciona prototipo proyecciones proyección proyecta prueba práctica publicado puede pueden punta punto puntos página pórtico que queda quedan
+quedando queremos quitando rad radial radianes radio raiz rama rango razón raíces raíz realiza recoge recogidos recordar recta rectángulo recíproca
+reduccion reducción reduce reemplazando reescribe reescribiendo referencia refleja región regla relación repositorio representa representan resolución
+resolver respecto responde respuesta resta restando restar resto resuelta resuelve resulta resultado resultante resumen riel robot robots robótica
+rodilla rota rotación rotan rotativa rotatoria rueda ruedas ruta rápidamente rápido rígida rígido sabe sabemos saber sabiendo salida se sea sean
+secciones sección secuencia segmento segunda según selección semana semestre sencilla seno senos sensor sentido separa ser serie será serán señala si
+sido siendo significa signo signos sigue siguen siguiente simbólica similar simple simplifica simulador simultáneamente singular sistema situación
+situado sobre software solucion soluciones son su subconjunto sube submatriz subproblema subsistema suele suelo suma sumando sumar sumas superficie
+superior sus sustitución sustituir sustituyendo sólido tabla tablas tal tales también tangencial tangente tanto tarea tareas techo tema temas temporal
+tenemos teniendo tensor teorema teoría tercer tesis texto textos teórico tiempo tiene tienen tipo tipos tobillo toda todas todavía todos toma tomamos
+toman tomando tomar tope torque torre total trabajo tramo transforma transponer tras traslada trata tratará través trayectoria tres trigonométrica
+triángulo tronco término un una unidad unir unitario usamos usando usar usaremos usará usual utiliza vale valor valores variable varilla varía vector
+velocidad ver verdadero veremos verifica verificación verificamos vertical verán vez viene vimos vio vista vistas visto volveremos vuelve válida
+válido vástago x y ya zona ángulo índice órdenes última último única único útil
 """
 ITALIAN = """
 a abbiamo accelerazione addizione adesso affronta aggiunge al alcuni algebrica alla allora alto altra altre altri ambedue ampiezza analitica
