@@ -6,7 +6,9 @@ import re
 from collections.abc import Iterator, Sequence
 
 _BEGIN = r"\text{joint "  # and the joint's number, "last" or "all"
-_IS_VALUE = re.compile(r"\\text\{joint (?:\d|last|all)\} = ")  # that is ours: a text may say \text{joint prismático} = …
+_IS_VALUE = re.compile(
+    r"\\text\{joint (?:\d|last|all)\} = "
+)  # that is ours: a text may say \text{joint prismático} = …
 _ORDINALS = {
     "1": "first|premier|première", "2": "second|deuxième|seconde?", "3": "third|troisième", "4": "fourth|quatrième", "5": "fifth|cinquième",
     "6": "sixth|sixième", "last": "last|dernier|dernière", "all": "both|all|all the|(?:les )?deux|toutes les",

@@ -483,7 +483,9 @@ def _on_own_lines(token: Token) -> set[int]:
     say what a matrix is, for nobody mentions one.
     """
     children = token.children or []
-    says = {place for place, child in enumerate(children) if child.type == "math_inline" and _SAYS.search(child.content)}
+    says = {
+        place for place, child in enumerate(children) if child.type == "math_inline" and _SAYS.search(child.content)
+    }
     says = {place for place in says if not children[place].content.startswith("`")}
     if _stands_alone(token):
         return says
