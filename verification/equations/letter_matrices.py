@@ -138,9 +138,9 @@ def are_of_no_other(names: Names, members: Members, chain: n.Chain, readings: It
 
     Nor is f the entry of a rotation between any two frames.
     """
-    arm = names.arm
-    entry, other = next(((a, b) for a, b in permutations(chain.members) if isinstance(a, n.Name)), (None, None))
-    if arm is None or entry is None or other is None or len(chain.members) != 2 or not is_entry(entry):
+    arm, sides = names.arm, permutations(chain.members) if len(chain.members) == 2 else ()
+    entry, other = next(((a, b) for a, b in sides if isinstance(a, n.Name) and is_entry(a)), (None, None))
+    if arm is None or entry is None or other is None:
         return False
     made, value = names.state.definitions.get(entry.key), members.evaluate(other).value
     if made is None or not made.by_place or not isinstance(value, Scalar):
