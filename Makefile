@@ -37,7 +37,6 @@ site: $(READY)
 # and all their processes what is compiled. Matrices are small: threads of the linear algebra would wait for each other.
 WORKERS := $(shell expr $$(nproc) + 1)
 
-test test-rest benchmark: export PYTHONDONTWRITEBYTECODE =
 test test-rest sweep: export OPENBLAS_NUM_THREADS = 1
 test: $(READY)
 	ARMPROOF_PART=some $(VENV)/bin/python -m pytest -n $(WORKERS) --dist loadfile

@@ -6,7 +6,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.document import read_document
+from armproof.verification.document.front_matter import read_text, split_front_matter
 from armproof.verification.inverse import InverseError, InverseKinematics, read_inverse
 
 HANDOUTS = Path(__file__).resolve().parent / "handouts"
@@ -38,11 +38,11 @@ def _handouts() -> dict[str, Path]:
     found: dict[str, Path] = {}
     for path in sorted(HANDOUTS.glob("*.md")):
         try:
-            front = read_document(path).front
+            front = split_front_matter(path, read_text(path))[0]
         except ArmproofError:  # the verdict of that handout says so
             continue
-        if "inverse" in front and isinstance(front.get("arm"), str):
-            found.setdefault(front["arm"], path)
+        if front and "inverse" in front.values and isinstance(arm := front.values.get("arm"), str):
+            found.setdefault(arm, path)
     return found
 
 

@@ -195,7 +195,7 @@ class Claim:
         document = self._document(latex)
         checker = DocumentChecker(document, load_arm_of(document), confirm=False)
         checker.checker.equality.stated.enabled = False
-        checker.statements.claims.is_closed = True  # a letter that is none of the task's was refused
+        checker.statements.claims.decision.is_closed = True  # a letter that is none of the task's was refused
         result = checker.run()
         for record in result.equations[:-1]:
             if record.verdict not in _READ and any(each.role is not Role.DEFINITION for each in record.outcomes):

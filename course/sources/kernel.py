@@ -114,7 +114,10 @@ def _client(notebook: Any, home: Path, folder: Path) -> Any:
     command = [sys.executable, "-m", "ipykernel_launcher", "-f", "{connection_file}"]
     manager._kernel_spec = KernelSpec(argv=command, display_name="Python 3", language="python")
     resources = {"metadata": {"path": str(home)}}
-    return NotebookClient(notebook, km=manager, timeout=SECONDS_A_CELL, resources=resources)
+    # Nothing of a kernel is wanted after its last cell: asked politely, it would take most of a second to end.
+    return NotebookClient(
+        notebook, km=manager, timeout=SECONDS_A_CELL, shutdown_kernel="immediate", resources=resources
+    )
 
 
 def _environment(folder: Path) -> dict[str, str]:

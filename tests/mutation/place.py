@@ -62,16 +62,16 @@ class Place:
         `confirm` evaluates what is proved on the double plant as well, `diagnose` looks for what is wrong and why.
         """
         self.checker.checker.confirm = confirm
-        diagnostician = self.checker.diagnostician
+        diagnostician = self.checker.on_demand.diagnostician
         try:
             if not diagnose:
-                self.checker.diagnostician = _Silent(self.checker.checker)
+                self.checker.on_demand.diagnostician = _Silent(self.checker.checker)
             with self.altered():
                 return self.checker.check_display(replace(self.display, latex=latex))
         finally:
             self.checker.checker.confirm = False
-            if self.checker.diagnostician.__class__ is _Silent:
-                self.checker.diagnostician = diagnostician
+            if self.checker.on_demand.diagnostician.__class__ is _Silent:
+                self.checker.on_demand.diagnostician = diagnostician
 
     def member(self, node: n.Node) -> Member:
         """Return the exact value of a tree that stands here, or why it has none."""

@@ -343,7 +343,7 @@ LABORIOUS = {
 @pytest.mark.parametrize("labour", LABORIOUS)
 def test_no_display_takes_more_than_its_time(verify, tmp_path: Path, monkeypatch, labour: str):
     if labour != "derivatives" and not SWEEP:  # one uses up the whole time, the others a part of it
-        monkeypatch.setattr("armproof.verification.check.SECONDS_TO_DECIDE", 0.3)
+        monkeypatch.setattr("armproof.verification.check.display_checker.SECONDS_TO_DECIDE", 0.3)
     slow, fine = judge(verify, write(tmp_path, "arm: scara", f"$$ {LABORIOUS[labour]} $$\n\n{FINE}"))
     assert slow["verdict"] in ("refuted", "unchecked", "unreadable", "proved", "confirmed")
     assert fine["verdict"] == "proved"

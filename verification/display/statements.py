@@ -20,6 +20,7 @@ from armproof.verification.conditions.implication import (
 from armproof.verification.conditions.implications import Implications, Judgement
 from armproof.verification.conditions.wording import is_alternative, is_concluded, tell_words_that_change
 from armproof.verification.display.claims import Claims
+from armproof.verification.display.claims_at_values import ClaimsAtValues
 from armproof.verification.display.prepared import asked, beside_arcs, of_all_joints, prepared
 from armproof.verification.equations.cells_left_out import with_cells
 from armproof.verification.equations.chain import ChainChecker
@@ -33,6 +34,7 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.statements import PREVIOUS
+from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.naming.conventions import is_usual
 from armproof.verification.verdict import DECIDED, HOLDS, Role, Verdict
 
@@ -90,6 +92,7 @@ class Statements:
         self.names = checker.names
         self.ring = checker.exact.ring
         self.claims = Claims(checker)
+        self.at_values = ClaimsAtValues(self.claims)
 
     @cached_property
     def implications(self) -> Implications:
@@ -151,6 +154,10 @@ class Statements:
         if first_chain is not None and define:
             self.names.state.subject = first_chain.members[0]
         return display.outcomes, display.counterexample
+
+    def tried(self, latex: str) -> list[Outcome]:
+        """Return the outcomes of a display that is tried: it defines nothing."""
+        return self.check(self.names.reader.read(latex), 0, define=False, latex=normalise_unicode(latex))[0]
 
     def _name_ahead(self, statements: list[n.Statement], line: int) -> None:
         """Y = -2 B_1 d_3, B_1 = …, or s_2 = ε √(1 - c_2²), ε = ±1: what a display says of a letter holds for all of it."""
@@ -233,10 +240,10 @@ class Statements:
         given = dict(self.names.state.configuration)
         is_connected = display.is_connected
         alternative = is_connected and is_alternative(statements, index)
-        found = self.claims.claim(chain, display.equation, display.line, display.define and not alternative)
+        found = self.at_values.claim(chain, display.equation, display.line, display.define and not alternative)
         found = [outcome.unless_refuted(say(Kind.ONE_OF_TWO)) for outcome in found] if alternative else found
         under_words = is_connected and is_under_words(statements, index)
-        if under_words or any(map(self.claims.given.places_joints, (each for _, each in display.stated))):
+        if under_words or any(map(self.claims.decision.given.places_joints, (each for _, each in display.stated))):
             found = self._without_numbers(found)  # for θ_2 = π/2, w = 0
         if is_connected and is_concluded(statements, index):
             self.names.state.configuration = given  # what is concluded is no data

@@ -334,6 +334,11 @@ class DocumentState:
         """Return the names consulted that the document defines, each with its definition."""
         return {(key, self.definitions[key]) for key, _ in self.consulted if key in self.definitions}
 
+    def forget_consulted(self) -> None:
+        """Forget which definitions and signs were met: what follows is another equation."""
+        self.consulted.clear()
+        self.signs.read.clear()
+
     def infer_usual(self, key: str, quantity: Quantity) -> None:
         """Give a name a meaning that only convention binds."""
         self.inferred[key] = quantity

@@ -56,11 +56,7 @@ class IncrementalChecker:
         if checker is not None and spelling_of(document, checker.names.reader.words) != checker.names.reader.spelling:
             fresh = True
         if checker is not None and not fresh:
-            fresh = (
-                checker.direction_in(document) != checker.direction
-                or checker.lengths_in(document) != checker.lengths
-                or checker.shorthands_in(document) != checker.shorthands
-            )
+            fresh = not checker.beforehand.is_shown_by(document)
         self.result = None
         if fresh:
             self._begin(found)
@@ -89,7 +85,7 @@ class IncrementalChecker:
         kept = min((k for k in range(max(0, kept - AHEAD), kept) if checker.lacked(old[k].display)), default=kept)
         self._checked = checked = old[:kept]
         checker.names.state.become(checked[-1].after if checked else self._before)
-        checker.document, checker.inferred = document, found
+        checker.go_on_with(document, found)
         known = {_key(each.display) for each in old}
         for index in range(kept, len(document.displays)):
             if index > kept and _goes_on_as_before(document.displays, index, old, checked[-1]):

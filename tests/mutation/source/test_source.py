@@ -66,7 +66,7 @@ def test_the_trusted_base_is_what_the_plan_names():
     assert {
         "models/exact/trace.py",
         "verification/algebra/ring.py",
-        "verification/check.py",
+        "verification/check/documents.py",
         "verification/display/claims.py",
         "verification/tables/arms/inference.py",
     } <= {*files}
@@ -95,7 +95,7 @@ def test_each_trusted_file_is_there_and_has_tests():
         assert (ROOT / file).exists() and all((ROOT / test).exists() for test in (*own, *room, *course)), file
     assert selection("models/loading/card.py")[0] == ["tests/models/loading/test_card.py"]
     assert "tests/verification/naming/test_quantities.py" in selection("verification/algebra/quantity_kinds.py")[0]
-    assert not selection("verification/check.py")[0]  # what all tests import, none is about
+    assert not selection("verification/check/display_checker.py")[0]  # what all tests import, none is about
 
 
 def test_a_sample_is_drawn_from_all_files():

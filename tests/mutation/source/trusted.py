@@ -13,7 +13,7 @@ NEAREST = {  # the tests of a room that has no folder of its own name, or that a
     "models/exact": ("tests/models/exact", "tests/models/dh", "tests/models/loading"),
     "verification/functions/tracing": ("tests/verification/functions",),
     "verification": (
-        "tests/verification/test_check.py",
+        "tests/verification/check/test_documents.py",
         "tests/verification/test_verdict.py",
         "tests/verification/test_equation.py",
         "tests/verification/diagnosis/test_display.py",

@@ -1,0 +1,206 @@
+"""The displays and tables of one document to its result, with the names that those before define."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from functools import cached_property, lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from armproof.models.arm import Arm
+from armproof.models.catalogue import arm_of, load_arm
+from armproof.models.errors import ArmproofError
+from armproof.verification.algebra.ring import Ring
+from armproof.verification.check.beforehand import Beforehand, lacks_base, shown_transforms
+from armproof.verification.check.display_checker import DisplayChecker
+from armproof.verification.check.limits import SECONDS_TO_DECIDE
+from armproof.verification.check.on_demand import OnDemand
+from armproof.verification.display.statements import Statements
+from armproof.verification.document import Display, Document, Table
+from armproof.verification.equations.chain import ChainChecker, no_samples
+from armproof.verification.equations.later_definitions import definitions_behind, names_lacking
+from armproof.verification.errors import DocumentError
+from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.findings import Finding, Kind, say
+from armproof.verification.naming.reading import read_names, spelling_of
+from armproof.verification.naming.settled import settle_definitions, settle_used
+from armproof.verification.naming.shown import settle_usual
+from armproof.verification.tables import check_table
+from armproof.verification.tables.arms import Inference, difference, settle_data, table_of_named
+from armproof.verification.verdict import DECIDED, DocumentResult, Record, TakenArm, Verdict
+
+if TYPE_CHECKING:
+    from armproof.verification.evaluation.sampled import SampledAlgebra
+
+
+def load_arm_of(document: Document) -> Arm | None:
+    """Return the arm that a document's front matter names; raises DocumentError where that cannot be loaded."""
+    try:
+        return arm_of(document.front, document.path.parent)
+    except ArmproofError as error:
+        raise document.fault("arm" if "arm" in document.lines else "arms", error) from None
+
+
+@lru_cache(maxsize=16)
+def _difference(name: str, table: Table) -> Finding | None:
+    about = DocumentChecker(Document(Path(), {}, (), (table,)), load_arm(name), confirm=False)
+    return difference(about.checker, name, table)
+
+
+class DocumentChecker:
+    """Checks the displays of one document in order, each with the names that those before it defined."""
+
+    def __init__(
+        self,
+        document: Document,
+        arm: Arm | None,
+        confirm: bool = True,
+        correct: bool = False,
+        samples: bool = True,
+        inferred: Inference | None = None,
+    ) -> None:
+        self.document = document
+        self.arm = arm
+        self.inferred = inferred or Inference(document)
+        try:
+            self.names = read_names(arm, document.front)
+        except DocumentError as error:
+            raise document.fault(error.key or "quantities", error) from None
+        self.names = replace(self.names, is_part=self.inferred.arm is not None and self.inferred.arm.is_part)
+        self.names = replace(self.names, lacks_base=lacks_base(document, arm, self.inferred))
+        if shown_transforms(self.inferred):  # by what the arm was taken from, and not stated by the author
+            self.names = replace(self.names, stated_transforms="")
+        self.names.reader.spelling = spelling_of(document, self.names.reader.words)
+        self.ring = Ring()
+        if arm is not None:  # any numbers, as lengths are, until a display says which
+            self.names.state.adopted |= {key for key in self.names.reader.spelling.masses if self._is_unknown(key)}
+        self.exact = ExactAlgebra(self.ring, arm)
+        self.checker = ChainChecker(self.names, self.exact, self.sampled)
+        self.checker.confirm = confirm
+        self.statements = Statements(self.checker)
+        self.on_demand = OnDemand(self.statements, samples)
+        self.correct = correct
+        self.samples = samples
+        self.beforehand = Beforehand(self.checker, document, self.inferred)
+        self.displays = DisplayChecker(self.on_demand, self.inferred, self.beforehand.direction, correct)
+        self._lacked: set[tuple[int, str]] = set()
+
+    def go_on_with(self, document: Document, inferred: Inference) -> None:
+        """Check displays of a document that has changed: it shows the same beforehand."""
+        self.document, self.inferred, self.displays.inferred = document, inferred, inferred
+
+    def _is_unknown(self, key: str) -> bool:
+        return self.names.known_symbol(key) is None and key not in self.names.quantities
+
+    def sampled(self) -> SampledAlgebra:
+        """The double plant at the configurations of the six families; raises NotSampled where none may be taken."""
+        if not self.samples:
+            no_samples()
+        return self._samples
+
+    @cached_property
+    def _samples(self) -> SampledAlgebra:
+        with self.ring.budget.paused():
+            from armproof.verification.evaluation.sampled import plant_samples
+
+            return plant_samples(self.exact)
+
+    def run(self) -> DocumentResult:
+        """Return the verdicts of all displays and tables, in the order of the document."""
+        started = time.perf_counter()
+        equations = tuple(self.check_display(display) for display in self.document.displays)
+        return replace(self.result_of(equations), seconds=time.perf_counter() - started)
+
+    def result_of(self, equations: tuple[Record, ...]) -> DocumentResult:
+        """Return the document's result for the records of its displays; its tables are checked with the names of them all."""
+        tables = tuple(record for table in self.document.tables if (record := self._table(table)) is not None)
+        if any(record.if_shown is not None for record in equations):
+            equations = settle_usual(equations)
+        if any(each.order for record in equations for each in record.outcomes):
+            from armproof.verification.equations.argument_order import settle_orders
+
+            equations = settle_orders(equations)
+        if self._has_definitions(equations):
+            equations = settle_used(settle_definitions(equations, self.displays.slips.is_cleared))
+        if self.inferred.arm is not None or self.inferred.problem is not None:
+            equations, tables = settle_data(self.inferred, equations, tables)
+        if self._has_definitions(equations):  # what was refuted by an arm that nothing confirms may have used them
+            equations = settle_used(equations)
+        index = None if self.arm is None else 0
+        return DocumentResult(
+            str(self.document.path),
+            self.arm.name if self.arm is not None else "",
+            tuple(replace(record, arm_index=index) for record in equations),
+            tuple(replace(record, arm_index=index) for record in tables),
+            self.arm.warnings if self.arm is not None else (),
+            title=str(self.document.front.get("title", "")),
+            inverse=self._inverse(),
+            arms=self._arms(),
+            front=self.document.front,
+            remarks=(*self.document.remarks, *self._named()),
+        )
+
+    @staticmethod
+    def _has_definitions(records: Sequence[Record]) -> bool:
+        outcomes = (each for record in records for each in record.outcomes)
+        return any(each.defines or each.uses or each.verdict is Verdict.DEFINED for each in outcomes)
+
+    def _arms(self) -> tuple[TakenArm, ...]:
+        if self.inferred.arm is not None or self.arm is None:
+            return (self.inferred.arm,) if self.inferred.arm is not None else ()
+        spec: dict[str, Any] = {k: v for k, v in self.document.front.items() if k in ("arm", "transforms")}
+        convention = self.arm.dh.convention if self.arm.dh is not None else ""
+        line = self.document.lines.get("arm") or self.document.lines.get("arms", 1)
+        return (TakenArm(self.arm.name, line, "front matter", convention, self.names.transforms, spec),)
+
+    def _named(self) -> Iterator[Finding]:
+        """Yield how the document's table differs from an arm of the catalogue that its text names, but its front matter does not."""
+        by_author = self.inferred.arm is None and self.arm is not None
+        table = table_of_named(self.document) if self.samples and not by_author else None
+        if table is not None:
+            yield from filter(None, (_difference(name, table) for name in self.document.named))
+
+    def _inverse(self) -> Record | None:
+        if "inverse" not in self.document.front:
+            return None
+        if not self.samples:
+            line = self.document.lines.get("inverse", 1)
+            left_open = (say(Kind.NOT_SAMPLED),)
+            return Record(line, "", Verdict.UNCHECKED, section="Inverse kinematics", findings=left_open)
+        from armproof.verification.inverse.document import check_inverse
+
+        return check_inverse(self.document, self.names)
+
+    def _table(self, table: Table) -> Record | None:
+        with self.ring.budget.of(SECONDS_TO_DECIDE):
+            record = check_table(self.checker, table)
+        if record is None or record.verdict is not Verdict.REFUTED or not self.correct:
+            return record
+        from armproof.verification.correction.tables import correct_table
+
+        with self.ring.budget.of(SECONDS_TO_DECIDE):
+            return replace(record, corrections=correct_table(self.checker, table, record))
+
+    def check_display(self, display: Display) -> Record:
+        """Return the record of one display; what it lacks may be said right behind it."""
+        record = again = self.displays.check(display)
+        if record.verdict is not Verdict.UNCHECKED:
+            return record
+        after, missing = self.names.state.copy() if names_lacking(record) else None, frozenset[str]()
+        while new := names_lacking(again) - missing:
+            missing |= new
+            behind = definitions_behind(self.document.displays, display, missing, self.names.reader)
+            if not behind:
+                break
+            for each in (*behind, display):
+                again = self.displays.check(each)
+        if after is not None:
+            self._lacked.add((display.line, display.latex))
+            self.names.state.become(after)
+        return again if again.verdict in DECIDED else record
+
+    def lacked(self, display: Display) -> bool:
+        """Whether a display lacked names by what stands above it."""
+        return (display.line, display.latex) in self._lacked

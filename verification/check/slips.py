@@ -1,0 +1,139 @@
+"""Equations that hold but for one slip: in them, with names as usual, or in what is said before."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import replace
+from functools import partial
+
+from armproof.models.errors import ArmproofError
+from armproof.verification.check.limits import SECONDS_ON_SLIPS, SECONDS_TO_EXPLAIN, WORK_ON_SLIPS
+from armproof.verification.check.on_demand import OnDemand
+from armproof.verification.document import Display
+from armproof.verification.equations.outcome import AsUsual, Outcome
+from armproof.verification.errors import TooComplex
+from armproof.verification.findings import MISPRINTS, Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.unicode import normalise_unicode
+from armproof.verification.naming.state import Definition
+from armproof.verification.verdict import HOLDS, EquationResult, Record, SlipBefore, Verdict
+
+
+class Slips:
+    """Seeks the one slip with which an equation of a display holds, and tells which displays clear a definition of one."""
+
+    def __init__(self, on_demand: OnDemand) -> None:
+        self.on_demand = on_demand
+        self.checker, self.statements = on_demand.checker, on_demand.statements
+        self.names, self.budget = self.checker.names, self.checker.exact.budget
+
+    # -- in the equation, its names as usual --------------------------------------------------------------------------
+
+    def as_usual(self, outcome: Outcome, display: Display) -> AsUsual | None:
+        """Tell the one slip that mends an equation if its names mean what they usually do; return what it then would be.
+
+        With a term or a factor more or less it may well mean something else: the point of another link, one joint's part.
+        """
+        if outcome.as_usual is None or display.erratum:
+            return None
+        try:
+            with self.budget.of(SECONDS_TO_EXPLAIN):
+                holds = partial(self._holds_so, equation=outcome.equation)
+                slips = [*self.on_demand.diagnostician.slip_as_usual(normalise_unicode(display.latex), outcome, holds)]
+        except TooComplex:
+            return None
+        if not slips:
+            return self._as_usual_before(outcome, display)
+        for slip in slips:
+            outcome.also(say(Kind.SLIP_AS_USUAL, change=slip.finding, printed=slip.printed, correct=slip.correct))
+        told = {*MISPRINTS, Kind.MISSING_TERM} if outcome.as_usual.of_another else MISPRINTS
+        return outcome.as_usual if any(slip.finding.kind in told for slip in slips if slip.finding) else None
+
+    def _as_usual_before(self, outcome: Outcome, display: Display) -> AsUsual | None:
+        """Return what an equation would be if its names mean what they usually do, where a slip in what is said before then mends it."""
+        usual = outcome.as_usual
+        if usual is None or not outcome.uses:
+            return None
+        refuted, state = replace(usual.outcome, uses=outcome.uses), self.names.state
+        aside = {key: state.definitions.pop(key) for key in usual.meanings if key in state.definitions}
+        state.inferred |= usual.meanings
+        try:
+            with self.budget.of(SECONDS_ON_SLIPS, WORK_ON_SLIPS):
+                again = partial(self._holds_again, display, outcome.equation)
+                slip = self.on_demand.diagnostician.slip_before(Record(0, "", Verdict.REFUTED), refuted, again)
+        except TooComplex:
+            return None
+        finally:
+            state.forget_usual(usual.meanings)
+            state.definitions |= aside
+        return replace(usual, outcome=refuted) if slip is not None and slip.change.kind in MISPRINTS else None
+
+    # -- in what is said before ---------------------------------------------------------------------------------------
+
+    def before_refuted(
+        self, found: list[EquationResult], display: Display, record: Record, outcomes: Sequence[Outcome]
+    ) -> None:
+        """Give the results of a refuted display the slips in definitions before with which they hold."""
+        with suppress(TooComplex), self.budget.of(SECONDS_ON_SLIPS, WORK_ON_SLIPS):
+            for place, outcome in enumerate(outcomes):
+                may_slip = frozenset(filter(self._may_slip, outcome.uses))
+                found[place] = replace(found[place], may_slip=may_slip)
+                found[place] = replace(found[place], slip_before=self._slip_before(outcome, record, display))
+
+    def before_second_meaning(self, record: Record, display: Display, outcomes: Sequence[Outcome]) -> Record:
+        """Return the record of a display that says a name anew, as it would be with one slip in what is said of that before."""
+        found = list(record.outcomes)
+        with suppress(TooComplex), self.budget.of(SECONDS_ON_SLIPS, WORK_ON_SLIPS):
+            for place, outcome in enumerate(outcomes):
+                is_open = outcome.verdict in (Verdict.UNCHECKED, Verdict.DEFINED)
+                if is_open and outcome.tells(Kind.SECOND_MEANING) and outcome.uses:
+                    again = partial(self._holds_again, display, outcome.equation)
+                    slip = self.on_demand.diagnostician.slip_before(record, outcome, again)
+                    found[place] = replace(found[place], slip_before=slip)
+        return replace(record, outcomes=tuple(found))
+
+    def _slip_before(self, outcome: Outcome, record: Record, display: Display) -> SlipBefore | None:
+        """Return the slip in a definition before with which a refuted equation holds, or None."""
+        if outcome.verdict is not Verdict.REFUTED or not outcome.uses:
+            return None
+        again = partial(self._holds_again, display, outcome.equation)
+        return self.on_demand.diagnostician.slip_before(record, outcome, again)
+
+    def is_cleared(self, record: Record, slip: SlipBefore) -> bool:
+        """Whether a display that holds does so as it stands, and not if a definition has a slip: it clears it of that."""
+        made = self.names.state.definitions
+        before = made.get(slip.name)
+        if before is None or before.line != slip.line or not isinstance(slip.formula, n.Node):
+            return True
+        with_slip = replace(before, evaluate=self.checker.members.meaning(slip.formula))
+        return self._holds_where(record, slip.name, before) and not self._holds_where(record, slip.name, with_slip)
+
+    def _may_slip(self, key: tuple[str, int]) -> bool:
+        """Whether what is said of a name claims something: a list of letters does not, F = (F_x, F_y)."""
+        before = self.names.state.definitions.get(key[0])
+        if before is None or before.line != key[1] or before.formula is None:
+            return False
+        from armproof.verification.diagnosis.slips_before import names_alone
+
+        return not names_alone(before.formula)
+
+    def _holds_where(self, record: Record, name: str, meaning: Definition) -> bool:
+        before = self.names.state.definitions[name]
+        self.names.state.definitions[name] = meaning
+        try:
+            with self.budget.of(SECONDS_TO_EXPLAIN):
+                return all(each.verdict in HOLDS for each in self.statements.tried(record.latex))
+        except (ArmproofError, RecursionError):
+            return False
+        finally:
+            self.names.state.definitions[name] = before
+
+    def _holds_again(self, display: Display, equation: int) -> bool:
+        return self._holds_so(display.latex, equation, Kind.ANGLES_TOLD_OTHERWISE)
+
+    def _holds_so(self, latex: str, equation: int, besides: Kind | None = None) -> bool:
+        """Whether an equation of a display holds as things are, or its outcomes tell one thing besides."""
+        again = [each for each in self.statements.tried(latex) if each.equation == equation]
+        is_told = (each.verdict in HOLDS or (besides is not None and each.tells(besides)) for each in again)
+        return bool(again) and all(is_told)

@@ -1,0 +1,67 @@
+"""What the words around a display say of it: that it is so elsewhere, in a case, of another point, or not at all."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from armproof.verification.conditions.circumstances import Circumstances
+from armproof.verification.conditions.other_meanings import OtherMeanings
+from armproof.verification.display.taken_arm import names_in
+from armproof.verification.document import Display
+from armproof.verification.document.other_meanings import FRAME
+from armproof.verification.document.sentences import not_known_in, quoted
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.findings import Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.verdict import DECIDED, Verdict
+
+
+class WordsAround:
+    """Leaves open what is decided, where words around its display say it of something else."""
+
+    def __init__(self, circumstances: Circumstances) -> None:
+        self.circumstances = circumstances
+        self.meanings = OtherMeanings(circumstances.checker, circumstances.given)
+        self.names = circumstances.names
+
+    def judge(self, outcome: Outcome, display: Display) -> Outcome:
+        """Leave open what the words around a display say to be so elsewhere, in a case, of another point, or not at all."""
+        if display.said_next and not display.erratum:
+            outcome = self.circumstances.judge_behind(outcome, display.said_next)
+        if display.supposed:
+            outcome = outcome.unless_refuted(say(Kind.IS_SUPPOSED))
+        if display.of_other_point or (display.meant and self._is_of_other_frame(display)):
+            outcome = self._unless_of_the_tool(outcome)
+        if display.in_other_frame and outcome.verdict in DECIDED and any(map(self._is_in_base, names_in(outcome))):
+            outcome = outcome.left_open(say(Kind.OF_OTHER_POINT))
+        if display.meant and not display.erratum and outcome.verdict in DECIDED:
+            outcome = self.meanings.judge(outcome, display.meant)
+        if display.denied and outcome.verdict is not Verdict.UNCHECKED:
+            outcome = replace(outcome.left_open(say(Kind.DENIED)), defines=())
+        if display.strange and outcome.verdict is not Verdict.UNCHECKED:
+            words = ", ".join(not_known_in(display.strange))
+            outcome = outcome.left_open(say(Kind.STRANGE_WORDS, text=quoted(display.strange), words=words))
+        return outcome
+
+    def _is_of_other_frame(self, display: Display) -> bool:
+        """Whether the sentence beside a display is of the origin of another frame than the last."""
+        frames = {each.partition(" ")[2] for each in display.meant if each.startswith(FRAME)}
+        return self.names.arm is not None and bool(frames - {self.names.arm.frames[-1]})
+
+    def _is_in_base(self, name: n.Name) -> bool:
+        """Whether a name is taken as of the base, and no index and no front matter says so."""
+        return (
+            name.key not in self.names.quantities
+            and self.names.quantity(name) is not None
+            and not re.search(r"\^|_[bs]\b", name.key)
+        )
+
+    def _unless_of_the_tool(self, outcome: Outcome) -> Outcome:
+        """Leave open what is decided by a name that convention alone binds to the tool, where the text speaks of another point."""
+        by_convention = self.names.state.conventional | ({"J"} - {*self.names.quantities})
+        named = {replace(name, dots=0).key for name in names_in(outcome)} & by_convention
+        is_open = outcome.as_usual is None and all(re.search(r"[\d^]|_[bs]\b", key) for key in named)
+        if is_open or (outcome.as_usual is None and outcome.verdict not in DECIDED):
+            return outcome
+        return replace(outcome.left_open(say(Kind.OF_OTHER_POINT)), as_usual=None)

@@ -1,0 +1,295 @@
+"""What the text between displays says of those that follow: values, conditions, bounds, and what letters are."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from itertools import pairwise
+
+from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.matrix import Matrix, as_scalar
+from armproof.verification.algebra.ring import Scalar
+from armproof.verification.conditions.holding_there import holds_where
+from armproof.verification.document.heading import sections_around
+from armproof.verification.document.joint_values import in_letters, is_joint_value
+from armproof.verification.document.postures import SINGULAR, THERE, kind_of_joints
+from armproof.verification.document.sentences import FROM_VALUES, GENERAL
+from armproof.verification.equations.case_conditions import comparisons_of
+from armproof.verification.equations.chain import ChainChecker
+from armproof.verification.equations.definitions import angle_of_tangent, squared_name
+from armproof.verification.equations.forces import heed_forces
+from armproof.verification.equations.given_values import GivenValues
+from armproof.verification.equations.under_rates import UnderRates
+from armproof.verification.errors import ReadError
+from armproof.verification.evaluation.blocks import cells_of, rows_of_letters
+from armproof.verification.findings import Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.latex.reader import key_as_latex
+from armproof.verification.naming.conventions import is_usual
+from armproof.verification.naming.state import Stated, Told
+
+POSTURE = r"\text{posture}"  # one that the text names, and nobody can tell
+_HELD = re.compile(r"\s*(?:\\\{(?P<set>(?:(?!\\[{}]).)*=(?:(?!\\[{}]).)*)\\\}|\((?P<list>[^()]*=[^()]*)\))\s*")
+
+
+class Heeding:
+    """Takes what the text says into the document's state."""
+
+    def __init__(self, checker: ChainChecker, given: GivenValues) -> None:
+        self.checker = checker
+        self.given = given
+        self.names = checker.names
+
+    def heed(self, said: Sequence[str], above: int, outside: int, line: int) -> None:
+        """The text before a display gives values or a condition: the configuration stated before it is over, perhaps.
+
+        What stands `above` the last heading ends a configuration as well; below it holds what it says of lengths, unless
+        it stands `outside`, in a section that is not around that of the display.
+        """
+        state = self.names.state
+        state.told = replace(state.told, is_direct=False)
+        for is_outside, texts in ((True, said[:outside]), (False, said[outside:above])):
+            if texts:
+                before, around = state.told, sections_around(state.section)
+                self._heed(texts, line)
+                told = before if is_outside else replace(state.told, section=around[0] if around else "")
+                state.told = told if told.holds_below else Told()
+        if said[above:]:
+            self._heed(said[above:], line)
+
+    def _heed(self, said: Iterable[str], line: int) -> None:
+        names: set[str] = set()
+        conditions: list[n.Chain] = []
+        velocities: list[n.Chain] = []
+        bounds: list[n.Chain] = []
+        in_words = False
+        kind = ""
+        of_arm = self.names.arm is not None
+        said = tuple(said)
+        is_last = said[-1:] == (SINGULAR,)
+        for latex in self.in_letters(said):
+            if latex in (SINGULAR, FROM_VALUES):
+                continue
+            if latex == GENERAL:
+                self._end_configuration(line)
+                continue
+            if latex.startswith("\\text{") and (of_joints := kind_of_joints(latex)):
+                kind = of_joints
+                continue
+            try:
+                found = [each for each in self.names.reader.read(unbraced(latex)) if isinstance(each, n.Chain)]
+                chains = [chain for chain in found if not self.given.repeats(chain)]
+                bounding = [chain for chain in chains if _is_bound(chain)]
+                for bound in bounding:
+                    self.names.state.compare(bound, self.given.lengths)
+                bounds += (bound for bound in bounding if of_arm and "≠" not in bound.relations)
+                if any(map(self.moves, bounding)):  # where θ_2 ≠ 0, nothing is said of θ_2 = π any more
+                    names |= {*self.given.joints}
+                    self.names.state.told = replace(self.names.state.told, conditions=(), earlier=())
+                chains = [chain for chain in chains if not _is_bound(chain)]
+                if found and not chains:
+                    continue
+            except ReadError:
+                names |= {*self.given.joints, *self.given.lengths}
+                chains = []
+            names |= {name for chain in chains for name in _equated(chain)}
+            velocities += filter(UnderRates(self.checker.members, Told()).velocity_in, chains) if of_arm else ()
+            for chain in (
+                chains if of_arm else ()
+            ):  # without one a letter of the text is any: it says where things hold, and no more
+                heed_forces(self.names, chain)
+                self._define(chain, line, conditions)
+            chains = [self._without_letters(chain, line) for chain in chains]
+            conditions += [condition for chain in chains for condition in self.conditions_of(chain)]
+            in_words = in_words or not chains
+        self._begin(names, conditions, in_words, line)
+        before = self.names.state.told
+        self.names.state.told = replace(
+            before,
+            of_singularities=is_last,
+            begins_there=any(THERE in latex for latex in said),
+            velocities=tuple(velocities) or before.velocities,
+            bounds=tuple(bounds) or before.bounds,
+            kind=kind or before.kind,
+            is_direct=bool(conditions) and not in_words and FROM_VALUES in said,
+            line=line if velocities or is_last else before.line,
+        )
+        told = self._values(conditions)
+        self.names.state.given_last |= told
+        self.names.state.told_lengths |= {name: told[name] for name in told if name in self.given.lengths}
+
+    def in_letters(self, said: Iterable[str]) -> Iterator[str]:
+        """Yield what a text says, the values of joints in words in the arm's letters; those of an arm that is not known as a posture."""
+        joints = [] if self.names.arm is None else [key_as_latex(each.symbol) for each in self.names.arm.joints]
+        for latex in said:
+            yield from (in_letters(latex, joints) or [POSTURE]) if is_joint_value(latex) else [latex]
+
+    def told_values(self) -> dict[str, Stated]:
+        """Return the values that the text gives: of lengths, wherever above, and of joints, for the display at hand."""
+        return self.names.state.told_lengths | self._values(self.names.state.told.standing)
+
+    def _values(self, conditions: Iterable[n.Chain]) -> dict[str, Stated]:
+        return self.given.stated(
+            {name: node for each in conditions for name, node in (self.given.values_of(each) or {}).items()}
+        )
+
+    def heed_behind(self, said: Iterable[str], statements: Iterable[n.Statement], line: int) -> None:
+        """The text behind a display says what a letter of it is: "p_x = ρ c_1", where ρ = …."""
+        chains = [each for each in statements if isinstance(each, n.Chain)]
+        alone = {bare_key(member) for chain in chains for member in chain.members}
+        held = {b.key for chain in chains for b in n.walk(chain) if isinstance(b, n.Name) and self.names.is_open(b)}
+        if self.names.arm is None or not (held := held - alone):
+            return
+        for latex in said:
+            with suppress(ReadError, RecursionError):
+                for chain in self.names.reader.read(latex):
+                    if isinstance(chain, n.Chain) and bare_key(_of_root(chain).members[0]) in held:
+                        self._define(chain, line)
+
+    def _define(self, chain: n.Chain, line: int, conditions: Sequence[n.Chain] = ()) -> None:
+        """x_p = x − l_3 cos α: a letter that has no meaning gets one, until a display gives it another."""
+        chain = _of_root(chain)
+        name = chain.members[0]
+        if chain.relations != ("=",) or not isinstance(name, n.Name) or name.dots:
+            return
+        if self.names.quantity(name) is not None and rows_of_letters(chain.members[1]):  # T = [s n a P; 0 0 0 1]
+            self.checker.check(chain, 1, line)
+            return
+        if self._says_anew(name, chain.members[1]) and not (
+            conditions and holds_where(self.checker, conditions, chain)
+        ):
+            before = self.names.state.definitions[name.key]
+            if not before.in_text:
+                self.names.leave_open(name.key, say(Kind.SECOND_MEANING, name=name.text or name.key, line=line))
+                return
+            del self.names.state.definitions[name.key]
+        if not self.names.is_open(name) or self.names.angle_sum(name) is not None:  # θ_{23} is θ_2 + θ_3
+            return
+        members, value = self.checker.members, chain.members[1]
+        usual = is_usual(name) and self.names.usual(name)  # type: ignore[arg-type]
+        if usual or isinstance(bare(value), n.Name):
+            return
+        (found,) = self.checker.conventions.bind([members.evaluate(value)])
+        told = as_scalar(found.value) if found.known else None
+        cells = told.cells if isinstance(told, Matrix) and told.shape[1] == 1 else [told]
+        scalars = [cell for cell in cells if isinstance(cell, Scalar)]
+        if len(scalars) == len(cells) and symbols_in(scalars):
+            self.names.define(name.key, members.meaning(value), line, node=value, in_text=True)
+
+    def _says_anew(self, name: n.Name, node: n.Node) -> bool:
+        """Whether a letter that the document has defined gets another meaning, a formula and no value: "Now let k_1 = l_1 - l_2 c_2"."""
+        before = self.names.state.definitions.get(name.key)
+        if before is None or before.by_place or before.by_table or isinstance(bare(node), n.Name):
+            return False
+        consulted = frozenset(self.names.state.consulted)
+        values = [as_scalar(self.checker.members.evaluate(each).value) for each in (name, node)]
+        self.names.state.consulted.intersection_update(consulted)
+        scalars = [each for each in values if isinstance(each, Scalar)]
+        return len(scalars) == 2 and bool(symbols_in(scalars[1:])) and not (scalars[0] - scalars[1]).normal().is_zero()
+
+    def _without_letters(self, chain: n.Chain, line: int) -> n.Chain:
+        """l_1 = l_2 = l relates lengths, and says what the letter l is; return the chain without it."""
+        related = self.given.related(chain) if set(chain.relations) == {"="} else []
+        if len(related) < 2 or len(related) == len(chain.members):
+            return chain
+        for letter in (bare_key(each) for each in chain.members if each not in related):
+            meaning = self.checker.members.meaning(related[0])
+            self.names.define(str(letter), meaning, line, node=related[0], in_text=True)
+        return replace(chain, members=tuple(related), relations=("=",) * (len(related) - 1))
+
+    def of_display(self, chain: n.Chain, *, holds_nowhere: bool = False) -> None:
+        """A display that is a condition itself, c_1 = 1, l_1 = l_2, or P_y = 0 of a configuration that is not told, may limit those behind it."""
+        if self.names.arm is None:
+            return
+        conditions = [*self.conditions_of(chain)]
+        sides = [as_scalar(self.checker.member(node).value) for node in chain.members if holds_nowhere]
+        if not conditions and chain.relations == ("=",) and sides and all(isinstance(each, Scalar) for each in sides):
+            conditions = [chain]
+        self._begin(set(), conditions, in_words=False)
+
+    def _end_configuration(self, line: int) -> None:
+        """ "In general": the configuration stated before is over. What holds there alone is not refuted behind it."""
+        state = self.names.state
+        ended = {key: state.configuration.pop(key) for key in {*state.configuration} - {*self.given.lengths}}
+        given = tuple(value_of(key, each.node) for key, each in ended.items()) or state.told.conditions
+        state.told = Told(conditions=given, line=line, section=state.section, is_over=True) if given else Told()
+        state.given_last = {key: each for key, each in state.given_last.items() if key in self.given.lengths}
+
+    def _begin(self, names: set[str], conditions: Sequence[n.Chain], in_words: bool, line: int = 0) -> None:
+        """Forget what is given anew: a length by its name, a configuration as a whole."""
+        state = self.names.state
+        held = names | {b.key for each in conditions for b in n.walk(each) if isinstance(b, n.Name)}
+        angles = any(isinstance(below, n.JointAngles) for each in conditions for below in n.walk(each))
+        moves = in_words or angles or not held.isdisjoint((*self.given.joints, "q", "theta"))
+        over = [key for key in state.configuration if key in names or (moves and key not in self.given.lengths)]
+        ended = [(key, value_of(key, state.configuration.pop(key).node)) for key in over]
+        if conditions or in_words:
+            earlier = tuple(value for key, value in ended if key not in names)
+            state.told = Told(
+                tuple(conditions), earlier, in_words, line=line, section=state.section, holds_below=not moves
+            )
+
+    def conditions_of(self, chain: n.Chain) -> Iterator[n.Chain]:
+        """Yield the values that an equation gives, or itself where it is one of joints and lengths that is no identity."""
+        if set(chain.relations) - {"=", "≈"} or len(chain.members) < 2:
+            return
+        if values := self.given.values_of(chain):
+            yield from (value_of(name, node) for name, node in values.items())
+            return
+        members = [self.checker.member(node) for node in chain.members]
+        if any(self.checker.quantity_of(below) is not None for node in chain.members for below in n.walk(node)):
+            return
+        scalars = [value for member in members if isinstance(value := as_scalar(member.value), Scalar)]
+        of_arm = {*self.given.joints, *self.given.lengths} if self.names.arm is not None else symbols_in(scalars)
+        if len(scalars) < len(members) or of_arm.isdisjoint(symbols_in(scalars)):
+            return
+        apart = [difference for a, b in pairwise(scalars) if not (difference := a - b).is_zero()]
+        if apart and all(symbols_in([difference.normal()]) for difference in apart):  # θ_3 = θ_3 - π/2 holds nowhere
+            yield replace(chain, relations=("=",) * len(chain.relations))
+
+    def moves(self, bound: n.Chain) -> bool:
+        """Whether a bound is one of the configuration, and not of lengths or of other letters alone."""
+        sides = [
+            node for comparison in comparisons_of(bound) for node in (comparison[0], comparison[2])
+        ] or bound.members
+        members = [as_scalar(self.checker.member(node).value) for node in sides]
+        return not symbols_in([each for each in members if isinstance(each, Scalar)]).isdisjoint(self.given.joints)
+
+
+def unbraced(latex: str) -> str:
+    """Return the equations of {θ_1 = 30°, θ_2 = 60°}, which set braces or parentheses hold together."""
+    found = _HELD.fullmatch(latex)
+    return (found["set"] or found["list"]) if found is not None else latex
+
+
+def _of_root(chain: n.Chain) -> n.Chain:
+    """r² = x² + y² says that r = √(x² + y²), which is a length and positive; tan β = y/x what β is."""
+    if chain.relations == ("=",) and (turned := angle_of_tangent(*chain.members)) is not None:
+        return replace(chain, members=turned)
+    if chain.relations != ("=",) or squared_name(chain.members[0]) is None:
+        return chain
+    square, value = chain.members
+    assert isinstance(square, n.Power)
+    return replace(chain, members=(bare(square.base), n.placed(n.Call("sqrt", (value,), "\\sqrt"), value.span)))
+
+
+def _is_bound(chain: n.Chain) -> bool:
+    in_interval = chain.relations == ("∈",) and n.interval_of("∈", chain.members[1]) is not None
+    return in_interval or (bool(chain.relations) and set(chain.relations).issubset("<>≤≥≠"))
+
+
+def _equated(chain: n.Chain) -> Iterator[str]:
+    """Yield the names that stand alone on a side, or in a list on one."""
+    for side in chain.members if chain.relations else ():
+        for cell in (side, *cells_of(side)):
+            if isinstance(cell, n.Name):
+                yield replace(cell, dots=0).key
+
+
+def value_of(name: str, node: n.Node) -> n.Chain:
+    """Return the equation that gives a joint, a length or a rate its value."""
+    dots, _, letter = name.rpartition(" ")
+    return n.Chain((n.Name(*letter.partition("_")[::2], dots=dots.count("dot")), node), ("=",))

@@ -1,0 +1,156 @@
+"""Claims at values that are given: in a column of rates, in the text before, in a worked example, of a velocity."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise, takewhile
+
+from armproof.verification.display.claims import Claims
+from armproof.verification.equations.at_stated_values import MANY, is_mostly_right
+from armproof.verification.equations.inequalities import is_numbers
+from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.under_rates import JACOBIAN, UnderRates
+from armproof.verification.equations.worked_numbers import tells_values, unitless
+from armproof.verification.findings import Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import is_number
+from armproof.verification.naming.state import DocumentState
+from armproof.verification.verdict import DECIDED, HOLDS, Verdict
+
+
+class ClaimsAtValues:
+    """What equations claim at the values that a document gives: numbers may be those there."""
+
+    def __init__(self, claims: Claims) -> None:
+        self.claims = claims
+        self.checker, self.names, self.given = claims.checker, claims.names, claims.decision.given
+
+    def claim(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        """Return the outcomes of a chain that is no condition: numbers may be those of given values, and of rates in a column."""
+        if rates := self.given.rates_of_column(chain):
+            stated = self.names.state.configuration
+            self.names.state.configuration = {**self.given.stated(rates), **stated}
+            outcomes = self._at_values(chain, equation, line, define)
+            self.names.state.configuration = stated
+            return outcomes
+        under = UnderRates(self.checker.members, self.names.state.told)
+        if self.names.arm is None or not n.has_rates(chain) or not under.concerns(chain):
+            return self._at_values(chain, equation, line, define)
+        before = self.names.state.copy()
+        outcomes = self._at_values(chain, equation, line, define)
+        is_open = not outcomes or any(outcome.verdict not in HOLDS for outcome in outcomes)
+        if not is_open or any(outcome.verdict is Verdict.REFUTED for outcome in outcomes):
+            return outcomes
+        return self._under_rates(under, chain, before, equation, line) or outcomes
+
+    def _under_rates(
+        self, under: UnderRates, chain: n.Chain, before: DocumentState, equation: int, line: int
+    ) -> list[Outcome]:
+        """Return what becomes of an equation under the rates or the velocity that are given, where it holds or is a slip away; else nothing."""
+        for reading, meanings in under.readings(chain):
+            after = self.names.state.copy()
+            self.names.state.become(before)
+            self.names.state.inferred |= meanings
+            self.names.state.told = under.told_besides
+            tried = self.claims.chain(reading, equation, line, False)
+            self.names.state.become(before)
+            wrong = [each for each in tried if each.verdict not in HOLDS]
+            is_meant = before.told.has_shown or before.told.line in (0, line)
+            if tried and (not wrong or (is_meant and all(each.verdict is Verdict.REFUTED for each in wrong))):
+                tried = [under.unless_data(each) for each in tried] if len(tried) == 1 else tried
+                tried = [each.unless_slip(say(Kind.OTHER_AS_TOLD)) for each in tried]
+                for each in tried:
+                    each.read_as = each.read_as if JACOBIAN.key not in each.read_as else ""
+                    if each.verdict in HOLDS:
+                        each.also(say(Kind.UNDER_RATES))
+                self.names.state.told = replace(before.told, has_shown=True)
+                return tried
+            self.names.state.become(after)
+        return []
+
+    def _at_values(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
+        self.claims.begin()
+        if _is_of_rank(chain):
+            return self.claims.circumstances.of_ranks(chain, self.claims.chain(chain, equation, line, define), line)
+        there = self._at_told_values(chain, equation, line)
+        if any(outcome.verdict in DECIDED for outcome in there):
+            return [replace(self.claims.unless_doubted(outcome), uses=self.claims.consulted()) for outcome in there]
+        outcomes = self.claims.chain(chain, equation, line, define)
+        is_open = any(each.verdict not in HOLDS for each in outcomes) and not any(
+            each.verdict is Verdict.REFUTED and each.true is not None and not is_number(each.true.node)
+            for each in outcomes
+        )
+        if is_open and (worked := self._of_worked_example(chain, equation, line)):
+            return worked
+        outcomes = self._with_wrong_numbers(chain, outcomes, equation, line)
+        for outcome in outcomes if there else ():
+            if outcome.tells(Kind.NUMBERS_OF_NOWHERE):
+                outcome.findings = there[0].findings
+        return outcomes
+
+    def _of_worked_example(self, chain: n.Chain, equation: int, line: int) -> list[Outcome]:
+        """Return the outcomes of numbers that hold at the values given last, under whatever heading; [] where some do not.
+
+        What is "Given" in centimetres is often worked out without a unit. Only one number of a matrix is refuted there, of which
+        many others are right: else the numbers may be of other values.
+        """
+        state = self.names.state
+        if not state.given_last or set(chain.relations) != {"="} or not any(map(tells_values, chain.members)):
+            return []
+        before = state.copy()
+        for given in unitless(state.given_last):
+            state.configuration = {key: replace(each, section=state.section) for key, each in given.items()}
+            self.claims.begin()
+            steps = [replace(chain, members=pair, relations=("=",)) for pair in pairwise(chain.members)]
+            outcomes = [
+                o
+                for k, step in enumerate(steps)
+                for o in self.claims.readings.outcomes(step, equation + k, line, False)
+            ]
+            held = [each for each in outcomes if each.verdict in HOLDS]
+            slips = [each for each in outcomes if each not in held and is_mostly_right(each, MANY)]
+            tells = any(each.tells(Kind.TO_DECIMALS_THERE) for each in held) or slips
+            if outcomes and tells and len(held) + len(slips) == len(outcomes):
+                state.configuration = before.configuration
+                return [replace(self.claims.unless_doubted(each), uses=self.claims.consulted()) for each in outcomes]
+            state.become(before)
+        return []
+
+    def _at_told_values(self, chain: n.Chain, equation: int, line: int) -> list[Outcome]:
+        """Return what becomes of numbers at the values that the text before gives; [] where there are none.
+
+        What is not decided there leaves no trace. Only few numbers of many are refuted there, and fewer still that do not stand right behind the text.
+        """
+        state = self.names.state
+        speaks = state.told.standing or state.told_lengths
+        if not speaks or len(chain.members) < 2 or not any(map(is_numbers, chain.members)):
+            return []
+        before = state.copy()
+        state.configuration = self.claims.circumstances.text.told_values() | state.configuration
+        outcomes = self.claims.readings.outcomes(chain, equation, line, False)
+        wrong = [each for each in outcomes if each.verdict not in HOLDS]
+        times = 1 if state.told.line == line else MANY
+        if not wrong or all(is_mostly_right(each, times) for each in wrong):
+            state.configuration = before.configuration
+            return outcomes
+        state.become(before)
+        return [each.left_open(say(Kind.OTHER_AS_TOLD)) for each in wrong if each.verdict is Verdict.REFUTED]
+
+    def _with_wrong_numbers(self, chain: n.Chain, outcomes: list[Outcome], equation: int, line: int) -> list[Outcome]:
+        """φ = θ_1 + θ_2 = 30° + 45° = 85°: numbers at the end of a chain are to be equal, of whatever values they are."""
+        is_open = {each.equation for each in outcomes if each.verdict is Verdict.UNCHECKED}
+        if not is_open or set(chain.relations) != {"="}:
+            return outcomes
+        first = len(chain.members) - len(list(takewhile(is_number, reversed(chain.members))))
+        if first < 1 or len(chain.members) - first < 2:
+            return outcomes
+        if not any(map(tells_values, chain.members[first:])):
+            return outcomes
+        wrong = {each.equation: each for each in self.claims.readings.unequal(chain, first, equation, line)}
+        return [wrong.get(each.equation, each) if each.equation in is_open else each for each in outcomes]
+
+
+def _is_of_rank(chain: n.Chain) -> bool:
+    """Whether a rank stands in a chain that does not say itself at which values."""
+    below = [*n.walk(chain)]
+    return any(map(n.is_rank, below)) and not any(isinstance(each, n.At) for each in below)
