@@ -80,6 +80,7 @@ class DocumentChecker:
         self.checker = ChainChecker(self.names, self.exact, self.sampled)
         self.checker.confirm = confirm
         self.statements = Statements(self.checker)
+        self.statements.at_values.targets.displays = document.displays
         self.on_demand = OnDemand(self.statements, samples)
         self.correct = correct
         self.samples = samples
@@ -90,6 +91,7 @@ class DocumentChecker:
     def go_on_with(self, document: Document, inferred: Inference) -> None:
         """Check displays of a document that has changed: it shows the same beforehand."""
         self.document, self.inferred, self.displays.inferred = document, inferred, inferred
+        self.statements.at_values.targets.displays = document.displays
 
     def _is_unknown(self, key: str) -> bool:
         return self.names.known_symbol(key) is None and key not in self.names.quantities

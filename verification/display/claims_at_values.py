@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import pairwise, takewhile
 
 from armproof.verification.display.claims import Claims
+from armproof.verification.display.worked_targets import WorkedTargets
 from armproof.verification.equations.at_stated_values import MANY, is_mostly_right
 from armproof.verification.equations.inequalities import is_numbers
 from armproof.verification.equations.outcome import Outcome
@@ -14,7 +16,7 @@ from armproof.verification.equations.worked_numbers import tells_values, unitles
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import is_number
-from armproof.verification.naming.state import DocumentState
+from armproof.verification.naming.state import DocumentState, Stated
 from armproof.verification.verdict import DECIDED, HOLDS, Verdict
 
 
@@ -24,6 +26,7 @@ class ClaimsAtValues:
     def __init__(self, claims: Claims) -> None:
         self.claims = claims
         self.checker, self.names, self.given = claims.checker, claims.names, claims.decision.given
+        self.targets = WorkedTargets((), claims.checker.members)
 
     def claim(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         """Return the outcomes of a chain that is no condition: numbers may be those of given values, and of rates in a column."""
@@ -95,10 +98,10 @@ class ClaimsAtValues:
         many others are right: else the numbers may be of other values.
         """
         state = self.names.state
-        if not state.given_last or set(chain.relations) != {"="} or not any(map(tells_values, chain.members)):
+        if not {*chain.relations} <= {"=", "≈"} or not any(map(tells_values, chain.members)):
             return []
         before = state.copy()
-        for given in unitless(state.given_last):
+        for given in self._values_given(line):
             state.configuration = {key: replace(each, section=state.section) for key, each in given.items()}
             self.claims.begin()
             steps = [replace(chain, members=pair, relations=("=",)) for pair in pairwise(chain.members)]
@@ -115,6 +118,16 @@ class ClaimsAtValues:
                 return [replace(self.claims.unless_doubted(each), uses=self.claims.consulted()) for each in outcomes]
             state.become(before)
         return []
+
+    def _values_given(self, line: int) -> Iterator[Mapping[str, Stated]]:
+        """Yield the values given last, and those of the joints that reach the target that the document works out."""
+        state = self.names.state
+        if state.given_last:
+            yield from unitless(state.given_last)
+        lengths = {key: each for key, each in state.told_lengths.items() if key in self.given.lengths}
+        stated = {key: each for key, each in state.configuration.items() if key in self.given.lengths}
+        for found in self.targets.configurations(line):
+            yield {**lengths, **stated, **found}
 
     def _at_told_values(self, chain: n.Chain, equation: int, line: int) -> list[Outcome]:
         """Return what becomes of numbers at the values that the text before gives; [] where there are none.

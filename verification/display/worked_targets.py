@@ -1,0 +1,247 @@
+"""Inverse kinematics by numbers: a document says in numbers where the tool is to be, and works out what reaches it.
+
+    P = (0.4, 0.3, 0.6),  θ_1 = atan2(0.3, 0.4) = 36.87°,  D = -0.175,  θ_3 = 100.08°,  …
+
+The numbers that it prints for the joints are near a configuration q that reaches the target exactly, f(q) = p, which Newton's
+method finds from them. Every other number of the example is that of a quantity of the arm at this q.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+from fractions import Fraction
+from itertools import islice, product
+from math import cos, hypot, pi, prod, remainder, sin, sqrt, tau
+
+from armproof.models.errors import ModelError
+from armproof.models.exact.numbers import angle_value
+from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.matrix import as_matrix
+from armproof.verification.algebra.ring import Scalar
+from armproof.verification.document import Display
+from armproof.verification.equations.decimals import roundings
+from armproof.verification.equations.sides import Members
+from armproof.verification.errors import EvaluationError, ReadError, TooComplex
+from armproof.verification.evaluation.blocks import cells_of
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare, is_number
+from armproof.verification.naming.conventions import is_usual
+from armproof.verification.naming.state import Stated
+
+KINDS = ("origin", "pose", "rotation", "angle")
+MOST_STARTS = 16
+STEPS = 40  # of Newton's method
+CLOSE = 1e-10  # of what is reached to what is asked for, lengths of one
+FEWEST = 2  # joints whose printed numbers are those of the configuration
+_DIGIT = re.compile(r"\d")
+Numbers = dict[str, float]
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """An entry of a quantity of the arm that is to have a value."""
+
+    entry: Scalar
+    value: float
+
+
+@dataclass
+class _Example:
+    """Where the tool is to be, since a line, and the numbers printed behind it for the joints, with how far each is rounded."""
+
+    line: int
+    asked: dict[str, tuple[_Asked, ...]] = field(default_factory=dict)
+    joints: dict[str, list[tuple[float, float]]] = field(default_factory=dict)
+
+
+class WorkedTargets:
+    """The examples of a document in which a target is reached, and the configurations that reach them."""
+
+    def __init__(self, displays: Sequence[Display], members: Members) -> None:
+        self.displays, self.members, self.names = displays, members, members.names
+        self.consulted: set[tuple[int, str]] = set()  # displays that were judged by what stands behind them
+
+    def configurations(self, line: int) -> Iterator[dict[str, Stated]]:
+        """Yield the configurations that reach the target last stated above a line, which the document prints behind it."""
+        arm = self.names.arm
+        example = self._example_at(line) if arm is not None else None
+        if arm is None or example is None or len(example.joints) < FEWEST:
+            return
+        joints = [joint.symbol for joint in arm.joints]
+        lengths = {**self._lengths()}
+        asked = [each for some in example.asked.values() for each in some]
+        missing = symbols_in(each.entry for each in asked) - {*joints, *lengths}
+        if missing or not asked:
+            return
+        met: list[Numbers] = []
+        printed = [example.joints.get(joint, [(0.0, 0.0)]) for joint in joints]
+        for start in islice(product(*printed), MOST_STARTS):
+            q = _reached(asked, joints, lengths, dict(zip(joints, (value for value, _ in start), strict=True)))
+            if q is None or any(_same(q, other) for other in met):
+                continue
+            if self._is_printed(q, example):
+                met.append(q)
+                yield {joint: _stated(q[joint], example.line, self.names.state.section) for joint in joints}
+
+    def _is_printed(self, q: Numbers, example: _Example) -> bool:
+        """Whether the numbers that are printed for the joints are those of a configuration, all but one of many."""
+        arm = self.names.arm
+        assert arm is not None
+        turning = {joint.symbol for joint in arm.joints if joint.kind == "revolute"}
+        held = [
+            any(abs(_apart(q[joint], value, joint in turning)) <= off for value, off in numbers)
+            for joint, numbers in example.joints.items()
+        ]
+        return sum(held) >= max(FEWEST, len(held) - 1)
+
+    def _lengths(self) -> Numbers:
+        state = self.names.state
+        told = {**state.given_last, **state.told_lengths, **state.configuration}
+        return {key: each.value for key, each in told.items() if key in self.names.lengths}
+
+    def _example_at(self, line: int) -> _Example | None:
+        """Return the example in which a display stands: behind its target, and before the next."""
+        found: _Example | None = None
+        for display in self.displays:
+            for chain in self._chains(display):
+                if (asked := self._asked(chain)) and display.line <= line:
+                    if found is None or found.joints or found.asked.keys() & asked.keys():
+                        found = _Example(display.line)
+                    found.asked |= asked
+                elif asked and found is not None and found.joints and found.asked.keys() & asked.keys():
+                    return found
+                elif found is not None and (joint := self._of_joint(chain)) is not None:
+                    found.joints.setdefault(joint[0], []).append(joint[1:])
+        return found
+
+    def _chains(self, display: Display) -> Iterator[n.Chain]:
+        """Yield the equations with digits of the text before a display, and its own."""
+        own = () if display.erratum or display.denied or not display.closed else (display.latex,)
+        for latex in (*display.said, *own):
+            with suppress(ReadError, RecursionError):
+                found = self.names.reader.read(latex) if _DIGIT.search(latex) else ()
+                yield from (each for each in found if isinstance(each, n.Chain) and {*each.relations} <= {"=", "≈"})
+
+    def _asked(self, chain: n.Chain) -> dict[str, tuple[_Asked, ...]]:
+        """Return the quantities of the tool to which a chain gives numbers and nothing else: (x, y) = (0.4, 0.3), P_x = 0.5, T = [...]."""
+        *named, numbers = chain.members
+        if len(named) != 1:
+            return {}
+        names, values = cells_of(named[0]), cells_of(numbers)
+        pairs = [*zip(names, values, strict=True)] if names and len(names) == len(values) else [(named[0], numbers)]
+        found: dict[str, tuple[_Asked, ...]] = {}
+        for name, value in pairs:
+            asked = self._of_name(name, value)
+            if asked is None:
+                return {}
+            found |= asked
+        return found
+
+    def _of_name(self, node: n.Node, number: n.Node) -> dict[str, tuple[_Asked, ...]] | None:
+        name = bare(node)
+        given = bare(number)
+        cells = given.cells if isinstance(given, n.Matrix) else cells_of(given) or (given,)
+        if not isinstance(name, n.Name) or name.dots or not all(map(is_number, cells)):
+            return None
+        known = self.names.quantity(name)
+        usual = self.names.usual(name) if known is None and is_usual(name) else ()
+        quantity = known or next(iter(usual), None)
+        if quantity is None or quantity.kind not in KINDS:
+            return None
+        with suppress(EvaluationError, TooComplex):
+            whole = as_matrix(self.members.exact.quantity(quantity)).cells
+            numbers = [self._number(cell) for cell in cells]
+            if len(whole) != len(numbers) or None in numbers:
+                return None
+            joints = {*self.names.joints}
+            pairs = zip(whole, numbers, strict=True)
+            moving = tuple(
+                _Asked(entry, value)
+                for entry, value in pairs
+                if isinstance(entry, Scalar) and value is not None and not symbols_in([entry]).isdisjoint(joints)
+            )
+            return {name.key: moving} if moving else None
+        return None
+
+    def _of_joint(self, chain: n.Chain) -> tuple[str, float, float] | None:
+        """Return the joint for which a chain ends with a number, the number, and how far it is rounded."""
+        first, *_, last = chain.members if len(chain.members) > 1 else (None, None)
+        name = bare(first) if first is not None else None
+        if not isinstance(name, n.Name) or name.dots or last is None or not is_number(last):
+            return None
+        symbol = self.names.known_symbol(name.key)
+        value = self._number(last) if symbol in self.names.joints else None
+        if symbol is None or value is None:
+            return None
+        return symbol, value, 2 * roundings(last, (1, 1))[0, 0].near
+
+    def _number(self, node: n.Node) -> float | None:
+        value = self.members.evaluate(node).value
+        return self.members.number(value) if isinstance(value, Scalar) and not symbols_in([value]) else None
+
+
+def _stated(value: float, line: int, section: str) -> Stated:
+    sign = [("-", n.Number(Fraction(-value)))] if value < 0 else []
+    node: n.Node = n.Sum(tuple(sign)) if sign else n.Number(Fraction(value))
+    return Stated(node, value, line, section)
+
+
+def _same(one: Numbers, other: Numbers) -> bool:
+    return all(abs(remainder(one[key] - other[key], tau)) < sqrt(CLOSE) for key in one)
+
+
+def _apart(one: float, other: float, turns: bool) -> float:
+    return remainder(one - other, tau) if turns else one - other
+
+
+def _reached(asked: Sequence[_Asked], joints: Sequence[str], lengths: Numbers, start: Numbers) -> Numbers | None:
+    """Return the configuration near another in which all entries have the values that they are to have: Newton's method, damped.
+
+    q ← q − (JᵀJ + λ 1)⁻¹ Jᵀ (f(q) − p) (Levenberg 1944); None where it does not end.
+    """
+    import numpy as np
+
+    q = np.array([start[joint] for joint in joints])
+
+    def off(at: np.ndarray) -> np.ndarray:
+        values = {**lengths, **dict(zip(joints, map(float, at), strict=True))}
+        return np.array([value_at(each.entry, values) - each.value for each in asked])
+
+    try:
+        error, damping = off(q), 1e-3
+        for _ in range(STEPS):
+            if hypot(*error) < CLOSE:
+                return dict(zip(joints, map(float, q), strict=True))
+            step = 1e-7
+            jacobian = np.column_stack([(off(q + step * unit) - error) / step for unit in np.eye(len(joints))])
+            change = np.linalg.solve(
+                jacobian.T @ jacobian + damping * damping * np.eye(len(joints)), jacobian.T @ error
+            )
+            trial = off(q - change)
+            better = hypot(*trial) < hypot(*error)
+            q, error, damping = (q - change, trial, damping / 10) if better else (q, error, damping * 10)
+    except (KeyError, ZeroDivisionError, ModelError, np.linalg.LinAlgError):
+        return None
+    return None
+
+
+def value_at(scalar: Scalar, values: Mapping[str, float]) -> float:
+    """Return the number that a scalar of cosines, sines and letters is at some values; raises KeyError where it holds anything else."""
+
+    def of(generator: tuple[str, str]) -> float:
+        kind, name = generator
+        if kind in ("cos", "sin"):
+            angle = values[name] if name in values else float(angle_value(name))
+            return cos(angle) if kind == "cos" else sin(angle)
+        return {"pi": lambda: pi, "sqrt": lambda: sqrt(int(name)), "symbol": lambda: values[name]}[kind]()
+
+    def total(polynomial: object) -> float:
+        terms = scalar.ring.terms(polynomial)  # type: ignore[arg-type]
+        return sum(float(k) * prod(of(g) ** power for g, power in powers.items()) for powers, k in terms)
+
+    return total(scalar.numerator) / total(scalar.denominator)
+
+
