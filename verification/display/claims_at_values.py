@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise, takewhile
 
 from armproof.verification.display.claims import Claims
-from armproof.verification.display.worked_targets import WorkedTargets
+from armproof.verification.display.worked_targets import WorkedTargets, is_misprint
 from armproof.verification.equations.at_stated_values import MANY, is_mostly_right
 from armproof.verification.equations.inequalities import is_numbers
 from armproof.verification.equations.outcome import Outcome
@@ -16,7 +16,7 @@ from armproof.verification.equations.worked_numbers import tells_values, unitles
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import is_number
-from armproof.verification.naming.state import DocumentState, Stated
+from armproof.verification.naming.state import DocumentState
 from armproof.verification.verdict import DECIDED, HOLDS, Verdict
 
 
@@ -85,6 +85,8 @@ class ClaimsAtValues:
         )
         if is_open and (worked := self._of_worked_example(chain, equation, line)):
             return worked
+        if is_open and (worked := self._of_target(chain, equation, line)):
+            return worked
         outcomes = self._with_wrong_numbers(chain, outcomes, equation, line)
         for outcome in outcomes if there else ():
             if outcome.tells(Kind.NUMBERS_OF_NOWHERE):
@@ -98,10 +100,10 @@ class ClaimsAtValues:
         many others are right: else the numbers may be of other values.
         """
         state = self.names.state
-        if not {*chain.relations} <= {"=", "≈"} or not any(map(tells_values, chain.members)):
+        if not state.given_last or set(chain.relations) != {"="} or not any(map(tells_values, chain.members)):
             return []
         before = state.copy()
-        for given in self._values_given(line):
+        for given in unitless(state.given_last):
             state.configuration = {key: replace(each, section=state.section) for key, each in given.items()}
             self.claims.begin()
             steps = [replace(chain, members=pair, relations=("=",)) for pair in pairwise(chain.members)]
@@ -119,15 +121,41 @@ class ClaimsAtValues:
             state.become(before)
         return []
 
-    def _values_given(self, line: int) -> Iterator[Mapping[str, Stated]]:
-        """Yield the values given last, and those of the joints that reach the target that the document works out."""
-        state = self.names.state
-        if state.given_last:
-            yield from unitless(state.given_last)
-        lengths = {key: each for key, each in state.told_lengths.items() if key in self.given.lengths}
-        stated = {key: each for key, each in state.configuration.items() if key in self.given.lengths}
-        for found in self.targets.configurations(line):
-            yield {**lengths, **stated, **found}
+    def _of_target(self, chain: n.Chain, equation: int, line: int) -> list[Outcome]:
+        """Return the outcomes of what is worked out of a target that the document states in numbers; [] where it is not that.
+
+        The sides with letters hold everywhere; the numbers behind them are those where the target is reached. One alone is
+        refuted, where it is a misprint of the right one: what is rounded on the way may be off.
+        """
+        formulas = [*takewhile(lambda each: not is_number(each), chain.members)]
+        numbers = chain.members[len(formulas) :]
+        if not {*chain.relations} <= {"=", "≈"} or not formulas or not numbers or not all(map(is_numbers, numbers)):
+            return []
+        for reached in self.targets.reached(line):
+            true = next(filter(None, map(reached.value, formulas)), None)
+            errors = [reached.errors(each, true) for each in numbers] if true is not None else [None]
+            if true is None or None in errors or not self._hold(formulas, equation, line):
+                continue
+            off = [k for k, each in enumerate(errors) if any(error > allowed for error, allowed in each or ())]
+            held = [
+                Outcome(Verdict.CONFIRMED, (say(Kind.TO_DECIMALS_THERE),), equation + k, samples=1)
+                for k in range(len(chain.members) - 1)
+            ]
+            if not off:
+                return held
+            right = is_misprint(numbers[off[0]], true[0]) if len(off) == len(true) == 1 else None
+            if right is not None:
+                place = max(0, len(formulas) + off[0] - 1)
+                pair = replace(chain, members=(right, numbers[off[0]]), relations=("=",))
+                held[place : place + 1] = self.claims.readings.outcomes(pair, equation + place, line, False)
+                return held
+        return []
+
+    def _hold(self, formulas: Sequence[n.Node], equation: int, line: int) -> bool:
+        """Whether what stands before the numbers holds of every configuration."""
+        steps = (n.Chain(pair, ("=",)) for pair in pairwise(formulas))
+        found = [each for step in steps for each in self.claims.readings.outcomes(step, equation, line, False)]
+        return all(each.verdict in HOLDS for each in found)
 
     def _at_told_values(self, chain: n.Chain, equation: int, line: int) -> list[Outcome]:
         """Return what becomes of numbers at the values that the text before gives; [] where there are none.

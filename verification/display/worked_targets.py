@@ -14,7 +14,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import islice, product
-from math import cos, hypot, pi, prod, remainder, sin, sqrt, tau
+from math import cos, degrees, hypot, isfinite, pi, prod, remainder, sin, sqrt, tau
 
 from armproof.models.errors import ModelError
 from armproof.models.exact.numbers import angle_value
@@ -22,14 +22,14 @@ from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import as_matrix
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document import Display
-from armproof.verification.equations.decimals import roundings
+from armproof.verification.equations.decimals import COARSE, EXACT, Rounding, roundings, slacks
 from armproof.verification.equations.sides import Members
 from armproof.verification.errors import EvaluationError, ReadError, TooComplex
 from armproof.verification.evaluation.blocks import cells_of
+from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, is_number
 from armproof.verification.naming.conventions import is_usual
-from armproof.verification.naming.state import Stated
 
 KINDS = ("origin", "pose", "rotation", "angle")
 MOST_STARTS = 16
@@ -57,6 +57,53 @@ class _Example:
     joints: dict[str, list[tuple[float, float]]] = field(default_factory=dict)
 
 
+class Reached:
+    """A configuration that reaches a target, and the numbers there."""
+
+    def __init__(self, members: Members, q: Numbers, lengths: Numbers) -> None:
+        import numpy as np
+
+        from armproof.verification.evaluation.sampled import SampledAlgebra
+
+        self.members = members
+        given = {key: np.array([value]) for key, value in lengths.items()}
+        self.algebra = SampledAlgebra(members.exact, np.array([[*q.values()]]), overrides=given)
+
+    def value(self, node: n.Node) -> list[float] | None:
+        """Return the entries of a side there, row by row; None where it has no value."""
+        with suppress(EvaluationError, TooComplex, ZeroDivisionError):
+            value = Evaluator(self.members.names, self.algebra).evaluate(node)
+            cells = [float(cell[0]) for cell in as_matrix(value).cells]
+            return cells if all(map(isfinite, cells)) else None
+        return None
+
+    def errors(self, node: n.Node, true: Sequence[float]) -> list[tuple[float, float]] | None:
+        """Return how far each number of a side is from the true one, and how far it may be; None where it is of another size."""
+        printed = self.value(node)
+        if printed is None or len(printed) != len(true):
+            return None
+        matrix = bare(node)
+        shape = (len(matrix.rows), len(matrix.rows[0])) if isinstance(matrix, n.Matrix) else (len(true), 1)
+        allowed = [_allowed(self.members, node, each) for each in roundings(node, shape).values()]
+        turns = any(isinstance(b, n.Postfix) and b.operator == "deg" for b in n.walk(node))
+        return [(abs(_apart(a, b, turns)), off) for a, b, off in zip(printed, true, allowed, strict=True)]
+
+
+def _allowed(members: Members, node: n.Node, rounding: Rounding) -> float:
+    """Return how far a number may be: half a unit of its last decimal; what is made of rounded numbers, as far as they take it.
+
+    One of a single decimal is exact: nobody rounds so much on his way.
+    """
+    plain = n.ungrouped(node)
+    alone = isinstance(plain, n.Matrix) or not any(
+        isinstance(b, n.Product | n.Quotient | n.Power | n.Call | n.Sum) for b in n.walk(plain)
+    )
+    if not alone:
+        return sum(slacks(members, node)) + EXACT.near
+    decimals = max((b.decimals for b in n.walk(plain) if isinstance(b, n.Number)), default=0)
+    return rounding.near if decimals >= COARSE else EXACT.near
+
+
 class WorkedTargets:
     """The examples of a document in which a target is reached, and the configurations that reach them."""
 
@@ -64,14 +111,14 @@ class WorkedTargets:
         self.displays, self.members, self.names = displays, members, members.names
         self.consulted: set[tuple[int, str]] = set()  # displays that were judged by what stands behind them
 
-    def configurations(self, line: int) -> Iterator[dict[str, Stated]]:
+    def reached(self, line: int) -> Iterator[Reached]:
         """Yield the configurations that reach the target last stated above a line, which the document prints behind it."""
         arm = self.names.arm
-        example = self._example_at(line) if arm is not None else None
+        example = self._example_at(line) if arm is not None and line else None
         if arm is None or example is None or len(example.joints) < FEWEST:
             return
         joints = [joint.symbol for joint in arm.joints]
-        lengths = {**self._lengths()}
+        lengths = self._lengths()
         asked = [each for some in example.asked.values() for each in some]
         missing = symbols_in(each.entry for each in asked) - {*joints, *lengths}
         if missing or not asked:
@@ -80,11 +127,9 @@ class WorkedTargets:
         printed = [example.joints.get(joint, [(0.0, 0.0)]) for joint in joints]
         for start in islice(product(*printed), MOST_STARTS):
             q = _reached(asked, joints, lengths, dict(zip(joints, (value for value, _ in start), strict=True)))
-            if q is None or any(_same(q, other) for other in met):
-                continue
-            if self._is_printed(q, example):
+            if q is not None and not any(_same(q, other) for other in met) and self._is_printed(q, example):
                 met.append(q)
-                yield {joint: _stated(q[joint], example.line, self.names.state.section) for joint in joints}
+                yield Reached(self.members, q, lengths)
 
     def _is_printed(self, q: Numbers, example: _Example) -> bool:
         """Whether the numbers that are printed for the joints are those of a configuration, all but one of many."""
@@ -183,10 +228,31 @@ class WorkedTargets:
         return self.members.number(value) if isinstance(value, Scalar) and not symbols_in([value]) else None
 
 
-def _stated(value: float, line: int, section: str) -> Stated:
-    sign = [("-", n.Number(Fraction(-value)))] if value < 0 else []
-    node: n.Node = n.Sum(tuple(sign)) if sign else n.Number(Fraction(value))
-    return Stated(node, value, line, section)
+def is_misprint(printed: n.Node, true: float) -> n.Node | None:
+    """Return the right number for one that is a slip of the pen away from it, and not in its last digit: 110.08° for 100.08°; else None.
+
+    A digit is another one, two are swapped, or the sign is missing or too many: what is rounded on the way differs otherwise.
+    """
+    is_angle = any(isinstance(b, n.Postfix) and b.operator == "deg" for b in n.walk(printed))
+    (number, *more) = [b for b in n.walk(printed) if isinstance(b, n.Number)] or [None]
+    signs = [b.terms[0][0] for b in n.walk(printed) if isinstance(b, n.Sum)]
+    if number is None or more or number.decimals < COARSE or len(signs) > 1:
+        return None
+    value = degrees(true) if is_angle else true
+    digits = f"{abs(value):.{number.decimals}f}"
+    is_turned = (signs == ["-"]) != (value < 0)
+    right = n.Number(Fraction(digits), digits)
+    node: n.Node = n.Postfix(right, "deg") if is_angle else right
+    node = n.Sum((("-", node),)) if value < 0 else node
+    return node if is_turned == (number.text == digits) and _is_slip(number.text, digits, is_turned) else None
+
+
+def _is_slip(printed: str, right: str, is_turned: bool) -> bool:
+    if is_turned or len(printed) != len(right):
+        return is_turned and printed == right
+    apart = [k for k, (a, b) in enumerate(zip(printed, right, strict=True)) if a != b]
+    swapped = len(apart) == 2 and (printed[apart[0]], printed[apart[1]]) == (right[apart[1]], right[apart[0]])
+    return (len(apart) == 1 and apart[0] < len(right) - 2) or (swapped and apart[0] < len(right) - 2)
 
 
 def _same(one: Numbers, other: Numbers) -> bool:
@@ -243,5 +309,3 @@ def value_at(scalar: Scalar, values: Mapping[str, float]) -> float:
         return sum(float(k) * prod(of(g) ** power for g, power in powers.items()) for powers, k in terms)
 
     return total(scalar.numerator) / total(scalar.denominator)
-
-
