@@ -144,10 +144,11 @@ class ClaimsAtValues:
             if not off:
                 return held
             right = is_misprint(numbers[off[0]], true[0]) if len(off) == len(true) == 1 else None
-            if right is not None:
-                place = max(0, len(formulas) + off[0] - 1)
-                pair = replace(chain, members=(right, numbers[off[0]]), relations=("=",))
-                held[place : place + 1] = self.claims.readings.outcomes(pair, equation + place, line, False)
+            place = max(0, len(formulas) + off[0] - 1)
+            sides = [self.checker.member(each) for each in (right, numbers[off[0]])] if right is not None else []
+            wrong = self.checker.equality.compare(*sides, equation + place, False) if sides else None
+            if wrong is not None and wrong.verdict is Verdict.REFUTED:
+                held[place] = wrong
                 return held
         return []
 

@@ -28,6 +28,7 @@ from armproof.verification.findings import Kind
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key
 from armproof.verification.latex.tokens import Spelling
+from armproof.verification.naming.conventions import is_entry
 from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.tables.arms.support import links_of
 from armproof.verification.verdict import Verdict
@@ -92,6 +93,7 @@ class _Trial:
         for key, number in numbers.items():
             names.define(key, methodcaller("rational", number), by_table=True)
         self.held = self.failed = self.entries = self.near = 0
+        self.fails_in_entries = False
         self.joints: set[str] = set()
 
     def take(self, display: Display, counts: bool = True) -> None:
@@ -118,10 +120,14 @@ class _Trial:
             outcomes = [outcome for part in parts for outcome in self.checker.check(part, 1, line)]
         if outcomes and _may_hold(outcomes[0]) and (key := bare_key(chain.members[0])):
             self.joints.add(key)
+        name = n.bare(chain.members[0])
+        is_of_matrix = isinstance(name, n.Name) and is_entry(name)  # nine r_{ij} that fail are one matrix that does
         for outcome in outcomes:
             tells = bool(links_of(outcome, self.checker.members))
             self.held += tells and (outcome.verdict is Verdict.PROVED or holds_at_listed_values(outcome))
-            self.failed += tells and outcome.verdict is Verdict.REFUTED
+            fails = tells and outcome.verdict is Verdict.REFUTED
+            self.failed += fails and not (is_of_matrix and self.fails_in_entries)
+            self.fails_in_entries |= fails and is_of_matrix
             self.near += tells and outcome.verdict is Verdict.REFUTED and _has_one_slip(outcome)
             if tells and outcome.verdict is Verdict.PROVED and outcome.pair is not None:
                 self.entries += sum(not is_constant(as_matrix(cell)) for cell in outcome.pair.true.cells)
