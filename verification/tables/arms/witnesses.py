@@ -93,7 +93,7 @@ class _Trial:
         for key, number in numbers.items():
             names.define(key, methodcaller("rational", number), by_table=True)
         self.held = self.failed = self.entries = self.near = 0
-        self.fails_in_entries = False
+        self.wrong: set[str] = set()  # of which entries fail
         self.joints: set[str] = set()
 
     def take(self, display: Display, counts: bool = True) -> None:
@@ -120,17 +120,24 @@ class _Trial:
             outcomes = [outcome for part in parts for outcome in self.checker.check(part, 1, line)]
         if outcomes and _may_hold(outcomes[0]) and (key := bare_key(chain.members[0])):
             self.joints.add(key)
-        name = n.bare(chain.members[0])
-        is_of_matrix = isinstance(name, n.Name) and is_entry(name)  # nine r_{ij} that fail are one matrix that does
+        whole = self._whole(n.bare(chain.members[0]))
         for outcome in outcomes:
             tells = bool(links_of(outcome, self.checker.members))
             self.held += tells and (outcome.verdict is Verdict.PROVED or holds_at_listed_values(outcome))
             fails = tells and outcome.verdict is Verdict.REFUTED
-            self.failed += fails and not (is_of_matrix and self.fails_in_entries)
-            self.fails_in_entries |= fails and is_of_matrix
+            self.failed += fails and whole not in self.wrong
+            self.wrong |= {whole} if fails and whole else set()
             self.near += tells and outcome.verdict is Verdict.REFUTED and _has_one_slip(outcome)
             if tells and outcome.verdict is Verdict.PROVED and outcome.pair is not None:
                 self.entries += sum(not is_constant(as_matrix(cell)) for cell in outcome.pair.true.cells)
+
+    def _whole(self, node: n.Node) -> str:
+        """Return what r_{ij} or p_x is an entry of: nine that fail are one matrix that does; "" of anything else."""
+        if not isinstance(node, n.Name):
+            return ""
+        quantity = self.checker.members.quantity_of(node)
+        is_coordinate = quantity is not None and quantity.scalar and quantity.kind == "origin"
+        return node.base if is_entry(node) else f"{quantity.frame} in {quantity.reference}" if is_coordinate else ""
 
     def reading(self, front: Mapping[str, Any]) -> Reading:
         return Reading(front, self.name, self.held, self.failed, self.entries, frozenset(self.joints), self.near)
