@@ -32,6 +32,7 @@ from armproof.verification.document.units import with_unit
 
 PICTURE = "<img"  # the opening of a display whose LaTeX stands in the address of a picture
 _AFTER_A_LEAD = frozenset("math_block math_block_label amsmath html_block fence colon_fence".split())
+_INDENTED = re.compile(r"\s*\$\$[ \t]*\n(?:(?!\$\$).)+\n[ \t]*\$\$[ \t]*(?:\n|$)", re.DOTALL)  # a display below "Step 3."
 _STOPS = " .,;，。；"
 _LISTS = re.compile(r",.*=", re.DOTALL)  # a_1 = 0, d_1 = 2: what is given
 ALONE = "$ "  # the opening of a formula between single dollars that has a line of its own
@@ -195,7 +196,7 @@ def _read_blocks(
     for index, token in enumerate(tokens):
         erratum, content = any(quotes), token.content
         line = line if token.map is None else first + token.map[0]  # what closes has no place of its own
-        is_indented = token.type == "code_block" and content.lstrip().startswith("$$")  # below "Step 3.", by no program
+        is_indented = bool(lead) and token.type == "code_block" and _INDENTED.match(content) is not None
         is_next = token.type in _AFTER_A_LEAD or is_indented
         if is_next or (token.type == "inline" and (content[:2] == "$$" or _stands_alone(token))):
             displays.extend(said_below(lead, lead_line, section) if lead else ())
