@@ -145,9 +145,11 @@ class ClaimsAtValues:
                 return held
             right = is_misprint(numbers[off[0]], true[0]) if len(off) == len(true) == 1 else None
             place = max(0, len(formulas) + off[0] - 1)
-            sides = [self.checker.member(each) for each in (right, numbers[off[0]])] if right is not None else []
-            wrong = self.checker.equality.compare(*sides, equation + place, False) if sides else None
-            if wrong is not None and wrong.verdict is Verdict.REFUTED:
+            if right is None:
+                continue
+            sides = self.checker.member(right), self.checker.member(numbers[off[0]])
+            wrong = self.checker.equality.compare(*sides, equation + place, False)
+            if wrong.verdict is Verdict.REFUTED:
                 held[place] = wrong
                 return held
         return []

@@ -9,15 +9,13 @@ method finds from them. Every other number of the example is that of a quantity 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import islice, product
-from math import cos, degrees, hypot, isfinite, pi, prod, remainder, sin, sqrt, tau
+from math import degrees, isfinite, remainder, tau
 
-from armproof.models.errors import ModelError
-from armproof.models.exact.numbers import angle_value
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import as_matrix
 from armproof.verification.algebra.ring import Scalar
@@ -33,19 +31,11 @@ from armproof.verification.naming.conventions import is_usual
 
 KINDS = ("origin", "pose", "rotation", "angle")
 MOST_STARTS = 16
-STEPS = 40  # of Newton's method
-CLOSE = 1e-10  # of what is reached to what is asked for, lengths of one
+SAME = 1e-5  # of one angle to another
 FEWEST = 2  # joints whose printed numbers are those of the configuration
 _DIGIT = re.compile(r"\d")
 Numbers = dict[str, float]
-
-
-@dataclass(frozen=True)
-class _Asked:
-    """An entry of a quantity of the arm that is to have a value."""
-
-    entry: Scalar
-    value: float
+Asked = tuple[Scalar, float]  # an entry of a quantity of the arm, and the value that it is to have
 
 
 @dataclass
@@ -53,7 +43,7 @@ class _Example:
     """Where the tool is to be, since a line, and the numbers printed behind it for the joints, with how far each is rounded."""
 
     line: int
-    asked: dict[str, tuple[_Asked, ...]] = field(default_factory=dict)
+    asked: dict[str, tuple[Asked, ...]] = field(default_factory=dict)
     joints: dict[str, list[tuple[float, float]]] = field(default_factory=dict)
 
 
@@ -61,13 +51,10 @@ class Reached:
     """A configuration that reaches a target, and the numbers there."""
 
     def __init__(self, members: Members, q: Numbers, lengths: Numbers) -> None:
-        import numpy as np
-
-        from armproof.verification.evaluation.sampled import SampledAlgebra
+        from armproof.verification.evaluation.reaching import algebra_at
 
         self.members = members
-        given = {key: np.array([value]) for key, value in lengths.items()}
-        self.algebra = SampledAlgebra(members.exact, np.array([[*q.values()]]), overrides=given)
+        self.algebra = algebra_at(members.exact, q, lengths)
 
     def value(self, node: n.Node) -> list[float] | None:
         """Return the entries of a side there, row by row; None where it has no value."""
@@ -109,10 +96,11 @@ class WorkedTargets:
 
     def __init__(self, displays: Sequence[Display], members: Members) -> None:
         self.displays, self.members, self.names = displays, members, members.names
-        self.consulted: set[tuple[int, str]] = set()  # displays that were judged by what stands behind them
 
     def reached(self, line: int) -> Iterator[Reached]:
         """Yield the configurations that reach the target last stated above a line, which the document prints behind it."""
+        from armproof.verification.evaluation.reaching import reaching
+
         arm = self.names.arm
         example = self._example_at(line) if arm is not None and line else None
         if arm is None or example is None or len(example.joints) < FEWEST:
@@ -120,13 +108,13 @@ class WorkedTargets:
         joints = [joint.symbol for joint in arm.joints]
         lengths = self._lengths()
         asked = [each for some in example.asked.values() for each in some]
-        missing = symbols_in(each.entry for each in asked) - {*joints, *lengths}
+        missing = symbols_in(entry for entry, _ in asked) - {*joints, *lengths}
         if missing or not asked:
             return
         met: list[Numbers] = []
         printed = [example.joints.get(joint, [(0.0, 0.0)]) for joint in joints]
         for start in islice(product(*printed), MOST_STARTS):
-            q = _reached(asked, joints, lengths, dict(zip(joints, (value for value, _ in start), strict=True)))
+            q = reaching(asked, joints, lengths, dict(zip(joints, (value for value, _ in start), strict=True)))
             if q is not None and not any(_same(q, other) for other in met) and self._is_printed(q, example):
                 met.append(q)
                 yield Reached(self.members, q, lengths)
@@ -170,14 +158,14 @@ class WorkedTargets:
                 found = self.names.reader.read(latex) if _DIGIT.search(latex) else ()
                 yield from (each for each in found if isinstance(each, n.Chain) and {*each.relations} <= {"=", "≈"})
 
-    def _asked(self, chain: n.Chain) -> dict[str, tuple[_Asked, ...]]:
+    def _asked(self, chain: n.Chain) -> dict[str, tuple[Asked, ...]]:
         """Return the quantities of the tool to which a chain gives numbers and nothing else: (x, y) = (0.4, 0.3), P_x = 0.5, T = [...]."""
         *named, numbers = chain.members
         if len(named) != 1:
             return {}
         names, values = cells_of(named[0]), cells_of(numbers)
         pairs = [*zip(names, values, strict=True)] if names and len(names) == len(values) else [(named[0], numbers)]
-        found: dict[str, tuple[_Asked, ...]] = {}
+        found: dict[str, tuple[Asked, ...]] = {}
         for name, value in pairs:
             asked = self._of_name(name, value)
             if asked is None:
@@ -185,7 +173,7 @@ class WorkedTargets:
             found |= asked
         return found
 
-    def _of_name(self, node: n.Node, number: n.Node) -> dict[str, tuple[_Asked, ...]] | None:
+    def _of_name(self, node: n.Node, number: n.Node) -> dict[str, tuple[Asked, ...]] | None:
         name = bare(node)
         given = bare(number)
         cells = given.cells if isinstance(given, n.Matrix) else cells_of(given) or (given,)
@@ -204,7 +192,7 @@ class WorkedTargets:
             joints = {*self.names.joints}
             pairs = zip(whole, numbers, strict=True)
             moving = tuple(
-                _Asked(entry, value)
+                (entry, value)
                 for entry, value in pairs
                 if isinstance(entry, Scalar) and value is not None and not symbols_in([entry]).isdisjoint(joints)
             )
@@ -234,10 +222,11 @@ def is_misprint(printed: n.Node, true: float) -> n.Node | None:
     A digit is another one, two are swapped, or the sign is missing or too many: what is rounded on the way differs otherwise.
     """
     is_angle = any(isinstance(b, n.Postfix) and b.operator == "deg" for b in n.walk(printed))
-    (number, *more) = [b for b in n.walk(printed) if isinstance(b, n.Number)] or [None]
+    numbers = [b for b in n.walk(printed) if isinstance(b, n.Number)]
     signs = [b.terms[0][0] for b in n.walk(printed) if isinstance(b, n.Sum)]
-    if number is None or more or number.decimals < COARSE or len(signs) > 1:
+    if len(numbers) != 1 or numbers[0].decimals < COARSE or len(signs) > 1:
         return None
+    number = numbers[0]
     value = degrees(true) if is_angle else true
     digits = f"{abs(value):.{number.decimals}f}"
     is_turned = (signs == ["-"]) != (value < 0)
@@ -256,56 +245,8 @@ def _is_slip(printed: str, right: str, is_turned: bool) -> bool:
 
 
 def _same(one: Numbers, other: Numbers) -> bool:
-    return all(abs(remainder(one[key] - other[key], tau)) < sqrt(CLOSE) for key in one)
+    return all(abs(remainder(one[key] - other[key], tau)) < SAME for key in one)
 
 
 def _apart(one: float, other: float, turns: bool) -> float:
     return remainder(one - other, tau) if turns else one - other
-
-
-def _reached(asked: Sequence[_Asked], joints: Sequence[str], lengths: Numbers, start: Numbers) -> Numbers | None:
-    """Return the configuration near another in which all entries have the values that they are to have: Newton's method, damped.
-
-    q ← q − (JᵀJ + λ 1)⁻¹ Jᵀ (f(q) − p) (Levenberg 1944); None where it does not end.
-    """
-    import numpy as np
-
-    q = np.array([start[joint] for joint in joints])
-
-    def off(at: np.ndarray) -> np.ndarray:
-        values = {**lengths, **dict(zip(joints, map(float, at), strict=True))}
-        return np.array([value_at(each.entry, values) - each.value for each in asked])
-
-    try:
-        error, damping = off(q), 1e-3
-        for _ in range(STEPS):
-            if hypot(*error) < CLOSE:
-                return dict(zip(joints, map(float, q), strict=True))
-            step = 1e-7
-            jacobian = np.column_stack([(off(q + step * unit) - error) / step for unit in np.eye(len(joints))])
-            change = np.linalg.solve(
-                jacobian.T @ jacobian + damping * damping * np.eye(len(joints)), jacobian.T @ error
-            )
-            trial = off(q - change)
-            better = hypot(*trial) < hypot(*error)
-            q, error, damping = (q - change, trial, damping / 10) if better else (q, error, damping * 10)
-    except (KeyError, ZeroDivisionError, ModelError, np.linalg.LinAlgError):
-        return None
-    return None
-
-
-def value_at(scalar: Scalar, values: Mapping[str, float]) -> float:
-    """Return the number that a scalar of cosines, sines and letters is at some values; raises KeyError where it holds anything else."""
-
-    def of(generator: tuple[str, str]) -> float:
-        kind, name = generator
-        if kind in ("cos", "sin"):
-            angle = values[name] if name in values else float(angle_value(name))
-            return cos(angle) if kind == "cos" else sin(angle)
-        return {"pi": lambda: pi, "sqrt": lambda: sqrt(int(name)), "symbol": lambda: values[name]}[kind]()
-
-    def total(polynomial: object) -> float:
-        terms = scalar.ring.terms(polynomial)  # type: ignore[arg-type]
-        return sum(float(k) * prod(of(g) ** power for g, power in powers.items()) for powers, k in terms)
-
-    return total(scalar.numerator) / total(scalar.denominator)

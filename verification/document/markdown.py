@@ -32,7 +32,9 @@ from armproof.verification.document.units import with_unit
 
 PICTURE = "<img"  # the opening of a display whose LaTeX stands in the address of a picture
 _AFTER_A_LEAD = frozenset("math_block math_block_label amsmath html_block fence colon_fence".split())
-_INDENTED = re.compile(r"\s*\$\$[ \t]*\n(?:(?!\$\$).)+\n[ \t]*\$\$[ \t]*(?:\n|$)", re.DOTALL)  # a display below "Step 3."
+_INDENTED = re.compile(
+    r"\s*\$\$[ \t]*\n(?:(?!\$\$).)+\n[ \t]*\$\$[ \t]*(?:\n|$)", re.DOTALL
+)  # a display below "Step 3."
 _STOPS = " .,;，。；"
 _LISTS = re.compile(r",.*=", re.DOTALL)  # a_1 = 0, d_1 = 2: what is given
 ALONE = "$ "  # the opening of a formula between single dollars that has a line of its own

@@ -136,8 +136,9 @@ class _Trial:
         if not isinstance(node, n.Name):
             return ""
         quantity = self.checker.members.quantity_of(node)
-        is_coordinate = quantity is not None and quantity.scalar and quantity.kind == "origin"
-        return node.base if is_entry(node) else f"{quantity.frame} in {quantity.reference}" if is_coordinate else ""
+        if is_entry(node) or quantity is None or not quantity.scalar or quantity.kind != "origin":
+            return node.base if is_entry(node) else ""
+        return f"{quantity.frame} in {quantity.reference}"
 
     def reading(self, front: Mapping[str, Any]) -> Reading:
         return Reading(front, self.name, self.held, self.failed, self.entries, frozenset(self.joints), self.near)
