@@ -7,8 +7,9 @@ from dataclasses import replace
 from itertools import pairwise, takewhile
 
 from armproof.verification.display.claims import Claims
-from armproof.verification.display.worked_targets import WorkedTargets, is_misprint
+from armproof.verification.display.worked_targets import WorkedTargets, with_right_entry, written_cells
 from armproof.verification.equations.at_stated_values import MANY, is_mostly_right
+from armproof.verification.equations.decimals import COARSE, finest_decimals
 from armproof.verification.equations.inequalities import is_numbers
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.under_rates import JACOBIAN, UnderRates
@@ -122,43 +123,72 @@ class ClaimsAtValues:
         return []
 
     def _of_target(self, chain: n.Chain, equation: int, line: int) -> list[Outcome]:
-        """Return the outcomes of what is worked out of a target that the document states in numbers; [] where it is not that.
+        """Return the outcomes of what is worked out of a target, or of a configuration, that is given in numbers; [] where it is not that.
 
         The sides with letters hold everywhere; the numbers behind them are those where the target is reached. One alone is
         refuted, where it is a misprint of the right one: what is rounded on the way may be off.
         """
-        formulas = [*takewhile(lambda each: not is_number(each), chain.members)]
+        formulas = [*takewhile(lambda each: not self.targets.is_worked(each), chain.members)]
         numbers = chain.members[len(formulas) :]
-        if not {*chain.relations} <= {"=", "≈"} or not formulas or not numbers or not all(map(is_numbers, numbers)):
+        if not {*chain.relations} <= {"=", "≈"} or not formulas or not numbers:
             return []
-        for reached in self.targets.reached(line):
+        if not all(map(self.targets.is_worked, numbers)):
+            return []
+        told = self.names.state.given_last | self.claims.circumstances.text.told_values()
+        given = (
+            self.targets.at({key: each.value for key, each in told.items()})
+            if any(map(tells_values, numbers))
+            else None
+        )
+        print(
+            "DBG",
+            line,
+            [self.targets.is_worked(m) for m in chain.members],
+            len(formulas),
+            given and [given.value(m) for m in chain.members],
+        )
+        for reached in (*self.targets.reached(line), *([given] if given is not None else [])):
             true = next(filter(None, map(reached.value, formulas)), None)
-            errors = [reached.errors(each, true) for each in numbers] if true is not None else [None]
-            if true is None or None in errors or not self._hold(formulas, equation, line):
+            errors = [reached.errors(each, true) for each in numbers] if true is not None else []
+            before = self._of_formulas(formulas, equation, line)
+            if true is None or None in errors or any(each.verdict not in HOLDS for each in before):
                 continue
-            off = [k for k, each in enumerate(errors) if any(error > allowed for error, allowed in each or ())]
-            held = [
+            off = [
+                (k, e)
+                for k, each in enumerate(errors)
+                for e, (error, allowed) in enumerate(each or ())
+                if error > allowed
+            ]
+            held = before + [
                 Outcome(Verdict.CONFIRMED, (say(Kind.TO_DECIMALS_THERE),), equation + k, samples=1)
-                for k in range(len(chain.members) - 1)
+                for k in range(len(formulas) - 1, len(chain.members) - 1)
             ]
             if not off:
                 return held
-            right = is_misprint(numbers[off[0]], true[0]) if len(off) == len(true) == 1 else None
-            place = max(0, len(formulas) + off[0] - 1)
+            if len(off) > 1 or (reached is given and not self._are_of(numbers, *off[0])):
+                continue
+            (place, entry) = off[0]
+            right = with_right_entry(numbers[place], entry, true[entry])
             if right is None:
                 continue
-            sides = self.checker.member(right), self.checker.member(numbers[off[0]])
+            place = max(0, len(formulas) + place - 1)
+            sides = self.checker.member(right), self.checker.member(chain.members[place + 1])
             wrong = self.checker.equality.compare(*sides, equation + place, False)
             if wrong.verdict is Verdict.REFUTED:
-                held[place] = wrong
-                return held
+                return [wrong if each.equation == wrong.equation else each for each in held]
         return []
 
-    def _hold(self, formulas: Sequence[n.Node], equation: int, line: int) -> bool:
-        """Whether what stands before the numbers holds of every configuration."""
+    def _are_of(self, numbers: Sequence[n.Node], place: int, entry: int) -> bool:
+        """Whether numbers besides a wrong one are right, so that they are of the configuration: another side, or three entries."""
+        others = sum(finest_decimals([cell]) >= COARSE for cell in written_cells(numbers[place])) - 1
+        return others >= MANY or any(finest_decimals([each]) >= COARSE for k, each in enumerate(numbers) if k != place)
+
+    def _of_formulas(self, formulas: Sequence[n.Node], equation: int, line: int) -> list[Outcome]:
+        """Return what becomes of what stands before the numbers, of every configuration."""
         steps = (n.Chain(pair, ("=",)) for pair in pairwise(formulas))
-        found = [each for step in steps for each in self.claims.readings.outcomes(step, equation, line, False)]
-        return all(each.verdict in HOLDS for each in found)
+        return [
+            o for k, step in enumerate(steps) for o in self.claims.readings.outcomes(step, equation + k, line, False)
+        ]
 
     def _at_told_values(self, chain: n.Chain, equation: int, line: int) -> list[Outcome]:
         """Return what becomes of numbers at the values that the text before gives; [] where there are none.

@@ -9,9 +9,9 @@ method finds from them. Every other number of the example is that of a quantity 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import islice, product
 from math import degrees, isfinite, remainder, tau
@@ -20,7 +20,8 @@ from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import as_matrix
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document import Display
-from armproof.verification.equations.decimals import COARSE, EXACT, Rounding, roundings, slacks
+from armproof.verification.equations.decimals import COARSE, EXACT, FINE, finest_decimals, rounded_numbers, roundings
+from armproof.verification.equations.inequalities import is_numbers
 from armproof.verification.equations.sides import Members
 from armproof.verification.errors import EvaluationError, ReadError, TooComplex
 from armproof.verification.evaluation.blocks import cells_of
@@ -69,26 +70,47 @@ class Reached:
         printed = self.value(node)
         if printed is None or len(printed) != len(true):
             return None
-        matrix = bare(node)
-        shape = (len(matrix.rows), len(matrix.rows[0])) if isinstance(matrix, n.Matrix) else (len(true), 1)
-        allowed = [_allowed(self.members, node, each) for each in roundings(node, shape).values()]
+        cells = bare(node).cells if isinstance(bare(node), n.Matrix) else ()
+        if len(cells) == len(true):
+            near = [each.near for each in roundings(node, (len(cells), 1)).values()]
+            allowed = [
+                max(self._slacks(cell, 1)[0], _allowed(cell, off)) for cell, off in zip(cells, near, strict=True)
+            ]
+        else:
+            off = _allowed(node, roundings(node, (1, 1))[0, 0].near)
+            allowed = [max(each, off) for each in self._slacks(node, len(true))]
         turns = any(isinstance(b, n.Postfix) and b.operator == "deg" for b in n.walk(node))
         return [(abs(_apart(a, b, turns)), off) for a, b, off in zip(printed, true, allowed, strict=True)]
 
+    def _slacks(self, node: n.Node, size: int) -> list[float]:
+        """Return how far half a unit of each rounded number of a side takes each of its entries: each alone, all at their worst."""
+        total = [EXACT.near] * size
+        before = self.value(node)
+        for number in rounded_numbers(node, FINE) if before is not None and not _is_alone(node) else ():
+            moved = self.value(
+                n.substitute(node, number, n.Number(number.value + Fraction(1, 2 * 10**number.decimals)))
+            )
+            if before is not None and moved is not None and len(moved) == len(before) == size:
+                total = [each + abs(a - b) for each, a, b in zip(total, before, moved, strict=True)]
+        return total
 
-def _allowed(members: Members, node: n.Node, rounding: Rounding) -> float:
-    """Return how far a number may be: half a unit of its last decimal; what is made of rounded numbers, as far as they take it.
+
+def _is_alone(node: n.Node) -> bool:
+    return not any(
+        isinstance(b, n.Product | n.Quotient | n.Power | n.Call) or _is_sum(b) for b in n.walk(n.ungrouped(node))
+    )
+
+
+def _is_sum(node: n.Node) -> bool:
+    return isinstance(node, n.Sum) and len(node.terms) > 1
+
+
+def _allowed(node: n.Node, near: float) -> float:
+    """Return how far a number that stands alone may be: half a unit of its last decimal.
 
     One of a single decimal is exact: nobody rounds so much on his way.
     """
-    plain = n.ungrouped(node)
-    alone = isinstance(plain, n.Matrix) or not any(
-        isinstance(b, n.Product | n.Quotient | n.Power | n.Call | n.Sum) for b in n.walk(plain)
-    )
-    if not alone:
-        return sum(slacks(members, node)) + EXACT.near
-    decimals = max((b.decimals for b in n.walk(plain) if isinstance(b, n.Number)), default=0)
-    return rounding.near if decimals >= COARSE else EXACT.near
+    return near if _is_alone(node) and finest_decimals([node]) != 1 else EXACT.near
 
 
 class WorkedTargets:
@@ -96,6 +118,26 @@ class WorkedTargets:
 
     def __init__(self, displays: Sequence[Display], members: Members) -> None:
         self.displays, self.members, self.names = displays, members, members.names
+
+    def at(self, told: Mapping[str, float]) -> Reached | None:
+        """Return the configuration that the text tells, where it tells every joint."""
+        arm = self.names.arm
+        joints = [joint.symbol for joint in arm.joints] if arm is not None else []
+        if not joints or not all(joint in told for joint in joints):
+            return None
+        return Reached(self.members, {joint: told[joint] for joint in joints}, self._lengths())
+
+    def is_worked(self, node: n.Node) -> bool:
+        """Whether a side is made of numbers, and of matrices and vectors at most that the arm has: {}^0_1R [0.7399, 0.4571, 0]."""
+        if is_numbers(node):
+            return True
+        names = [each for each in n.walk(node) if isinstance(each, n.Name)]
+        return finest_decimals([node]) >= FINE and all(self._is_whole(each) for each in names)
+
+    def _is_whole(self, name: n.Name) -> bool:
+        known = self.names.quantity(name)
+        quantity = known or next(iter(self.names.usual(name) if is_usual(name) else ()), None)
+        return quantity is not None and not quantity.scalar
 
     def reached(self, line: int) -> Iterator[Reached]:
         """Yield the configurations that reach the target last stated above a line, which the document prints behind it."""
@@ -214,6 +256,23 @@ class WorkedTargets:
     def _number(self, node: n.Node) -> float | None:
         value = self.members.evaluate(node).value
         return self.members.number(value) if isinstance(value, Scalar) and not symbols_in([value]) else None
+
+
+def written_cells(node: n.Node) -> tuple[n.Node, ...]:
+    """Return the entries of a matrix as it is written, or the side itself."""
+    plain = bare(node)
+    return tuple(plain.cells) if isinstance(plain, n.Matrix) else (node,)
+
+
+def with_right_entry(printed: n.Node, entry: int, true: float) -> n.Node | None:
+    """Return a side with the right number in the place of a misprint; None where it is none."""
+    plain, cells = bare(printed), written_cells(printed)
+    right = is_misprint(cells[entry], true) if entry < len(cells) else None
+    if right is None or not isinstance(plain, n.Matrix):
+        return right
+    width = len(plain.rows[0])
+    new = [*cells[:entry], right, *cells[entry + 1 :]]
+    return replace(plain, rows=tuple(tuple(new[k : k + width]) for k in range(0, len(new), width)))
 
 
 def is_misprint(printed: n.Node, true: float) -> n.Node | None:
