@@ -9,7 +9,7 @@ from itertools import pairwise, takewhile
 from armproof.verification.display.claims import Claims
 from armproof.verification.display.worked_targets import WorkedTargets, with_right_entry, written_cells
 from armproof.verification.equations.at_stated_values import MANY, is_mostly_right
-from armproof.verification.equations.decimals import COARSE, finest_decimals
+from armproof.verification.equations.decimals import COARSE, FINE, finest_decimals
 from armproof.verification.equations.inequalities import is_numbers
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.under_rates import JACOBIAN, UnderRates
@@ -135,18 +135,9 @@ class ClaimsAtValues:
         if not all(map(self.targets.is_worked, numbers)):
             return []
         told = self.names.state.given_last | self.claims.circumstances.text.told_values()
-        given = (
-            self.targets.at({key: each.value for key, each in told.items()})
-            if any(map(tells_values, numbers))
-            else None
-        )
-        print(
-            "DBG",
-            line,
-            [self.targets.is_worked(m) for m in chain.members],
-            len(formulas),
-            given and [given.value(m) for m in chain.members],
-        )
+        fine = sum(finest_decimals([each]) >= FINE for each in written_cells(numbers[-1]))
+        tells = fine > 1 or any(map(tells_values, numbers))
+        given = self.targets.at({key: each.value for key, each in told.items()}) if tells else None
         for reached in (*self.targets.reached(line), *([given] if given is not None else [])):
             true = next(filter(None, map(reached.value, formulas)), None)
             errors = [reached.errors(each, true) for each in numbers] if true is not None else []

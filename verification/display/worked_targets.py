@@ -70,8 +70,8 @@ class Reached:
         printed = self.value(node)
         if printed is None or len(printed) != len(true):
             return None
-        cells = bare(node).cells if isinstance(bare(node), n.Matrix) else ()
-        if len(cells) == len(true):
+        cells = written_cells(node)
+        if isinstance(bare(node), n.Matrix) and len(cells) == len(true):
             near = [each.near for each in roundings(node, (len(cells), 1)).values()]
             allowed = [
                 max(self._slacks(cell, 1)[0], _allowed(cell, off)) for cell, off in zip(cells, near, strict=True)
