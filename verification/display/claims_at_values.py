@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from fractions import Fraction
 from itertools import pairwise, takewhile
 
 from armproof.verification.display.claims import Claims
@@ -86,6 +87,7 @@ class ClaimsAtValues:
         )
         if is_open and (worked := self._of_worked_example(chain, equation, line)):
             return worked
+        is_open = is_open and any(each.verdict is Verdict.UNCHECKED for each in outcomes)
         if is_open and (worked := self._of_target(chain, equation, line)):
             return worked
         outcomes = self._with_wrong_numbers(chain, outcomes, equation, line)
@@ -132,7 +134,7 @@ class ClaimsAtValues:
         numbers = chain.members[len(formulas) :]
         if not {*chain.relations} <= {"=", "≈"} or not formulas or not numbers:
             return []
-        if not all(map(self.targets.is_worked, numbers)):
+        if not all(map(self.targets.is_worked, numbers)) or any(map(_divides_by_zero, numbers)):
             return []
         told = self.names.state.given_last | self.claims.circumstances.text.told_values()
         fine = sum(finest_decimals([each]) >= FINE for each in written_cells(numbers[-1]))
@@ -165,7 +167,7 @@ class ClaimsAtValues:
             place = max(0, len(formulas) + place - 1)
             sides = self.checker.member(right), self.checker.member(chain.members[place + 1])
             wrong = self.checker.equality.compare(*sides, equation + place, False)
-            if wrong.verdict is Verdict.REFUTED:
+            if wrong.verdict is Verdict.REFUTED and wrong.wrong:
                 return [wrong if each.equation == wrong.equation else each for each in held]
         return []
 
@@ -213,6 +215,10 @@ class ClaimsAtValues:
             return outcomes
         wrong = {each.equation: each for each in self.claims.readings.unequal(chain, first, equation, line)}
         return [wrong.get(each.equation, each) if each.equation in is_open else each for each in outcomes]
+
+
+def _divides_by_zero(node: n.Node) -> bool:
+    return any(isinstance(b, n.Quotient) and n.ungrouped(b.denominator) == n.Number(Fraction(0)) for b in n.walk(node))
 
 
 def _is_of_rank(chain: n.Chain) -> bool:

@@ -39,6 +39,7 @@ _STOPS = " .,;，。；"
 _LISTS = re.compile(r",.*=", re.DOTALL)  # a_1 = 0, d_1 = 2: what is given
 ALONE = "$ "  # the opening of a formula between single dollars that has a line of its own
 _MATRIX = re.compile(r"\\begin\{\w*matrix|\\begin\{array")
+_FENCES = re.compile(r"\\(?:begin|end)\{\w*\*?\}(?:\{[|clr ]*\})?")
 _SAYS = re.compile(r"[=<>≈]|\\(?:approx|simeq|equiv|[lg]eq?)(?![A-Za-z])|(?:∈|\\in(?![A-Za-z]))\s*(?:\\left\s*)?[(\[]")
 AMS = "\\begin"  # the opening of an environment that stands in the text without dollars
 _ENVIRONMENT = re.compile(
@@ -503,10 +504,15 @@ def _on_own_lines(token: Token) -> set[int]:
         if is_alone and is_led and token.level == 1:
             found |= {place for place in own if not _LISTS.search(children[place].content)}
         if own and own[-1] == held[-1]:
-            found |= {place for place in own[-1:] if _MATRIX.search(children[place].content)}
+            found |= {place for place in own[-1:] if _claims_a_matrix(children[place].content)}
         if not is_alone:
             is_led = bool(held) and children[held[-1]].content.rstrip().endswith((":", "："))
     return found
+
+
+def _claims_a_matrix(latex: str) -> bool:
+    """Whether a formula says what a matrix is, in letters; one of numbers alone is given: v = (0, 3)."""
+    return bool(_MATRIX.search(latex)) and re.search("[A-Za-z]", _FENCES.sub("", latex).rpartition("=")[2]) is not None
 
 
 def _lines_of(children: Sequence[Token]) -> Iterator[list[int]]:
