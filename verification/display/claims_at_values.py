@@ -17,7 +17,7 @@ from armproof.verification.equations.under_rates import JACOBIAN, UnderRates
 from armproof.verification.equations.worked_numbers import tells_values, unitless
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import is_number
+from armproof.verification.latex.nodes import bare, is_number
 from armproof.verification.naming.state import DocumentState
 from armproof.verification.verdict import DECIDED, HOLDS, Verdict
 
@@ -136,6 +136,13 @@ class ClaimsAtValues:
             return []
         if not all(map(self.targets.is_worked, numbers)) or any(map(_divides_by_zero, numbers)):
             return []
+        alone = bare(formulas[0]) if len(formulas) == 1 else None
+        if (
+            isinstance(alone, n.Name)
+            and not alone.pre_sup
+            and self.names.known_symbol(alone.key) not in self.names.joints
+        ):
+            return []  # p_x = 0.54 may have given the name its meaning
         told = self.names.state.given_last | self.claims.circumstances.text.told_values()
         fine = sum(finest_decimals([each]) >= FINE for each in written_cells(numbers[-1]))
         tells = fine > 1 or any(map(tells_values, numbers))
