@@ -146,6 +146,7 @@ class DocumentChecker:
         self.checker = ChainChecker(self.names, self.exact, self.sampled)
         self.checker.confirm = confirm
         self.statements = Statements(self.checker)
+        self.statements.claims.displays = document.displays
         self.correct = correct
         self.samples = samples
         self.beforehand = Beforehand(self.checker, document, self.inferred)
@@ -155,6 +156,7 @@ class DocumentChecker:
     def go_on_with(self, document: Document, inferred: Inference) -> None:
         """Check displays of a document that has changed: it shows the same beforehand."""
         self.document, self.inferred, self.displays.inferred = document, inferred, inferred
+        self.statements.claims.displays = document.displays
 
     def _is_unknown(self, key: str) -> bool:
         return self.names.known_symbol(key) is None and key not in self.names.quantities

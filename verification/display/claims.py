@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Set
+from collections.abc import Sequence, Set
 from dataclasses import replace
 from functools import partial
 from math import remainder, tau
@@ -14,6 +14,7 @@ from armproof.verification.display.decision import Decision
 from armproof.verification.display.equal_numbers import unequal_numbers, with_wrong_numbers
 from armproof.verification.display.taken_arm import names_in
 from armproof.verification.display.two_readings import either_reading, one_or_apart
+from armproof.verification.document import Display
 from armproof.verification.equations.case_conditions import check_cases
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.differentials import of_small_ones
@@ -46,6 +47,9 @@ class Claims:
         self.names = checker.names
         self.decision = Decision(checker)
         self.given = self.decision.given
+        self.displays: Sequence[
+            Display
+        ] = ()  # of the document: one gives a target, and others the numbers that reach it
 
     @property
     def circumstances(self) -> Circumstances:
@@ -91,12 +95,26 @@ class Claims:
             worked = of_worked_example(self.names.state, self._read, chain, equation, line)
             if worked:
                 return [replace(self.unless_doubted(each), uses=self.consulted()) for each in worked]
-        if any(each.verdict is Verdict.UNCHECKED for each in outcomes):
+        has_open = any(each.verdict is Verdict.UNCHECKED for each in outcomes)
+        if is_open and has_open and (worked := self._at_targets(chain, equation, line)):
+            return worked
+        if has_open:
             outcomes = with_wrong_numbers(self.decision.of, chain, outcomes, equation, line)
         for outcome in outcomes if there else ():
             if outcome.tells(Kind.NUMBERS_OF_NOWHERE):
                 outcome.findings = there[0].findings
         return outcomes
+
+    def _at_targets(self, chain: n.Chain, equation: int, line: int) -> list[Outcome]:
+        """Return the outcomes of numbers where a target of the document is reached; [] where they are none of that."""
+        holds_digits = any(isinstance(below, n.Number) for below in n.walk(chain.members[-1]))
+        if not self.displays or not holds_digits or not chain.relations:
+            return []
+        with self.checker.exact.budget.paused():  # few documents need it: the import is none of its time
+            from armproof.verification.display.at_targets import AtTargets
+            from armproof.verification.display.worked_targets import WorkedTargets
+        targets = WorkedTargets(self.displays, self.checker.members)
+        return AtTargets(self.checker, self.circumstances, targets, self._read).outcomes(chain, equation, line)
 
     def chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         """Return the outcomes of a chain, each with the definitions that it rests on."""

@@ -200,8 +200,10 @@ class Decision:
 
 
 def _has_letter_index(chain: n.Chain) -> bool:
-    """Whether a name in a chain has a letter for its index, as what is said of any link does: A_n, {}^jT_{j+1}."""
+    """Whether a name in a chain has a letter for its index, as what is said of any link does: A_n, {}^jT_{j+1}; or α has none."""
     names = n.names(chain)
+    if any(name.base == "alpha" and not name.sub for name in names):
+        return True
     return any(script[:1] in {*"ijkn"} for name in names for script in (name.sub, name.pre_sub))
 
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from itertools import zip_longest
 from pathlib import Path
+from textwrap import dedent
 from typing import Any
 
 from markdown_it import MarkdownIt
@@ -31,11 +32,18 @@ from armproof.verification.document.units import with_unit
 
 PICTURE = "<img"  # the opening of a display whose LaTeX stands in the address of a picture
 _AFTER_A_LEAD = frozenset("math_block math_block_label amsmath html_block fence colon_fence".split())
+_INDENTED = re.compile(
+    r"\s*\$\$[ \t]*\n(?:(?!\$\$).)+\n[ \t]*\$\$[ \t]*(?:\n|$)", re.DOTALL
+)  # a display below "Step 3."
+_STOPS = " .,;，。；"
+_LISTS = re.compile(r",.*=", re.DOTALL)  # a_1 = 0, d_1 = 2: what is given
 ALONE = "$ "  # the opening of a formula between single dollars that has a line of its own
 _DERIVED = re.compile(  # a matrix, or a function of an angle or of a length: no value that is given
     r"\\begin\{\w*matrix|\\begin\{array|(?=.*=).*(?:\\(?:cos|sin|tan|arc[a-z]{3}|sqrt)(?![A-Za-z])|atan_?2|arctan_?2|(?<![A-Za-z\\])[cCsS]_)",
     re.DOTALL,
 )
+_MATRIX = re.compile(r"\\begin\{\w*matrix|\\begin\{array")
+_FENCES = re.compile(r"\\(?:begin|end)\{\w*\*?\}(?:\{[|clr ]*\})?")
 _SAYS = re.compile(r"[=<>≈]|\\(?:approx|simeq|equiv|[lg]eq?)(?![A-Za-z])|(?:∈|\\in(?![A-Za-z]))\s*(?:\\left\s*)?[(\[]")
 AMS = "\\begin"  # the opening of an environment that stands in the text without dollars
 _ENVIRONMENT = re.compile(
@@ -195,7 +203,9 @@ def _read_blocks(
     for index, token in enumerate(tokens):
         erratum, content = any(quotes), token.content
         line = line if token.map is None else first + token.map[0]  # what closes has no place of its own
-        if token.type in _AFTER_A_LEAD or (token.type == "inline" and (content[:2] == "$$" or _stands_alone(token))):
+        is_indented = bool(lead) and token.type == "code_block" and _INDENTED.match(content) is not None
+        is_next = token.type in _AFTER_A_LEAD or is_indented
+        if is_next or (token.type == "inline" and (content[:2] == "$$" or _stands_alone(token))):
             displays.extend(said_below(lead, lead_line, section) if lead else ())
             lead = ""
         if token.type == "html_block" and (heading := _HTML_HEADING.match(content)) is not None:
@@ -209,6 +219,11 @@ def _read_blocks(
         elif token.type in ("math_block", "math_block_label"):
             displays.extend(_block_displays(content, line, erratum, cell, section))
             displays.extend(said_above(token.info, line, section) if token.info else ())  # $$ … $$ (wrong): no label
+            is_behind = True
+        elif is_indented:
+            more, more_tables = _read_blocks(dedent(content), line, cell, section, erratum, depth + 1)
+            displays += more
+            tables += more_tables
             is_behind = True
         elif token.type == "amsmath":
             displays.append(Display(line, content, erratum, cell, section, opening=AMS))
@@ -415,20 +430,24 @@ def _inline_displays(
 ) -> Iterator[Display]:
     """Yield the displays of a text and what it says, of the display too that it stands right behind."""
     base = first + (token.map[0] if token.map else 0)
-    cursor = 0
+    cursor = end = 0  # behind the last formula, behind the last display
     children = token.children or []
-    stands_alone = _stands_alone(token)
-    text, *texts = token.content.split("$$")[::2]
+    alone = _on_own_lines(token)
+    ends = [*_ends_of_texts(token, alone), len(token.content)]
+    text = token.content[: ends[0]]
     if is_behind:
         yield from said_above(text, base, section)
     yield from said_in_general(text, base, section)
-    for child, behind in zip_longest(children, children[1:]):
-        if child.type == "math_inline_double":
-            at = token.content.find("$$" + child.content, cursor)
-            cursor = at + len(child.content) + 4
+    for place, (child, behind) in enumerate(zip_longest(children, children[1:])):
+        if child.type == "math_inline_double" or place in alone:
+            mark = "$$" if child.type == "math_inline_double" else "$"
+            at = token.content.find(mark + child.content, cursor)
+            cursor = end = at + len(child.content) + 2 * len(mark)
             yield from said_below(text, base, section)
-            yield Display(base + token.content.count("\n", 0, at), child.content, erratum, cell, section)
-            text = texts.pop(0) if texts else ""
+            line, opening = base + token.content.count("\n", 0, at), ALONE if place in alone else mark
+            yield Display(line, child.content, erratum, cell, section, opening=opening)
+            ends.pop(0)
+            text = token.content[end : ends[0]]
             yield from said_above(text, base, section)
             yield from said_in_general(text, base, section)
         elif child.type == "math_inline":
@@ -436,10 +455,6 @@ def _inline_displays(
             latex = quoted[1] if quoted else child.content
             if quoted and len([each for each in children if each.content.strip()]) == 1:
                 yield Display(base, latex, erratum, cell, section, opening="$`")
-            elif stands_alone and _SAYS.search(latex) and not quoted:
-                at = token.content.find("$" + latex, cursor)
-                cursor = at + len(latex) + 2
-                yield Display(base + token.content.count("\n", 0, at), latex, erratum, cell, section, opening=ALONE)
             else:
                 measured = with_unit(latex, behind.content if behind is not None and behind.type == "text" else "")
                 yield Display(base, measured, cell=cell, section=section, opening=INLINE)
@@ -454,8 +469,66 @@ def _inline_displays(
                 base + token.content.count("\n", 0, at), token.content[at + 2 :], erratum, cell, section, closed=False
             )
             return
-    for at, latex, alone in formulas_in_line(token.children or []):
-        yield _of_picture(latex, base + at, erratum, cell, section, alone)
+    for at, latex, alone_ in formulas_in_line(token.children or []):
+        yield _of_picture(latex, base + at, erratum, cell, section, alone_)
+
+
+def _ends_of_texts(token: Token, alone: Collection[int]) -> Iterator[int]:
+    """Yield where the displays of a text begin, in their order."""
+    cursor = 0
+    for place, child in enumerate(token.children or ()):
+        if child.type == "math_inline_double" or place in alone:
+            mark = "$$" if child.type == "math_inline_double" else "$"
+            at = token.content.find(mark + child.content, cursor)
+            cursor = at + len(child.content) + 2 * len(mark)
+            yield at
+
+
+def _on_own_lines(token: Token) -> set[int]:
+    """Return which children are formulas between single dollars that stand for displays.
+
+    They do where a paragraph holds nothing else; on a line of their own behind a colon; and at the end of a line where they
+    say what a matrix is, for nobody mentions one.
+    """
+    children = token.children or []
+    says = {
+        place for place, child in enumerate(children) if child.type == "math_inline" and _SAYS.search(child.content)
+    }
+    says = {place for place in says if not children[place].content.startswith("`")}
+    if _stands_alone(token):
+        return says
+    if token.level % 2 == 0:  # a heading, a cell
+        return set()
+    found: set[int] = set()
+    is_led = False
+    for line in _lines_of(children):
+        held = [place for place in line if children[place].content.strip(_STOPS)]
+        is_alone = bool(held) and all(children[place].type == "math_inline" for place in held)
+        own = [place for place in held if place in says]
+        if is_alone and is_led and token.level == 1:
+            found |= {place for place in own if not _LISTS.search(children[place].content)}
+        if own and own[-1] == held[-1]:
+            found |= {place for place in own[-1:] if _claims_a_matrix(children[place].content)}
+        if not is_alone:
+            is_led = bool(held) and children[held[-1]].content.rstrip().endswith((":", "："))
+    return found
+
+
+def _claims_a_matrix(latex: str) -> bool:
+    """Whether a formula says what a matrix is, in letters; one of numbers alone is given: v = (0, 3)."""
+    return bool(_MATRIX.search(latex)) and re.search("[A-Za-z]", _FENCES.sub("", latex).rpartition("=")[2]) is not None
+
+
+def _lines_of(children: Sequence[Token]) -> Iterator[list[int]]:
+    """Yield the places of the children of each line of a paragraph."""
+    line: list[int] = []
+    for place, child in enumerate(children):
+        if child.type in ("softbreak", "hardbreak"):
+            yield line
+            line = []
+        else:
+            line.append(place)
+    yield line
 
 
 def _stands_alone(token: Token) -> bool:
@@ -463,7 +536,7 @@ def _stands_alone(token: Token) -> bool:
 
     So does an item of a list whose formulas are matrices, or equations with functions; others there are mostly what is given.
     """
-    held = [each for each in token.children or () if each.content.strip(" .,;") or each.type == "softbreak"]
+    held = [each for each in token.children or () if each.content.strip(_STOPS) or each.type == "softbreak"]
     kinds = {each.type for each in held}
     formulas = [each.content for each in held if each.type == "math_inline"]
     may_stand = token.level == 1 or (token.level % 2 == 1 and all(_DERIVED.search(each) for each in formulas))

@@ -237,53 +237,59 @@ zwar zwei zweimal zweite zwischen zyklus zylinder zähler ähnlich äußere übe
 übungen
 """
 SPANISH = """
-a abajo abierta abscisa acciones acción aceleración acumulada adelante además adición agrupando ahora aislando al alcance alcanza algebraica algunas
-algunos algún alrededor alta alto altura ambas ambos amplitud analizar anexo angular anillo antebrazo anterior antes antorcha antropomórfico análisis
-análoga aparece apartado aplica aporte apoyo apunta apuntes apéndice aquí archivo archivos arcocoseno arcos arcoseno arcotangente arriba articular
-artículo asigna asociada asume así atrás aula automática automáticamente automático autovalor aún baja bajo barra barras base bases biblioteca bien
-bloque boquilla borde botones brazo brazos bucle buscada buscamos básica búsqueda cada cadena cadera caja calcula calibración camino cantidad
-capacidad capítulo característica carpeta carrera carro cartesiana caso catetos cenital centro cero cerrada ciclo ciclos cierra cierta cierto cilindro
-cilíndrico cinco cinemática circunferencia clara clase clases clásica codo coeficiente coincide color columna comando comandos combinando comentarios
-comienza como comparando complejo compone comportamiento comprender comprobar comprueba computador común con concatenar concuerda condición conduce
-conexión configuraciones conjunto conocer conocida consecuencia considera consigue consiste consta construir consultar contiene continuación control
-convención coordenada correcta corresponde coseno cruz cuadrado cuadrática cual cuales cualquier cuando cuarta cuarto cuatro cuenta cuerpo cumple
-cumplir curso curva curvas cuya cuyas cuyos cálculo cámara círculo código dada dadas dado dados datos de debe decir deducción deduce deducimos define
-definir del demostrar demuestra demás denominador denota dentro depende derecha derivada desacople desacoplo desarrolla descompone describe desde
-deseada despejando desplaza después detallada determina dh diagonal diagrama dibujo dicho diferencia difieren digital dimensión dinámica dirección
-directa diseñar diseño disponible distancia distinto divide dividiendo división doblado documento donde dos durante ecuación edición efector
-efectuando efectúa eje ejecución ejecutar ejemplo ejercicio ejes el elegimos elegir elemento eleva elevando elimina eléctrico emplea en encoder
-encontramos encuentra energía engranaje enlace ensayo entonces entorno entre entrega enunciado envía equipo equivale es escalar escogido escribe
-esférica eslabones eslabón espacio especial espera esquema esta establece estado estas este estirado esto estos estructura estudia está están estándar
-evaluar evalúa exactamente examen existe experimento explica expresa extendida externa extrae extraen extremo fabricante factor falta fichero figura
-fija fijo fijos fila filas fin final finales finalmente flexión flujo forma forman formas frecuencia freno frenos frente fricción frontal fue fuente
-fuera fuerza funcionamiento funciones función fácil fácilmente física físicas físico físicos fórmula garantizando garantizar garra general geometría
-geométrica gira giran girar giro giros grado grados gravedad gráfica grúa haber había hace hacemos hacen hacer hacia hallamos hallar han hasta hay
-hecha hecho herramienta hipotenusa hipótesis historia hoja hojas hombro homogénea horizontales husillo idea identidad igual igualando igualdades
-iguales igualmente imagen implementa implica importante imágenes inclinación incluye incógnita indica industria inercia ingeniería inicial inicio
-inmediata integrando interior intermedia interna intersección interés introdujo inversa invertir invirtiendo ir isotrópica izquierda jacobiana la
-laboratorio lado lados lagrange largo las le leemos leer lenguaje ley leyes libertad libre libres libro libros lineal llama llamada llamamos llamando
-llega llegada llegamos llegar lleva lo local localización longitud los luego lugar límite línea líneas manera manipuladores mano manualmente marco
-marcos masa masas matemática matemáticamente matemáticas matemático matrices matriz mecanismo mecánica mecánico mecánicos mediante medición medida
-medido medio memoria menos mesa meta metros mide miden miembro milisegundo milímetros misma mismo mismos modelo modifica momento montaje motor motores
-mover movimiento mucho muchos muestra mueve mueven multiplica muslo muñeca máquina más máxima máximo método mínima mínimo módulo múltiples natural
-necesaria necesita negativa nivel nodos norma normal nos nota notación notas nueva nuevo nula nulo numerador numérica número objetivo obtenemos
-obtenida obtiene obtuvo operación operador operando orden ordenada orientación origen ortogonal otra otras otro otros pala palabras pantalla par para
-paralela parcial pared pares parte particular partida partir parámetros paso pasos pedestal pendiente perfil periodo permite pero perpendicular pie
-pierna pieza piezas pinza pitágoras plana planar planificación plano planos planta plantea plataforma plegado poco pocos podemos polares polinomio por
-posible posición positiva posterior postura potencia precedente pregunta presenta primer principal prismática problema procede proceso producto
-programa propia propiedad propio proporciona prototipo proyecciones prueba práctica publicado puede pueden punta punto puntos página pórtico que queda
-quedan queremos quitando rad radianes radio rama rango razón raíces raíz realiza recoge recogidos recordar recta rectángulo recíproca reemplazando
-reescribe referencia región regla relación repositorio representa resolución resolver respecto respuesta resta restando restar resto resuelve resulta
-resumen riel robot robots robótica rodilla rota rotación rotan rotativa rotatoria rueda ruedas ruta rutina rápidamente rápido rígida rígido sabe
-sabemos saber sabiendo salida se sea sean secciones sección secuencia segmento segunda segura seguro seguros según selección semana semestre sencilla
-seno senos sensor sentido separa ser serie servomotor servomotores será serán señal señala señales si sido siendo significa sigue siguen siguiente
-simbólica similar simple simplifica simulador singular sistema situación situado sobre software soluciones son su subconjunto sube subsistema suele
-suelo suma sumando sumar sumas superficie superior sus sustituir sólido tabla tablas tal tales también tangente tanto tarea tareas techo tema temas
-temporal tenemos teniendo tensor teorema teoría tercer tesis texto textos teórico tiempo tiene tienen tipo tipos tobillo toda todas todavía todos toma
-tomamos toman tomando tomar tope torque torre total trabajo tramo transforma transponer tras traslada trata tratará través trayectoria tres
-tridimensional trigonométrica triángulo tronco término ubicación un una unidad unitario usamos usando usar usaremos usará utiliza vale valor valores
-variable varilla varía vector velocidad ver verdadero veremos verifica vertical verán vez viene vimos vio vista vistas visto volveremos vuelve válida
-válido vástago x y ya zona ángulo área índice órdenes última último única único útil
+a abajo abduccion abducción abierta abscisa absorbiendo acciones acción aceleración acumulada adelante además adentro adición aducción afuera agrupa
+agrupando ahora aislando al alcance alcanza algebraica algunas algunos algún alrededor alta alto altura ambas ambos amplitud analizar anexo angular
+anillo antebrazo anterior antes antorcha antropomórfico análisis análoga análogamente aparece aparecen apartado aplica aplicamos aplicando aporte
+apoyo apunta apuntes apéndice aquí archivo archivos arcocoseno arcos arcoseno arcotangente arriba articular artículo asigna asociada asume así atrás
+aula automática automáticamente automático autovalor auxiliar aún baja bajo barra barras base bases basta biblioteca bien bloque boquilla borde
+botones brazo brazos bucle buscada buscamos básica búsqueda cada cadena cadera caja calcula calculando calibración camino cantidad capacidad capítulo
+característica carpeta carrera carro cartesiana caso catetos cenital centro cero cerrada ciclo ciclos cierra cierta cierto cilindro cilíndrico cinco
+cinemática circunferencia clara clase clases clásica codificador codo coeficiente coincide colapsa colgando color columna comando comandos combinando
+comentarios comienza como comparando complejo compone componente comportamiento comprender comprobar comprueba computador común con concatenar
+concuerda condición conduce conexión configuraciones conjunto conocer conocida consecuencia considera considerando consigue consiste consta construir
+consultar contiene continuación control convención convierte coordenada correcta corresponde coseno cruz cruzada cuadrado cuadrática cuadrático cual
+cuales cualquier cuando cuarta cuarto cuatro cuenta cuerpo cumple cumplir curso curva curvas cuya cuyas cuyos cálculo cámara círculo código dada dadas
+dado dados datos de debe decir deducción deduce deducimos define definir del demostrar demuestra demás denomina denominador denota dentro depende
+dependen derecha derecho derivada desacoplamiento desacople desacoplo desarrolla descompone describe descuenta desde deseada desfase despejando
+despejar desplaza después detallada determina dh diagonal diagrama dibujo dicho diferencia difieren digital dimensión dinámica dirección directa
+directamente directo diseñar diseño disponible distancia distinto divide dividiendo división doblado documento donde dos durante ecuación edición
+efectivo efector efectuando efectúa eje ejecución ejecutar ejemplo ejercicio ejes el elegimos elegir elemental elemento eleva elevando elimina
+eliminar eléctrico emplea empleamos en encoder encontramos encuentra energía engranaje enlace ensayo entonces entorno entre entrega enunciado envía
+equipo equivale es escalar escogido escribe escribimos esférica eslabones eslabón espacio especial espera esquema esta establece estado estandar estas
+este estirado esto estos estructura estudia está están estándar evaluar evalúa exactamente examen existe expande expandiendo experimento explica
+explícita expresa extendida extensión externa extrae extraen extremo fabricante factor falta fase fichero figura fija fijo fijos fila filas fin final
+finales finalmente fisica flexión flujo forma forman formas frecuencia freno frenos frente fricción frontal fue fuente fuera fuerza funcionamiento
+funciones función fácil fácilmente física físicas físico físicos fórmula garantizando garantizar garra general genérica genérico geometría geométrica
+gira giran girar giro giros grado grados gravedad gráfica grúa haber había hace hacemos hacen hacer hacia hallamos hallando hallar han hasta hay hecha
+hecho herramienta hipotenusa hipótesis historia hoja hojas hombro homogénea horizontales husillo idea identidad igual igualando igualdades iguales
+igualmente imagen implementa implica implícita importante imágenes inclinación incluye incorpora incógnita independiente indica industria inercia
+ingeniería inicial inicialmente inicio inmediata integrando interior intermedia interna intersección interés introdujo inversa invertido invertir
+invirtiendo ir isotrópica izquierda jacobiana justificación la laboratorio lado lados lagrange largo las lazo le lectura leemos leer lenguaje ley
+leyes libertad libre libres libro libros lineal llama llamada llamamos llamando llega llegada llegamos llegar lleva lo local localización longitud los
+luego lugar límite línea líneas manera manipuladores mano manualmente marco marcos masa masas matemática matemáticamente matemáticas matemático
+matrices matriz mecanismo mecánica mecánico mecánicos mediante medición medida medido medio memoria menos mesa meta metros mide miden miembro
+milisegundo milímetros misma mismo mismos modelar modelo modifica momento montaje motor motores mover movimiento mucho muchos muestra mueve mueven
+multiplica muslo muñeca máquina más máxima máximo método mínima mínimo módulo múltiples natural necesaria necesita negativa negativo neutra neutral
+nivel nodos norma normal normalmente nos nota notación notas nueva nuevo nula nulo numerador numérica número objetivo obtenemos obtener obtenida
+obtiene obtuvo ocurre operación operador operando opuesta opuesto orden ordenada orientación origen ortogonal otra otras otro otros pala palabras
+pantalla par para paralela parcial pared pares parte particular partida partir parámetros paso pasos pata pedestal pendiente perfil periodo permite
+pero perpendicular pie pierna pieza piezas pinza pitágoras plana planar planificación plano planos planta plantea planteamiento plataforma plegado
+poco pocos podemos polares polinomio por posible posición positiva positivo posterior postura potencia precedente pregunta presenta primer principal
+prismática problema procede proceso producto programa propia propiedad propio proporciona prototipo proyecciones proyección proyecta prueba práctica
+publicado puede pueden punta punto puntos página pórtico que queda quedan quedando queremos quitando rad radial radianes radio raiz rama rango razón
+raíces raíz realiza recoge recogidos recordar recta rectángulo recíproca reduccion reducción reduce reemplazando reescribe reescribiendo referencia
+refleja región regla relación repositorio representa representan resolución resolver respecto responde respuesta resta restando restar resto resuelta
+resuelve resulta resultado resultante resumen riel robot robots robótica rodilla rota rotación rotan rotativa rotatoria rueda ruedas ruta rutina
+rápidamente rápido rígida rígido sabe sabemos saber sabiendo salida se sea sean secciones sección secuencia segmento segunda segura seguro seguros
+según selección semana semestre sencilla seno senos sensor sentido separa ser serie servomotor servomotores será serán señal señala señales si sido
+siendo significa signo signos sigue siguen siguiente simbólica similar simple simplifica simulador simultáneamente singular sistema situación situado
+sobre software solucion soluciones son su subconjunto sube submatriz subproblema subsistema suele suelo suma sumando sumar sumas superficie superior
+sus sustitución sustituir sustituyendo sólido tabla tablas tal tales también tangencial tangente tanto tarea tareas techo tema temas temporal tenemos
+teniendo tensor teorema teoría tercer tesis texto textos teórico tiempo tiene tienen tipo tipos tobillo toda todas todavía todos toma tomamos toman
+tomando tomar tope torque torre total trabajo tramo transforma transponer tras traslada trata tratará través trayectoria tres tridimensional
+trigonométrica triángulo tronco término ubicación un una unidad unir unitario usamos usando usar usaremos usará usual utiliza vale valor valores
+variable varilla varía vector velocidad ver verdadero veremos verifica verificación verificamos vertical verán vez viene vimos vio vista vistas visto
+volveremos vuelve válida válido vástago x y ya zona ángulo área índice órdenes última último única único útil
 """
 ITALIAN = """
 a abbiamo accelerazione addizione adesso affronta aggiunge al alcuni algebrica alla allora alto altra altre altri ambedue ampiezza analitica

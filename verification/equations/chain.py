@@ -26,6 +26,7 @@ from armproof.verification.equations.given_values import adopts_letters, keys_al
 from armproof.verification.equations.jacobian_rows import RowsOfJacobians
 from armproof.verification.equations.letter_matrices import (
     FEWEST_LETTERS,
+    are_of_no_other,
     are_shown_of_tool,
     await_value,
     awaited,
@@ -43,6 +44,8 @@ from armproof.verification.equations.letter_matrices import (
     stale,
     take_entries,
     target_pose,
+    with_entries_of_capitals,
+    with_last_row,
     with_small_letters,
 )
 from armproof.verification.equations.of_points import OfPoints
@@ -157,6 +160,7 @@ class ChainChecker:
         A chain is read, its sides are evaluated and compared with the one that is true, and each outcome is judged by what
         the document says beside it. Another reading is checked in the same way, from the beginning.
         """
+        chain = with_last_row(with_entries_of_capitals(chain, self.names))
         now = self._begun(chain, first_equation, line, define)
         if (said := self._of_other_index(now)) is not None or (said := self._of_no_value(now)) is not None:
             return said
@@ -387,6 +391,8 @@ class ChainChecker:
                 return tried
         if self.names.arm is None:
             return self._of_defined_rotation(now) or first
+        if are_of_no_other(self.names, self.members, chain, readings):
+            return first
         made = self.names.state.definitions
         others = [key for entries in readings for key in entries if key in made and made[key].by_place]
         lines = {key: made[key].line for key in others} or entries_before(self.names, readings)

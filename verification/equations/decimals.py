@@ -94,7 +94,7 @@ def may_be_rounded(members: Members, outcome: Outcome) -> bool:
     for side, value, other in ((outcome.true, pair.true, pair.printed), (outcome.printed, pair.printed, pair.true)):
         assert side is not None
         fine = COARSE if is_constant(value) and not is_constant(other) else FINE
-        for number in _of_two_digits(side.node) if is_near else _rounded_numbers(side.node, fine):
+        for number in _of_two_digits(side.node) if is_near else rounded_numbers(side.node, fine):
             off = n.Number(number.value + Fraction(1, 2 * 10**number.decimals))
             moved = as_matrix(members.evaluate(n.substitute(side.node, number, off)).value)
             if moved.shape != value.shape:
@@ -126,14 +126,14 @@ def slacks(members: Members, node: n.Node) -> list[float]:
     if not is_number(node) or not isinstance(value := as_scalar(members.evaluate(node).value), Scalar):
         return []
     found = []
-    for number in _rounded_numbers(node, FINE):
+    for number in rounded_numbers(node, FINE):
         off = n.Number(number.value + Fraction(1, 2 * 10**number.decimals))
         moved = as_scalar(members.evaluate(n.substitute(node, number, off)).value)
         found += [abs(members.number(moved - value))] if isinstance(moved, Scalar) else []
     return found
 
 
-def _rounded_numbers(node: n.Node, fine: int) -> list[n.Number]:
+def rounded_numbers(node: n.Node, fine: int) -> list[n.Number]:
     """Return the numbers of a tree that are rounded, perhaps: of so many decimals, or decimals of degrees."""
     below = [*n.walk(node)]
     angles = [each.base for each in below if isinstance(each, n.Postfix) and each.operator == "deg"]

@@ -31,6 +31,9 @@ ANGLES = frozenset([*greek.ANGLES, "q", "pi"])
 LENGTHS = frozenset(["a", "d", "l", "b", "r"])
 
 
+_PARAMETERS = ("theta", "alpha", "a", "d")
+
+
 def _letters(node: n.Node) -> frozenset[tuple[str, str]]:
     """The names of a tree but for π and the axes of elementary matrices."""
     axes = {id(b.arguments[0]) for b in n.walk(node) if n.is_call(b, *ELEMENTARY)}
@@ -239,6 +242,7 @@ def _of_another_link(member: n.Node) -> bool:
 
 def of_link_i(chain: n.Chain) -> n.Chain:
     """Return a chain about link n with the index i: T_n^{n-1} = Rot(z, θ_n) …, A_n = […] or {}^jT_{j+1} = […] of θ_j or θ_{j+1}."""
+    chain = _with_index(chain)
     names = [*n.names(chain)]
     scripts = {script for name in names for script in name.scripts}
     own = {name.sub for name in names if name.base in ("theta", "alpha", "a", "d")}
@@ -258,6 +262,22 @@ def of_link_i(chain: n.Chain) -> n.Chain:
         sub, sup, below, above = (meant.get(each, each) for each in name.scripts)
         changed = replace(name, sub=sub, sup=sup, pre_sub=below, pre_sup=above)
         chain = n.substitute(chain, name, changed) if changed != name else chain  # type: ignore[assignment]
+    return chain
+
+
+def _with_index(chain: n.Chain) -> n.Chain:
+    """Return T = [cos θ, -sin θ cos α, …] with the index i: of the modified convention where the first row holds no α."""
+    matrix = next((bare(each) for each in chain.members if isinstance(bare(each), n.Matrix)), None)
+    names = [below for below in n.walk(chain) if isinstance(below, n.Name) and below.key != "pi"]
+    told = {name.base for name in names if name.base in _PARAMETERS}
+    if not isinstance(matrix, n.Matrix) or any(any(each.scripts) for each in names) or not {"theta", "alpha"} <= told:
+        return chain
+    is_classic = any(isinstance(below, n.Name) and below.base == "alpha" for c in matrix.rows[0] for below in n.walk(c))
+    indices = {"theta": "i", "d": "i", **dict.fromkeys(("a", "alpha"), "i" if is_classic else "i-1")}
+    for name in names:
+        index = indices.get(name.base, "i" if name.base in "TAHM" else "")
+        changed = replace(name, sub=index)
+        chain = n.substitute(chain, name, changed) if index else chain  # type: ignore[assignment]
     return chain
 
 

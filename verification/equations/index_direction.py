@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document import Display
-from armproof.verification.equations.alignment import agree_exactly, align
+from armproof.verification.equations.alignment import align, different_entries, exactly_equal
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.sides import Member
 from armproof.verification.errors import EvaluationError, ReadError
@@ -16,6 +16,8 @@ from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.quantities import leads_outwards
 
 DIRECTIONS = ("upper", "lower")
+FEW = 2  # wrong entries of a matrix that tells the direction all the same,
+MANY = 2  # of more than so many times as many that are no numbers
 TWO_SCRIPTS = re.compile(r"[TAHR]\}*\s*(?:_\s*(?:\w|\{[^{}]*\})\s*\^|\^\s*(?:\w|\{[^{}]*\})\s*_)")
 
 
@@ -30,10 +32,11 @@ def shown_direction(checker: ChainChecker, displays: Iterable[Display]) -> tuple
         return None
     before = names.state.transforms
     try:
-        for display in displays:
-            for chain in _chains(checker, display):
-                if (direction := _shown_by(checker, chain)) is not None:
-                    return direction, display.line
+        read = [(chain, display.line) for display in displays for chain in _chains(checker, display)]
+        for most in (0, FEW):  # a matrix with a slip tells it where none without one does
+            for chain, line in read:
+                if (direction := _shown_by(checker, chain, most)) is not None:
+                    return direction, line
     finally:
         names.state.transforms = before
     return None
@@ -49,27 +52,31 @@ def _chains(checker: ChainChecker, display: Display) -> Iterator[n.Chain]:
     yield from (each for each in statements if isinstance(each, n.Chain) and set(each.relations) == {"="})
 
 
-def _shown_by(checker: ChainChecker, chain: n.Chain) -> str | None:
-    """A matrix that is printed for T^i_j is the pose of the frame that is farther from the base."""
+def _shown_by(checker: ChainChecker, chain: n.Chain, most: int) -> str | None:
+    """A matrix that is printed for T^i_j, with at `most` so many wrong entries, is the pose of the frame that is farther from the base."""
     names = [node for member in chain.members if isinstance(node := bare(member), n.Name) and node.sub and node.sup]
     matrices = [member for member in chain.members if isinstance(bare(member), n.Matrix)]
-    holding = [d for d in DIRECTIONS if names and matrices and _holds(checker, names[0], matrices[0], d)]
+    holding = [d for d in DIRECTIONS if names and matrices and _holds(checker, names[0], matrices[0], d, most)]
     return holding[0] if len(holding) == 1 else None
 
 
-def _holds(checker: ChainChecker, name: n.Name, matrix: n.Node, direction: str) -> bool:
+def _holds(checker: ChainChecker, name: n.Name, matrix: n.Node, direction: str, most: int) -> bool:
     names = checker.names
     names.state.transforms = direction
     if names.arm is None or name.base not in "TAHR" or not leads_outwards(name, names.arm, direction):
         return False
-    return _equal(checker, checker.member(name), checker.member(matrix))
+    return _equal(checker, checker.member(name), checker.member(matrix), most)
 
 
-def _equal(checker: ChainChecker, true: Member, printed: Member) -> bool:
+def _equal(checker: ChainChecker, true: Member, printed: Member, most: int) -> bool:
     try:
         pairs = list(align(true.value, printed.value, checker.exact)) if true.known and printed.known else []
     except EvaluationError:
         return False
-    cells = [cell for pair in pairs for cell in pair.printed.cells]
-    telling = any(isinstance(cell, Scalar) and cell.as_fraction() is None for cell in cells)
-    return telling and any(agree_exactly(pair) for pair in pairs)
+    telling = [sum(not _is_number(cell) for cell in pair.printed.cells) for pair in pairs]
+    wrong = [len(different_entries(pair, exactly_equal)) for pair in pairs]
+    return any(count > MANY * most and off <= most for count, off in zip(telling, wrong, strict=True))
+
+
+def _is_number(cell: object) -> bool:
+    return not isinstance(cell, Scalar) or cell.as_fraction() is not None

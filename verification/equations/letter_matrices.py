@@ -8,15 +8,18 @@ from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
+from itertools import combinations, permutations
 from typing import Any
 
 from armproof.models.arm import Arm
+from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.given_values import keys_alone, names_alone
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.equations.sides import Member
+from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError, UnboundName
 from armproof.verification.evaluation.blocks import written_rows
 from armproof.verification.findings import Kind, say
@@ -101,6 +104,71 @@ def with_small_letters(chain: n.Chain) -> n.Chain | None:
         if each in (n.Name("R", each.sub), n.Name("R", each.sub, "2")) and is_entry(small):  # R_{13}^2 is its square
             found[id(each)] = n.Power(small, n.Number(Fraction(2), "2"), span=each.span) if each.sup else small
     return replace(chain, members=tuple(n.substitute_each(m, found) for m in chain.members)) if found else None
+
+
+def with_entries_of_capitals(chain: n.Chain, names: Names) -> n.Chain:
+    """Return a chain with r_{ij} for R_{ij} where a matrix, in it or before, has these in their places: they are no rotations."""
+    is_shown = any(_has_capitals_in_place(below) for member in chain.members for below in n.walk(member))
+    names.state.has_capital_entries |= is_shown
+    if not (is_shown or (names.state.has_capital_entries and not _holds_a_matrix(chain))):
+        return chain
+    return with_small_letters(chain) or chain
+
+
+def with_last_row(chain: n.Chain) -> n.Chain:
+    """Return a chain with the row [0 0 0 1] below a matrix of a pose's letters that is printed without it."""
+    found: dict[int, n.Node] = {}
+    for matrix in filter(_is_upper_part, map(n.bare, chain.members)):
+        assert isinstance(matrix, n.Matrix)
+        zero, one = (n.Number(Fraction(digit), str(digit)) for digit in (0, 1))
+        found[id(matrix)] = replace(matrix, rows=(*matrix.rows, (zero, zero, zero, one)))
+    return replace(chain, members=tuple(n.substitute_each(m, found) for m in chain.members)) if found else chain
+
+
+def _is_upper_part(node: n.Node) -> bool:
+    """Whether a tree is three rows of four letters, most of them those of a rotation."""
+    rows = written_rows(node) if isinstance(node, n.Matrix) else ()
+    is_whole = [len(row) for row in rows or ()] == [POSE] * (POSE - 1)
+    names = names_alone(node) if is_whole else ()
+    return sum(each.base in ENTRIES and bool(each.sub) for each in names) >= FEWEST_LETTERS
+
+
+def are_of_no_other(names: Names, members: Members, chain: n.Chain, readings: Iterable[Mapping[str, Quantity]]) -> bool:
+    """Whether r_{ij} = f(q) is of the matrix that gave it its meaning: f moves with joints that turn none of the other rotations.
+
+    Nor is f the entry of a rotation between any two frames.
+    """
+    arm, sides = names.arm, permutations(chain.members) if len(chain.members) == 2 else ()
+    entry, other = next(((a, b) for a, b in sides if isinstance(a, n.Name) and is_entry(a)), (None, None))
+    if arm is None or entry is None or other is None:
+        return False
+    made, value = names.state.definitions.get(entry.key), members.evaluate(other).value
+    if made is None or not made.by_place or not isinstance(value, Scalar):
+        return False
+    joints = symbols_in([value]) & {*names.joints}
+    wholes = (members.exact.quantity(_whole(entries[entry.key])) for entries in readings)
+    if any(joints <= symbols_in(whole.cells) for whole in wholes):
+        return False
+    rows, columns = (int(entry.sub[0]),), (int(entry.sub[-1]),)
+    turns = (
+        Quantity("rotation", last, first, rows, columns, scalar=True) for first, last in combinations(arm.frames, 2)
+    )
+    return all(_differ(members.exact.quantity(each), value) for each in turns)
+
+
+def _differ(entry: Value, value: Scalar) -> bool:
+    return isinstance(entry, Scalar) and not (entry - value).normal().is_zero()
+
+
+def _has_capitals_in_place(node: n.Node) -> bool:
+    """Whether R_{ij} stands in row i and column j of a matrix, as most of its cells do."""
+    cells = written_rows(node) if isinstance(node, n.Matrix) else ()
+    places = [(n.bare(cell), f"{i}{j}") for i, row in enumerate(cells or (), 1) for j, cell in enumerate(row, 1)]
+    return sum(cell == n.Name("R", place) for cell, place in places) >= FEWEST_LETTERS
+
+
+def _holds_a_matrix(chain: n.Chain) -> bool:
+    return any(isinstance(below, n.Matrix) for member in chain.members for below in n.walk(member))
 
 
 def _of_wrist(arm: Arm) -> list[Quantity]:

@@ -209,6 +209,7 @@ class DocumentState:
         printed: the rotation that a matrix printed last was, or that of the pose: its entries may be the r_ij behind it.
         entries_held: the rotations of which the r_ij of equations were that hold, None as their matrix says, with the lines of those.
         usual: name and heading under which an equation was exactly what convention says, and what that is.
+        has_capital_entries: whether a matrix [R_{11} R_{12} …; …] has shown that R_{ij} are its entries, and no rotations.
         used, used_in_general: free letters, of the displays and of the general statements among them.
         adopted: letters that only a frame the document adds brings in: a tool's length.
         balanced: letter of torques that are said, or shown, to be J^T F, and its exercise → that product, where it is written.
@@ -249,6 +250,7 @@ class DocumentState:
     printed: Quantity | None = None
     entries_held: dict[Quantity | None, frozenset[int]] = field(default_factory=dict)
     usual: dict[tuple[str, str], Quantity] = field(default_factory=dict)
+    has_capital_entries: bool = False
     used: set[str] = field(default_factory=set)
     used_in_general: set[str] = field(default_factory=set)
     adopted: set[str] = field(default_factory=set)

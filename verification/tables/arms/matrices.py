@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import permutations
 
+from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.document import Display, Document
@@ -23,6 +24,7 @@ from armproof.verification.tables.angles import angle_as_scalar
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
 from armproof.verification.tables.arms.letters import equations_of, unapplied, value_in_letters
 from armproof.verification.tables.arms.mends import mended
+from armproof.verification.tables.arms.other_links import Row, frames_of, rows_about, turned_about
 from armproof.verification.tables.arms.rotations import as_transforms, without_lengths
 from armproof.verification.tables.arms.rows import joint_of
 from armproof.verification.tables.columns import CONVENTIONS
@@ -111,7 +113,7 @@ def candidates_of_matrices(document: Document, names: Names) -> list[Candidate]:
         first = chain[0].index
         if [link.index for link in chain] != list(range(first, first + len(chain))):
             return []
-        found = [_by_own_index(each, chain, document) for each in _fit(chain)]
+        found = [each if each.frames else _by_own_index(each, chain, document) for each in _fit(chain)]
         return [each for each in found if each.first == first - 1 or "" in each.joints]
 
 
@@ -259,12 +261,17 @@ def _printed(chain: n.Chain) -> Iterator[tuple[n.Node, n.Node, bool]]:
     named = [member for member in members if _index(member) is not None or (len(members) == 2 and _digits(member))]
     written = [member for member in members if _is_written(member)]
     if written and len({_index(name) for name in named}) == 1:
-        yield named[0], min(written, key=lambda one: not isinstance(one, n.Matrix)), False
+        yield named[0], min(written, key=lambda one: (not isinstance(one, n.Matrix), _has_primes(one))), False
     products = [tuple(map(unapplied, member.factors)) for member in members if isinstance(member, n.Product)]
     for names, values in permutations(products, 2):
         are_named = all(_digits(name) or not isinstance(name, n.Name) for name in names)  # V T1 is the one name VT1
         if are_named and len(names) == len(values) and all(isinstance(value, n.Matrix) for value in values):
             yield from ((name, value, True) for name, value in zip(names, values, strict=True))
+
+
+def _has_primes(node: n.Node) -> bool:
+    """Whether a name with a prime stands in a matrix: A_2 = [cos θ' …] = [s_2 …], where θ' is another in each link."""
+    return any(isinstance(below, n.Name) and below.primes for below in n.walk(node))
 
 
 def _is_written(node: n.Node) -> bool:
@@ -303,10 +310,41 @@ def _fit(chain: list[_Link]) -> list[Candidate]:
         if None not in rows:
             return [_candidate(chain, convention, rows)]
     found = [each for convention, rows in fitted.items() for each in _with_mended(chain, convention, rows)]
+    found = found or [*_about_axes(chain)]
     if not found:
         rows = max(fitted.values(), key=lambda rows: rows.index(None))  # the first of the best
         raise EvaluationError(say(Kind.NO_DH_LINK, line=chain[rows.index(None)].display.line))
     return found
+
+
+def _about_axes(chain: list[_Link]) -> Iterator[Candidate]:
+    """Yield the links as rows of the classic convention where some turn about another axis, or beside a point that no row reaches."""
+    links: list[tuple[int, list[Row]]] = []
+    joints: list[str] = []
+    for link in chain:
+        if (row := _row_or_none(link, "classic")) is not None:
+            links.append((link.index, [_entries(row)]))
+            joints.append(symbol_of(row[1]))
+            continue
+        angles = _angles_of(link)
+        moving = [name for name in angles if _JOINTS.fullmatch(name)]
+        if (about := turned_about(link.value, moving)) is None:
+            return
+        axis, found = about
+        ring = link.value.rows[0][0].ring
+        theta = angle_as_scalar(ring, found.theta, [ring.symbol(name) for name in angles])
+        if theta is None or len(own := symbols_in([theta]) & {*moving}) != 1:
+            return
+        rows = rows_about(axis, theta, [line[3] for line in link.value.rows[:3]])
+        [joint] = own
+        links.append((link.index, rows))
+        joints += (symbol_of(joint) if joint in row["theta"] else "" for row in rows)
+    lines = tuple(link.place for link in chain)
+    yield Candidate(
+        "matrices", lines[0][1], lines[0][0], tuple(row for _, rows in links for row in rows), tuple(joints),
+        renamed(letter for link in chain for letter in link.letters), ("classic",), lines, frames=frames_of(links),
+        products=tuple(link.place for link in chain if link.in_product),
+    )  # fmt: skip
 
 
 def _with_mended(chain: list[_Link], convention: str, rows: Sequence[_Row | None]) -> Iterator[Candidate]:

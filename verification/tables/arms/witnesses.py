@@ -28,6 +28,7 @@ from armproof.verification.findings import Kind
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key
 from armproof.verification.latex.tokens import Spelling
+from armproof.verification.naming.conventions import is_entry
 from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.tables.arms.support import links_of
 from armproof.verification.verdict import Verdict
@@ -92,6 +93,7 @@ class _Trial:
         for key, number in numbers.items():
             names.define(key, methodcaller("rational", number), by_table=True)
         self.held = self.failed = self.entries = self.near = 0
+        self.wrong: set[str] = set()  # of which entries fail
         self.joints: set[str] = set()
 
     def take(self, display: Display, counts: bool = True) -> None:
@@ -118,13 +120,25 @@ class _Trial:
             outcomes = [outcome for part in parts for outcome in self.checker.check(part, 1, line)]
         if outcomes and _may_hold(outcomes[0]) and (key := bare_key(chain.members[0])):
             self.joints.add(key)
+        whole = self._whole(n.bare(chain.members[0]))
         for outcome in outcomes:
             tells = bool(links_of(outcome, self.checker.members, self.source))
             self.held += tells and (outcome.verdict is Verdict.PROVED or holds_at_listed_values(outcome))
-            self.failed += tells and outcome.verdict is Verdict.REFUTED
+            fails = tells and outcome.verdict is Verdict.REFUTED
+            self.failed += fails and whole not in self.wrong
+            self.wrong |= {whole} if fails and whole else set()
             self.near += tells and outcome.verdict is Verdict.REFUTED and _has_one_slip(outcome)
             if tells and outcome.verdict is Verdict.PROVED and outcome.pair is not None:
                 self.entries += sum(not is_constant(as_matrix(cell)) for cell in outcome.pair.true.cells)
+
+    def _whole(self, node: n.Node) -> str:
+        """Return what r_{ij} or p_x is an entry of: nine that fail are one matrix that does; "" of anything else."""
+        if not isinstance(node, n.Name):
+            return ""
+        quantity = self.checker.members.quantity_of(node)
+        if is_entry(node) or quantity is None or not quantity.scalar or quantity.kind != "origin":
+            return node.base if is_entry(node) else ""
+        return f"{quantity.frame} in {quantity.reference}"
 
     def reading(self, front: Mapping[str, Any]) -> Reading:
         return Reading(front, self.name, self.held, self.failed, self.entries, frozenset(self.joints), self.near)
