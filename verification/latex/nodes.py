@@ -290,13 +290,13 @@ def walk(node: Node) -> Iterator[Node]:
         return iter(node._walked)
 
 
-def names(node: Node) -> Iterator[Name]:
-    """Yield the names in a tree, depth first."""
+def names(node: Node) -> tuple[Name, ...]:
+    """Return the names in a tree, depth first."""
     try:
-        return iter(node._names)
+        return node._names
     except AttributeError:
         object.__setattr__(node, "_names", tuple(below for below in walk(node) if isinstance(below, Name)))
-        return iter(node._names)
+        return node._names
 
 
 def letters(node: Node) -> frozenset[str]:
