@@ -125,7 +125,8 @@ class Definitions:
 
     def of_sine(self, outcome: Outcome) -> Outcome:
         """sin γ = k_2/r behind cos γ = k_1/r, of which the squares make 1, gives γ the sign that its cosine leaves open."""
-        for side, other in permutations(outcome.sides if outcome.verdict is Verdict.REFUTED else (), 2):
+        has_other_sign = outcome.verdict is Verdict.REFUTED or outcome.tells(Kind.SIGNED_DISTANCE)
+        for side, other in permutations(outcome.sides if has_other_sign else (), 2):
             sine = bare(side.node)
             key = bare_key(sine.arguments[0]) if n.is_call(sine, "sin") else None
             definition = self.names.state.definitions.get(key or "")

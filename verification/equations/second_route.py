@@ -235,7 +235,9 @@ class SecondRoute:
         """Confirm what holds on one branch of its square roots and arc functions, and say at how many configurations; leave open what undoes itself."""
         assert outcome.true is not None and outcome.printed is not None
         left, right = sorted((outcome.true.node, outcome.printed.node), key=lambda node: node.span)
-        if _undoes(bare(right), bare(left)):  # θ = arccos(cos θ), where a line above may say what cos θ is
+        if (
+            _undoes(bare(right), bare(left)) and not self.names.state.told.bounds
+        ):  # θ = arccos(cos θ): a line above may say what cos θ is
             outcome.verdict, outcome.wrong, outcome.findings = Verdict.UNCHECKED, [], (say(Kind.UP_TO_A_SIGN),)
             return True
         counts = errors.on_a_branch(TOLERANCE) if self.is_solved_for(left, right) else None
