@@ -4,7 +4,12 @@ from __future__ import annotations
 
 import re
 
-from armproof.verification.document.denying_clauses import denies_beside, denies_what_is_above, denies_what_is_below
+from armproof.verification.document.denying_clauses import (
+    denies_as_heading,
+    denies_beside,
+    denies_what_is_above,
+    denies_what_is_below,
+)
 from armproof.verification.document.heading import sections_around
 from armproof.verification.document.hearing import (
     IS_OVER,
@@ -71,7 +76,7 @@ def denies_within(text: str) -> bool:
 def heading_denies(section: str) -> bool:
     """Whether a heading says that what stands below it is wrong: "A common mistake"."""
     words = words_of(section)
-    return hears("DENYING_HEADING", words) is not None or denies_beside(without_harmless(words))
+    return hears("DENYING_HEADING", words) is not None or denies_as_heading(without_harmless(words))
 
 
 def is_denied_by_headings(section: str) -> bool:

@@ -48,8 +48,24 @@ def denies_what_is_below(words: str) -> bool:
 
 
 def denies_beside(words: str) -> bool:
-    """Whether words in a display, or in its heading, say that something is wrong, or not right."""
-    return any(finds_fault_in(each) or (each.has("not") and each.has("good", "that")) for each in clauses(words))
+    """Whether words in a display say that something is wrong, or not right."""
+    return any(map(_is_judged, clauses(words)))
+
+
+def denies_as_heading(words: str) -> bool:
+    """Whether a heading says that something is wrong; what is left out, or stands twice, may be what it is about."""
+    return any(map(_is_judged_in_heading, clauses(words)))
+
+
+def _is_judged_in_heading(clause: Clause) -> bool:
+    if clause.has("error") and clause.subject in ("part", "person", "display"):
+        return True  # "Sign errors", and not "Tracking error"
+    is_plain = any("fault" in kinds and "lost" not in kinds for kinds in clause.kinds)
+    return _is_judged(clause) and (is_plain or not clause.has("lost"))
+
+
+def _is_judged(clause: Clause) -> bool:
+    return finds_fault_in(clause) or (clause.has("not") and clause.has("good", "that"))
 
 
 def finds_fault_in(clause: Clause) -> bool:

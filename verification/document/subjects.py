@@ -210,8 +210,8 @@ def _quantity(said: Sequence[str]) -> Iterator[str]:
     )
     if letters and (is_of or any(_is(each, "TRANSPOSED") or _is(each, "SCALED") for each in beside)):
         yield f"{OPERATED} {letters}"
-    if said[last].startswith(("acceler", "accélér", "beschleun", "aceler")):
-        yield ACCELERATION
+    if all(said[place].startswith(("acceler", "accélér", "beschleun", "aceler")) for place in places):
+        yield ACCELERATION  # and not "Laws of velocities and accelerations"
 
 
 def _phrase(said: Sequence[str]) -> list[str]:

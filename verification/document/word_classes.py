@@ -71,7 +71,7 @@ ask check verify decide discuss test judge examine justify disprove refute corre
 case special particular degenerate limiting posture~ boundary edge limit parallel approximation~ simplified another other different middle centre
   center midpoint local moving body coupled uncoupled contact gravity-free equal unit in_the_case home rest_position zero_position initial_position
   reference_position special_case limiting_case the_case_where the_case_of the_case_that
-neutral depend~ contain~ involve~ matter~ change~ affect~ appear~ enter need~ necessary difficult hard easy surpris~ trivial obvious doubt~ forget
+neutral if_and_only_if iff depend~ contain~ involve~ matter~ change~ affect~ appear~ enter need~ necessary difficult hard easy surpris~ trivial obvious doubt~ forget
   vanish~ move~ moves turn~ rotate~ unique~ require~ influence~ exceed~ include~ help~ explain prove discuss~ repeat~ deriv~ mention~ constant linear
   singular zero new distinguish~ invertible square possible reachable expected wanted coincidence~ accident~ determin~ simplif~ simple simply similar
   analogous easily studied allow~ permit~ shown exist~ solv~
@@ -145,7 +145,7 @@ claim écri~ prétend~ affirm~ répond~ dit disent lit obtien~ trouv~ conclu~ cr
 ask vérifi~ décid~ discut~ justifi~ réfut~ corrig~ trouvez_l' test~ commentez jugez examin~
 case particulier~ spécial~ limite~ bord posture~ milieu centre précédent autre autres voisinage parallèle~ simplifié~ contact dégénér~ frontière
   égales unitaires position_de_repos position_initiale position_zéro cas_particulier cas_limite cas_où cas_d' cas_de
-neutral dépend~ contien~ intervien~ import~ chang~ affect~ besoin nécessaire~ difficil~ étonn~ surpren~ évident~ trivial~ doute~ oubli~ annul~ boug~
+neutral si_et_seulement_si ssi dépend~ contien~ intervien~ import~ chang~ affect~ besoin nécessaire~ difficil~ étonn~ surpren~ évident~ trivial~ doute~ oubli~ annul~ boug~
   tourn~ unique~ exig~ influ~ dépass~ suffi~ aide~ hasard constant~ linéaire~ surprise peine nouveau démontr~ détermin~ simplifi~ simple semblable~
   analogue~ étudi~ intéress~ possèd~ permet~ exist~ résou~ résol~
 counted ajouté~ compté~ pris prise considéré~ tenu inclus~ soustrait~
@@ -216,7 +216,7 @@ claim schreib~ schrieb~ behaupt~ sagt sagen antwort~ glaub~ denk~ meint meinen e
 ask prüf~ entscheid~ überprüf~ untersuch~ begründ~ widerleg~ korrigier~ diskutier~ beurteil~ finde_den finden_sie_den kontrollier~
 case fall falle sonderfall~ spezialfall~ grenzfall~ gestreckt~ strecklage~ mitte anderen anderer anderes rand parallel~ vereinfacht~ näherung~
   grundstellung~ nullstellung~ nulllage~ ruhelage~ ruhestellung~ ausgangsstellung~ referenzstellung~
-neutral hängt abhäng~ enthäl~ spielt rolle ändert nötig notwendig~ schwer schwierig~ überrasch~ trivial~ zweifel~ vergessen verschwind~ beweg~ dreh~
+neutral dann_und_nur_dann genau_dann hängt abhäng~ enthäl~ spielt rolle ändert nötig notwendig~ schwer schwierig~ überrasch~ trivial~ zweifel~ vergessen verschwind~ beweg~ dreh~
   eindeutig~ erforder~ braucht brauchen benötig~ wunder~ schlimm vorkomm~ kommt auftret~ beeinfluss~ neu einfach leicht bestimm~ ähnlich~ analog~
   erlaub~ betracht~ existier~ gelöst auflös~ lösen löst
 counted addiert gezählt berücksichtigt genommen subtrahiert multipliziert
@@ -283,7 +283,7 @@ claim escrib~ afirm~ dice dicen respond~ obtien~ cree~ piens~ concluy~ entreg~ s
 ask comprueb~ verifi~ verifiq~ decid~ discut~ justifi~ refut~ corrij~ encuentre_el busque_el compruebe examin~
 case caso casos particular~ especial~ límite~ extendid~ estirad~ plegad~ centro mitad otro otra borde parale~ simplific~ posición_extendida
   posición_de_reposo posición_inicial
-neutral depend~ contien~ intervien~ import~ cambi~ afect~ hace_falta necesari~ difícil~ sorprend~ trivial~ duda~ olvid~ anul~ muev~ gir~ únic~
+neutral si_y_solo_si si_y_sólo_si depend~ contien~ intervien~ import~ cambi~ afect~ hace_falta necesari~ difícil~ sorprend~ trivial~ duda~ olvid~ anul~ muev~ gir~ únic~
   requier~ influy~ aparec~ extrañ~ nuev~ determin~ simplific~ simple similar análog~ estudi~ permit~ exist~ resolv~ resuelv~
 counted sumado~ contado~ tenido considerad~ incluid~ restad~
 remedy correct~ sino corregid~ correctamente
@@ -348,7 +348,7 @@ claim scriv~ scritt~ afferm~ dice dicono rispond~ ottien~ cred~ pens~ conclud~ c
 ask verific~ controll~ decid~ discut~ giustific~ confut~ corregg~ trova_l' trovare_l' esamin~
 case caso casi particolar~ special~ limit~ distes~ ripiegat~ centro metà altro bordo parallel~ semplificat~ esteso posizione_di_riposo
   posizione_iniziale
-neutral dipend~ contien~ compare import~ cambi~ influen~ serve necessari~ difficil~ sorprend~ banal~ dubbi~ dimentic~ annull~ muov~ ruot~ unic~
+neutral se_e_solo_se dipend~ contien~ compare import~ cambi~ influen~ serve necessari~ difficil~ sorprend~ banal~ dubbi~ dimentic~ annull~ muov~ ruot~ unic~
   richied~ bisogno nuov~ determin~ semplific~ semplice simile~ analog~ studi~ permett~ esist~ risol~
 counted sommat~ contat~ considerat~ inclus~ tenut~ sottratt~
 remedy corrett~ giust~ invece piuttosto bensì
@@ -411,7 +411,7 @@ claim escrev~ afirm~ diz dizem respond~ obtém obtiver~ acredit~ pens~ conclu~ e
 ask verifi~ decid~ discut~ justifi~ refut~ corrij~ encontre_o confira examin~
 case caso casos particular~ especia~ limite~ estendid~ esticad~ dobrad~ centro meio outro outra borda paralel~ simplificad~ posição_de_repouso
   posição_inicial
-neutral depend~ contém contêm aparec~ import~ mud~ afet~ necessári~ difícil~ surpreend~ trivial~ dúvida~ esquec~ anul~ mov~ gir~ únic~ requer~ precisa
+neutral se_e_somente_se se_e_só_se depend~ contém contêm aparec~ import~ mud~ afet~ necessári~ difícil~ surpreend~ trivial~ dúvida~ esquec~ anul~ mov~ gir~ únic~ requer~ precisa
   influ~ nov~ determin~ simplific~ simples semelhante~ análog~ estud~ permit~ exist~ resolv~
 counted somad~ contad~ considerad~ incluíd~ subtraíd~ levad~
 remedy corret~ certo invés

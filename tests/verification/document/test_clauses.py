@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from armproof.verification.document.clauses import clauses
+from armproof.verification.document.denials import heading_denies
 from armproof.verification.document.denying_clauses import denies_what_is_above, denies_what_is_below
 from armproof.verification.document.hearing import words_of
 from armproof.verification.document.limiting_clauses import limits_what_is_above, limits_what_is_below
@@ -79,3 +80,23 @@ def test_a_condition_limits_what_stands_above_it_unless_it_is_general(limits: st
 def test_a_circumstance_limits_what_it_leads_to(limits: str, says_nothing: str) -> None:
     assert limits_what_is_below(words_of(limits))
     assert not limits_what_is_below(words_of(says_nothing))
+
+
+@pytest.mark.parametrize(
+    ("denies", "says_nothing"),
+    [
+        ("A wrong solution", "A letter twice"),
+        ("Sign errors", "Tracking error"),
+        ("Erreur de signe", "Les termes oubliés par la linéarisation"),
+        ("This sign is wrong", "The terms between left out"),
+    ],
+)
+def test_a_heading_denies_by_what_it_calls_wrong(denies: str, says_nothing: str) -> None:
+    assert heading_denies(denies)
+    assert not heading_denies(says_nothing)
+
+
+@pytest.mark.parametrize("said", ["The arm is singular if and only if", "Le bras est singulier si et seulement si"])
+def test_if_and_only_if_denies_nothing(said: str) -> None:
+    assert not denies_what_is_above(words_of(said))
+    assert not denies_what_is_below(words_of(said))
