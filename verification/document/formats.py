@@ -36,7 +36,8 @@ from armproof.verification.document.sentences import (
     STRANGE_ABOVE,
     SUPPOSED,
     is_of_a_case,
-    said_of_place,
+    said_by_heading,
+    said_within,
 )
 from armproof.verification.document.strange import is_in_known_language
 from armproof.verification.document.struck_out import MAY_STRIKE, with_struck_out
@@ -168,8 +169,8 @@ def _listings(document: Document) -> Iterator[Listing]:
 
 def _with_what_is_before(display: Display, all_said: Sequence[Display], is_marked: bool) -> Display:
     of_it = {each.latex for each in all_said if each.section == display.section}
-    within = [each for found in _WORDS.finditer(display.latex) for each in said_of_place(found[1])]
-    of_it |= {*within, *(said_of_place(display.section) if display.section else ())}
+    within = [each for found in _WORDS.finditer(display.latex) for each in said_within(found[1])]
+    of_it |= {*within, *(said_by_heading(display.section) if display.section else ())}
     strange = [each.removeprefix(STRANGE) for each in of_it if each.startswith(STRANGE)]
     said = [each for each in all_said if not each.latex.startswith(OF_NEXT)]
     above = sum(each.section != display.section for each in said)

@@ -44,6 +44,10 @@ _DERIVED = re.compile(  # a matrix, or a function of an angle or of a length: no
 )
 _MATRIX = re.compile(r"\\begin\{\w*matrix|\\begin\{array")
 _FENCES = re.compile(r"\\(?:begin|end)\{\w*\*?\}(?:\{[|clr ]*\})?")
+_LEADS_ON = re.compile(  # in the languages in which such lines were met
+    r"(?:[:：.;,为是為]|\b(?:is|are|as|gives?|gets?|becomes?|obtains?|yields?|equals|est|sont|donne|donnent|obtient|obtenons|vaut|devient|es|son|queda|obtiene|obtenemos|resulta|será|è|sono|diventa|otteniamo|ist|sind|lautet|ergibt|é|são|fica|là))\s*\Z",
+    re.IGNORECASE,
+)
 _SAYS = re.compile(r"[=<>≈]|\\(?:approx|simeq|equiv|[lg]eq?)(?![A-Za-z])|(?:∈|\\in(?![A-Za-z]))\s*(?:\\left\s*)?[(\[]")
 AMS = "\\begin"  # the opening of an environment that stands in the text without dollars
 _ENVIRONMENT = re.compile(
@@ -507,11 +511,17 @@ def _on_own_lines(token: Token) -> set[int]:
         own = [place for place in held if place in says]
         if is_alone and is_led and token.level == 1:
             found |= {place for place in own if not _LISTS.search(children[place].content)}
-        if own and own[-1] == held[-1]:
+        if own and own[-1] == held[-1] and _leads_on(children[: own[-1]]):
             found |= {place for place in own[-1:] if _claims_a_matrix(children[place].content)}
         if not is_alone:
             is_led = bool(held) and children[held[-1]].content.rstrip().endswith((":", "："))
     return found
+
+
+def _leads_on(before: Sequence[Token]) -> bool:
+    """Whether what stands before a formula in its paragraph says that this is so, as "is" does; "from" or "let" give what is asked about."""
+    said = [child for child in before if child.type not in ("softbreak", "hardbreak") and child.content.strip()]
+    return not said or said[-1].type != "text" or _LEADS_ON.search(said[-1].content) is not None
 
 
 def _claims_a_matrix(latex: str) -> bool:

@@ -338,7 +338,7 @@ OMEGA_FIRST = """
 angular/rotational (velocity/velocities/speed/part/block/component/components/rows/one) … top/above/first/uppermost
 angular/rotational … before/over (the) linear/translational
 angular/rotational (velocity/velocities/part/block/component/components/rows) (,) then/followed (by) (the) linear/translational
-angular/rotational … (first/upper/top) three (rows/components/entries)
+angular/rotational … first/upper/top three (rows/components/entries)
 first/upper/top three rows/components/entries … angular/rotational/rotation/orientation
 linear/translational (velocity/velocities/part/block/component/components/rows) … below/beneath/underneath/under/after (the) angular/rotational
 first/zuerst/primero/prima come/comes/stand/stands … angular~/rotation~/winkel~/angolar~

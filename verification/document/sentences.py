@@ -141,13 +141,19 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
 
 
 @lru_cache(maxsize=MOST_KNOWN)
-def said_of_place(text: str) -> tuple[str, ...]:
-    """Return of what place or quantity a heading is, or words within a display."""
+def said_within(text: str) -> tuple[str, ...]:
+    """Return of what place or quantity words within a display are."""
+    return (*said_by_heading(text), *_subjects(text, words_of(text)))
+
+
+@lru_cache(maxsize=MOST_KNOWN)
+def said_by_heading(text: str) -> tuple[str, ...]:
+    """Return of what place a heading is; under "The wrist" or "The inverse Jacobian" stands much that is not of that."""
     words = words_of(text)
     heard = [
         marker for marker, name in ((OTHER_POINT, "OTHER_POINT"), (OTHER_FRAME, "OTHER_FRAME")) if says(name, words)
     ]
-    return (*heard, *_subjects(text, words))
+    return (*heard, *(each for each in _subjects(text, words) if not each.startswith(MEANT)))
 
 
 def _subjects(sentence: str, words: str) -> Iterator[str]:

@@ -73,7 +73,7 @@ meant meanwhile measure mechanism meet meets memorise memorize meshes meter mete
 millimetres milling millisecond minimal minimise minimize minimum minor minors minus minute minutes mirror mirrors mm mobile mobility mode model
 modeled modeling models modes modest modified modify modular module modules modulo moment moments momentum moore more morning most motion motions
 motor motors mounted mounting mouse move moveit movements moves moving mth much multi multiple muscle muscles must mutually name named namely names
-natural nature navigate navigation near neatly necessary need needed needs negative neglect neighborhood neither net neural new newton next nicely
+natural nature navigate navigation near neatly necessary need needed needs negated negative neglect neighborhood neither net neural new newton next nicely
 nine node noise non nonconvex none nonlinear nonsingular nontrivial nonzero norm normal normalise norms note notebook notes notice noting notion
 notions now nozzle null number numbers numerator numeric numpy object objective objects observation observe observing obstacles obtain obtained
 obtaining obtains occur occurs of off offers offset offsets often onboard once one online onto open operate operates operation operator opposite
