@@ -11,7 +11,7 @@ from armproof.course.authoring.checking import lessons as checking
 from armproof.course.authoring.checking.building import student_files, write_stale
 from armproof.course.authoring.checking.lessons import check_lesson, check_lessons
 from armproof.course.sources.kernel import Fault, Run
-from armproof.course.sources.places import COURSE, Place
+from armproof.course.sources.places import Place
 from armproof.verification.document.cells import Cell
 from tests.needs import needs
 
@@ -29,7 +29,8 @@ def built(place: Place, source: Path) -> Path:
 def without_kernels(monkeypatch: pytest.MonkeyPatch) -> None:
     """Run cells in this process: a kernel takes a second to start."""
 
-    def run_here(name: str, cells: list[Cell], place: Place = COURSE) -> Run:
+    def run_here(name: str, cells: list[Cell], place: Place, settings: dict[str, str]) -> Run:
+        assert settings == {"LANGUAGE": "en"}
         place.notebooks.mkdir(exist_ok=True)
         monkeypatch.chdir(place.notebooks)
         monkeypatch.setenv("ARMPROOF_PROGRESS", "")

@@ -145,7 +145,7 @@ def test_the_list_has_number_name_title_tasks_and_arms(small):
 def test_check_prints_a_table_then_the_problems(
     small, monkeypatch, problems, cannot_run: bool, code: int, verdict: str
 ):
-    def check(place: Place, source: Path) -> Report:
+    def check(place: Place, source: Path, lang: str) -> Report:
         return Report(source, problems, cannot_run, 3, 9, 12, {"proved": 4}, 1.25, 1.0, (0.02, 0.03, 0.04))
 
     monkeypatch.setattr(checking, "check_lesson", check)
@@ -159,7 +159,7 @@ def test_check_prints_a_table_then_the_problems(
 
 
 def test_a_slow_lesson_is_marked(small, monkeypatch):
-    monkeypatch.setattr(checking, "check_lesson", lambda place, source: Report(source, seconds=9.0))
+    monkeypatch.setattr(checking, "check_lesson", lambda place, source, lang: Report(source, seconds=9.0))
     assert "passes, slow" in run("check", "--folder", small.root).stdout
 
 

@@ -73,6 +73,8 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "tells_jacobian": lambda state: setattr(state, "tells_jacobian", True),
     "comparisons": lambda state: state.comparisons.append(Chain((Name("l"), Name("a")), (">",))),
     "consulted": lambda state: state.consulted.add(("x", 1)),
+    "has_capital_entries": lambda state: setattr(state, "has_capital_entries", True),
+    "omega_is_first": lambda state: setattr(state, "omega_is_first", True),
     "notation": lambda state: setattr(state, "notation", Notation(cosine="C")),
 }
 
