@@ -136,7 +136,7 @@ def _of_two_frames(said: Sequence[str]) -> Iterator[str]:
 def _of_place(phrase: Sequence[str]) -> Iterator[str]:
     """Yield of what place a phrase is, by the first noun in it that tells: "end of the first link" is link 1."""
     number = _number(phrase)
-    for word, behind in zip(phrase, (*phrase[1:], ""), strict=True):
+    for word, behind in zip(phrase, (*phrase[1:], ""), strict=False):
         if _is(word, "OTHER") and _is(behind, "KIND"):  # the elbow manipulator
             return
         if (found := _POINT.fullmatch(word.removeprefix("¤"))) and word.startswith("¤"):

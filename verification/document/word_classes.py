@@ -71,7 +71,7 @@ ask check verify decide discuss test judge examine justify disprove refute corre
 case special particular degenerate limiting posture~ boundary edge limit parallel approximation~ simplified another other different middle centre
   center midpoint local moving body coupled uncoupled contact gravity-free equal unit in_the_case home rest_position zero_position initial_position
   reference_position special_case limiting_case the_case_where the_case_of the_case_that
-neutral if_and_only_if iff depend~ contain~ involve~ matter~ change~ affect~ appear~ enter need~ necessary difficult hard easy surpris~ trivial obvious doubt~ forget
+neutral nonzero zeros if_and_only_if iff depend~ contain~ involve~ matter~ change~ affect~ appear~ enter need~ necessary difficult hard easy surpris~ trivial obvious doubt~ forget
   vanish~ move~ moves turn~ rotate~ unique~ require~ influence~ exceed~ include~ help~ explain prove discuss~ repeat~ deriv~ mention~ constant linear
   singular zero new distinguish~ invertible square possible reachable expected wanted coincidence~ accident~ determin~ simplif~ simple simply similar
   analogous easily studied allow~ permit~ shown exist~ solv~
@@ -81,7 +81,7 @@ query is are does do did can could was were will has have had am shall why
 instead instead rather contrary unlike in_place according_to
 use use used trust apply
 frame frame frames coordinates axes
-base base world inertial fixed reference same ground
+base 0 base world inertial fixed reference same ground
 local link links tool moving attached local body gripper hand second last own forearm wrist elbow
 angle angle angles
 level horizontal horizontally ground floor vertical vertically absolute x-axis y-axis clockwise inclination world
@@ -145,7 +145,7 @@ claim écri~ prétend~ affirm~ répond~ dit disent lit obtien~ trouv~ conclu~ cr
 ask vérifi~ décid~ discut~ justifi~ réfut~ corrig~ trouvez_l' test~ commentez jugez examin~
 case particulier~ spécial~ limite~ bord posture~ milieu centre précédent autre autres voisinage parallèle~ simplifié~ contact dégénér~ frontière
   égales unitaires position_de_repos position_initiale position_zéro cas_particulier cas_limite cas_où cas_d' cas_de
-neutral si_et_seulement_si ssi dépend~ contien~ intervien~ import~ chang~ affect~ besoin nécessaire~ difficil~ étonn~ surpren~ évident~ trivial~ doute~ oubli~ annul~ boug~
+neutral nul nulle nuls nulles zéro zéros si_et_seulement_si ssi dépend~ contien~ intervien~ import~ chang~ affect~ besoin nécessaire~ difficil~ étonn~ surpren~ évident~ trivial~ doute~ oubli~ annul~ boug~
   tourn~ unique~ exig~ influ~ dépass~ suffi~ aide~ hasard constant~ linéaire~ surprise peine nouveau démontr~ détermin~ simplifi~ simple semblable~
   analogue~ étudi~ intéress~ possèd~ permet~ exist~ résou~ résol~
 counted ajouté~ compté~ pris prise considéré~ tenu inclus~ soustrait~
@@ -155,7 +155,7 @@ inverted est-ce est-il a-t-on peut-on serait-ce a-t-il est-elle sont-elles sont-
 instead au_lieu plutôt contrairement
 use utilis~ employ~ appliqu~ recopi~ serv~
 frame repère référentiel
-base base fixe absolu galiléen terrestre même
+base 0 base fixe absolu galiléen terrestre même
 local segment~ outil mobile lié attaché pince main local deuxième second dernier avant-bras poignet
 angle angle angles
 level horizontal~ vertical~ sol absolu~ inclinaison
@@ -216,7 +216,7 @@ claim schreib~ schrieb~ behaupt~ sagt sagen antwort~ glaub~ denk~ meint meinen e
 ask prüf~ entscheid~ überprüf~ untersuch~ begründ~ widerleg~ korrigier~ diskutier~ beurteil~ finde_den finden_sie_den kontrollier~
 case fall falle sonderfall~ spezialfall~ grenzfall~ gestreckt~ strecklage~ mitte anderen anderer anderes rand parallel~ vereinfacht~ näherung~
   grundstellung~ nullstellung~ nulllage~ ruhelage~ ruhestellung~ ausgangsstellung~ referenzstellung~
-neutral dann_und_nur_dann genau_dann hängt abhäng~ enthäl~ spielt rolle ändert nötig notwendig~ schwer schwierig~ überrasch~ trivial~ zweifel~ vergessen verschwind~ beweg~ dreh~
+neutral null nullen dann_und_nur_dann genau_dann hängt abhäng~ enthäl~ spielt rolle ändert nötig notwendig~ schwer schwierig~ überrasch~ trivial~ zweifel~ vergessen verschwind~ beweg~ dreh~
   eindeutig~ erforder~ braucht brauchen benötig~ wunder~ schlimm vorkomm~ kommt auftret~ beeinfluss~ neu einfach leicht bestimm~ ähnlich~ analog~
   erlaub~ betracht~ existier~ gelöst auflös~ lösen löst
 counted addiert gezählt berücksichtigt genommen subtrahiert multipliziert
@@ -225,7 +225,7 @@ query ist sind stimmt hat kann wird werden wäre gilt_für gilt_die gilt_das war
 instead statt anstatt anstelle
 use verwend~ benutz~
 frame koordinatensystem~ bezugssystem~ system
-base basis~ welt~ fest~ inertial~ basiskoordinatensystem weltkoordinatensystem
+base 0 basis~ welt~ fest~ inertial~ basiskoordinatensystem weltkoordinatensystem
 local glied~ gelenk~ werkzeug~ mitbeweg~ bewegt~ greifer~ zweiten letzten ersten werkzeugkoordinatensystem
 angle winkel winkels winkeln
 level horizontal~ vertikal~ waag~ senkrecht~ lot boden x-axis absolut~ neigung~
@@ -283,14 +283,14 @@ claim escrib~ afirm~ dice dicen respond~ obtien~ cree~ piens~ concluy~ entreg~ s
 ask comprueb~ verifi~ verifiq~ decid~ discut~ justifi~ refut~ corrij~ encuentre_el busque_el compruebe examin~
 case caso casos particular~ especial~ límite~ extendid~ estirad~ plegad~ centro mitad otro otra borde parale~ simplific~ posición_extendida
   posición_de_reposo posición_inicial
-neutral si_y_solo_si si_y_sólo_si depend~ contien~ intervien~ import~ cambi~ afect~ hace_falta necesari~ difícil~ sorprend~ trivial~ duda~ olvid~ anul~ muev~ gir~ únic~
+neutral nulo nula nulos nulas cero ceros si_y_solo_si si_y_sólo_si depend~ contien~ intervien~ import~ cambi~ afect~ hace_falta necesari~ difícil~ sorprend~ trivial~ duda~ olvid~ anul~ muev~ gir~ únic~
   requier~ influy~ aparec~ extrañ~ nuev~ determin~ simplific~ simple similar análog~ estudi~ permit~ exist~ resolv~ resuelv~
 counted sumado~ contado~ tenido considerad~ incluid~ restad~
 remedy correct~ sino corregid~ correctamente
 instead en_lugar en_vez
 use us~ utiliz~
 frame sistema referencia marco
-base base fijo inercial
+base 0 base fijo inercial
 local eslabón~ eslabones herramienta móvil ligado primer segundo último pinza mano
 angle ángulo~
 level horizontal~ vertical~ suelo absolut~ inclinación
@@ -348,14 +348,14 @@ claim scriv~ scritt~ afferm~ dice dicono rispond~ ottien~ cred~ pens~ conclud~ c
 ask verific~ controll~ decid~ discut~ giustific~ confut~ corregg~ trova_l' trovare_l' esamin~
 case caso casi particolar~ special~ limit~ distes~ ripiegat~ centro metà altro bordo parallel~ semplificat~ esteso posizione_di_riposo
   posizione_iniziale
-neutral se_e_solo_se dipend~ contien~ compare import~ cambi~ influen~ serve necessari~ difficil~ sorprend~ banal~ dubbi~ dimentic~ annull~ muov~ ruot~ unic~
+neutral nullo nulla nulli nulle zero se_e_solo_se dipend~ contien~ compare import~ cambi~ influen~ serve necessari~ difficil~ sorprend~ banal~ dubbi~ dimentic~ annull~ muov~ ruot~ unic~
   richied~ bisogno nuov~ determin~ semplific~ semplice simile~ analog~ studi~ permett~ esist~ risol~
 counted sommat~ contat~ considerat~ inclus~ tenut~ sottratt~
 remedy corrett~ giust~ invece piuttosto bensì
 instead invece al_posto
 use us~ utilizz~
 frame sistema riferimento terna
-base base fisso fissa inerziale
+base 0 base fisso fissa inerziale
 local braccio link giunto utensile mobile solidale primo secondo ultimo pinza mano
 angle angol~
 level orizzontal~ vertical~ suolo assolut~ inclinazione
@@ -411,14 +411,14 @@ claim escrev~ afirm~ diz dizem respond~ obtém obtiver~ acredit~ pens~ conclu~ e
 ask verifi~ decid~ discut~ justifi~ refut~ corrij~ encontre_o confira examin~
 case caso casos particular~ especia~ limite~ estendid~ esticad~ dobrad~ centro meio outro outra borda paralel~ simplificad~ posição_de_repouso
   posição_inicial
-neutral se_e_somente_se se_e_só_se depend~ contém contêm aparec~ import~ mud~ afet~ necessári~ difícil~ surpreend~ trivial~ dúvida~ esquec~ anul~ mov~ gir~ únic~ requer~ precisa
+neutral nulo nula nulos nulas zero se_e_somente_se se_e_só_se depend~ contém contêm aparec~ import~ mud~ afet~ necessári~ difícil~ surpreend~ trivial~ dúvida~ esquec~ anul~ mov~ gir~ únic~ requer~ precisa
   influ~ nov~ determin~ simplific~ simples semelhante~ análog~ estud~ permit~ exist~ resolv~
 counted somad~ contad~ considerad~ incluíd~ subtraíd~ levad~
 remedy corret~ certo invés
 instead em_vez em_lugar
 use us~ utiliz~
 frame referencial sistema
-base base fixo inercial
+base 0 base fixo inercial
 local elo elos junta ferramenta móvel ligado primeiro segundo último garra mão
 angle ângulo~
 level horizontal~ vertical~ solo absolut~ inclinação
