@@ -15,6 +15,7 @@ from armproof.verification.document.subjects import WRIST
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare_key
 from armproof.verification.naming.conventions import is_usual
 from armproof.verification.verdict import DECIDED, Verdict
 
@@ -73,7 +74,12 @@ class WordsAround:
         )
 
     def _unless_of_the_tool(self, outcome: Outcome) -> Outcome:
-        """Leave open what is decided by a name that convention alone binds to the tool, where the text speaks of another point."""
+        """Leave open what is decided by a name that convention alone binds to the tool, where the text speaks of another point.
+
+        What is solved for a joint, "Base: q_1 = atan2(y, x)", is of no point.
+        """
+        if any(map(self._is_joint, outcome.nodes)):
+            return outcome
         by_convention = self.names.state.conventional | ({"J"} - {*self.names.quantities})
         plain = [replace(name, dots=0) for name in _names_in(outcome)]
         if outcome.conditions:  # what a name means there is forgotten behind them
@@ -83,6 +89,10 @@ class WordsAround:
         if is_open or (outcome.as_usual is None and outcome.verdict not in DECIDED):
             return outcome
         return replace(outcome.left_open(say(Kind.OF_OTHER_POINT)), as_usual=None)
+
+    def _is_joint(self, node: n.Node) -> bool:
+        key = bare_key(node)
+        return key is not None and self.names.known_symbol(key) in self.names.joints
 
 
 def _names_in(outcome: Outcome) -> Iterator[n.Name]:

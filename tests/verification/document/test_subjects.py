@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from armproof.verification.check import check_document
+from armproof.verification.check import check_document, verify_text
 from armproof.verification.document import parse_document
 from armproof.verification.document.hearing import FORMULA, words_of
 from armproof.verification.document.subjects import ACCELERATION, LINK, OPERATED, OTHER_BASE, OTHER_PLACE, subjects
@@ -133,3 +133,12 @@ def test_the_text_tells_the_order_of_rotations(told: str, right: str, wrong: str
     told += " " + ", ".join(f"${each}$" for each in angles.values()) + ":"
     assert verdicts(f"{told}\n\n$$ R = {right} $$", r"R^T R = I", head="") == ["defined", "proved"]
     assert verdicts(f"{told}\n\n$$ R = {wrong} $$", r"R^T R = I", head="") == ["unchecked", "unchecked"]
+
+
+@pytest.mark.parametrize(
+    ("solution", "verdict"),
+    [(r"\operatorname{atan2}(y, x)", "confirmed"), (r"\operatorname{atan2}(x, y)", "unchecked")],
+)
+def test_what_is_solved_for_a_joint_is_of_no_point(solution: str, verdict: str) -> None:
+    text = f"---\narm: spatial_rrr\n---\n**Rotation of the base:**\n\n$$ \\theta_1 = {solution} $$\n"
+    assert [record.verdict.value for record in verify_text(text).equations] == [verdict]
