@@ -68,7 +68,7 @@ from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key, has_branches
-from armproof.verification.naming.conventions import ENTRY, WRIST
+from armproof.verification.naming.conventions import ENTRIES, ENTRY, WRIST
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Definition
 from armproof.verification.verdict import DECIDED, HOLDS, Verdict
@@ -160,7 +160,8 @@ class ChainChecker:
         A chain is read, its sides are evaluated and compared with the one that is true, and each outcome is judged by what
         the document says beside it. Another reading is checked in the same way, from the beginning.
         """
-        chain = with_last_row(with_entries_of_capitals(chain, self.names))
+        if not n.letters(chain).isdisjoint((*ENTRIES, ENTRY.upper())):  # few chains hold letters of a pose
+            chain = with_last_row(with_entries_of_capitals(chain, self.names))
         now = self._begun(chain, first_equation, line, define)
         if (said := self._of_other_index(now)) is not None or (said := self._of_no_value(now)) is not None:
             return said
