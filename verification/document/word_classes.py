@@ -62,7 +62,7 @@ neglect neglect~ ignor~ disregard~ dropped dropping approximat~ roughly linearis
   to_second_order to_leading_order of_second_order of_higher_order in_first_order first-order_approximation simplified small_deflections
   apart_from_the_sign either_sign in_absolute_value restricted_to limited_to confined_to up_to_a_sign up_to_a_factor up_to_a_constant
 suppose suppos~ assum~ imagine~ pretend~ hypothes~ presum~ conjectur~ guess guesses claims_that allegedly supposedly hypothesis
-held lock~ block~ clamp~ frozen freeze~ brake~ weld~ held immobil~ at_rest stopped standstill motionless stationary same_length equally_long
+held lock~ blocked blocking clamp~ frozen freeze~ brake~ weld~ held immobil~ at_rest stopped standstill motionless stationary same_length equally_long
   equal_length equal_lengths unit_length unity
 claim wrote writes write written claim~ said says answer~ hand_in handed submitted think~ thought believ~ obtain~ got gets get conclude~ print~ found
   finds asserts gives hands equal answered read
@@ -71,7 +71,7 @@ ask check verify decide discuss test judge examine justify disprove refute corre
 case special particular degenerate limiting posture~ boundary edge limit parallel approximation~ simplified another other different middle centre
   center midpoint local moving body coupled uncoupled contact gravity-free equal unit in_the_case home rest_position zero_position initial_position
   reference_position special_case limiting_case the_case_where the_case_of the_case_that
-neutral nonzero zeros if_and_only_if iff depend~ contain~ involve~ matter~ change~ affect~ appear~ enter need~ necessary difficult hard easy surpris~ trivial obvious doubt~ forget
+neutral tool_at_rest gripper_at_rest hand_at_rest end-effector_at_rest nonzero zeros if_and_only_if iff depend~ contain~ involve~ matter~ change~ affect~ appear~ enter need~ necessary difficult hard easy surpris~ trivial obvious doubt~ forget
   vanish~ move~ moves turn~ rotate~ unique~ require~ influence~ exceed~ include~ help~ explain prove discuss~ repeat~ deriv~ mention~ constant linear
   singular zero new distinguish~ invertible square possible reachable expected wanted coincidence~ accident~ determin~ simplif~ simple simply similar
   analogous easily studied allow~ permit~ shown exist~ solv~
@@ -145,7 +145,7 @@ claim écri~ prétend~ affirm~ répond~ dit disent lit obtien~ trouv~ conclu~ cr
 ask vérifi~ décid~ discut~ justifi~ réfut~ corrig~ trouvez_l' test~ commentez jugez examin~
 case particulier~ spécial~ limite~ bord posture~ milieu centre précédent autre autres voisinage parallèle~ simplifié~ contact dégénér~ frontière
   égales unitaires position_de_repos position_initiale position_zéro cas_particulier cas_limite cas_où cas_d' cas_de
-neutral nul nulle nuls nulles zéro zéros si_et_seulement_si ssi dépend~ contien~ intervien~ import~ chang~ affect~ besoin nécessaire~ difficil~ étonn~ surpren~ évident~ trivial~ doute~ oubli~ annul~ boug~
+neutral outil_au_repos pince_au_repos effecteur_au_repos outil_immobile pince_immobile nul nulle nuls nulles zéro zéros si_et_seulement_si ssi dépend~ contien~ intervien~ import~ chang~ affect~ besoin nécessaire~ difficil~ étonn~ surpren~ évident~ trivial~ doute~ oubli~ annul~ boug~
   tourn~ unique~ exig~ influ~ dépass~ suffi~ aide~ hasard constant~ linéaire~ surprise peine nouveau démontr~ détermin~ simplifi~ simple semblable~
   analogue~ étudi~ intéress~ possèd~ permet~ exist~ résou~ résol~
 counted ajouté~ compté~ pris prise considéré~ tenu inclus~ soustrait~

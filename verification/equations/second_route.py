@@ -119,7 +119,10 @@ class SecondRoute:
         The arm reaches forwards there, and backwards elsewhere.
         """
         assert outcome.true is not None and outcome.printed is not None
-        below = (self._named(each) for side in (outcome.true, outcome.printed) for each in n.walk(side.node))
+        within = [each for side in (outcome.true, outcome.printed) for each in n.walk(side.node)]
+        if any(n.is_call(each, "acos", "asin") for each in within):  # the angle itself has no quadrant then
+            within = [outcome.true.node, outcome.printed.node]
+        below = map(self._named, within)
         own = self.sampled_errors(outcome, branches) if any(map(is_distance, below)) else None
         if own is None or not all(e.on_a_branch(TOLERANCE) for e in self._for_other_lengths(outcome, branches)):
             return None
@@ -252,8 +255,11 @@ class SecondRoute:
     def _on_a_branch_for_others(self, outcome: Outcome, branches: bool) -> tuple[int, int] | None:
         """Return at how many of how many configurations it holds for the lengths for which it is a branch; None where for some it is none.
 
-        With ψ = arctan(k_2 / k_1) the sign of k_1, which is that of cos ψ, changes only where l_2 > l_1.
+        With ψ = arctan(k_2 / k_1) the sign of k_1, which is that of cos ψ, changes only where l_2 > l_1. Other arc functions have
+        no quadrant for any lengths.
         """
+        if any(n.is_call(below, "acos", "asin") for node in outcome.nodes for below in n.walk(node)):
+            return None
         others = [e for e in self._for_other_lengths(outcome, branches) if e.wrong(TOLERANCE)]
         counts = [e.on_a_branch(TOLERANCE) for e in others]
         return counts[0] if counts and all(counts) else None
