@@ -98,4 +98,4 @@ class WordsAround:
 def _names_in(outcome: Outcome) -> Iterator[n.Name]:
     """Yield the names in an equation, or in the equations of an implication."""
     nodes = (*outcome.nodes, *outcome.conditions)
-    return (below for node in nodes for below in n.walk(node) if isinstance(below, n.Name))
+    return (below for node in nodes for below in n.names(node))

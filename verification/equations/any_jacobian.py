@@ -116,11 +116,7 @@ def _with_jacobians(chain: n.Chain, names: Names) -> n.Chain:
 def _is_jacobian(node: n.Derivative, names: Names) -> bool:
     """Whether a derivative is that of the task, or of the direct kinematics, by the vector of all joints."""
     name, by = bare(node.operand), bare(node.variable)
-    if (
-        isinstance(name, n.Call)
-        and name.function == "name"
-        and [bare_key(each) for each in name.arguments[1:]] == [bare_key(by)]
-    ):
+    if n.is_call(name, "name") and [bare_key(each) for each in name.arguments[1:]] == [bare_key(by)]:
         name = bare(name.arguments[0])  # f(q)
     if not (isinstance(name, n.Name) and isinstance(by, n.Name)) or node.order != 1 or name.dots or by.dots:
         return False

@@ -243,7 +243,7 @@ def _of_another_link(member: n.Node) -> bool:
 def of_link_i(chain: n.Chain) -> n.Chain:
     """Return a chain about link n with the index i: T_n^{n-1} = Rot(z, θ_n) …, A_n = […] or {}^jT_{j+1} = […] of θ_j or θ_{j+1}."""
     chain = _with_index(chain)
-    names = [*n.names(chain)]
+    names = n.names(chain)
     scripts = {script for name in names for script in name.scripts}
     own = {name.sub for name in names if name.base in ("theta", "alpha", "a", "d")}
     next_one = next((letter for letter in "ijkn" if {letter, f"{letter}+1"} <= scripts), "")
@@ -268,11 +268,11 @@ def of_link_i(chain: n.Chain) -> n.Chain:
 def _with_index(chain: n.Chain) -> n.Chain:
     """Return T = [cos θ, -sin θ cos α, …] with the index i: of the modified convention where the first row holds no α."""
     matrix = next((bare(each) for each in chain.members if isinstance(bare(each), n.Matrix)), None)
-    names = [below for below in n.walk(chain) if isinstance(below, n.Name) and below.key != "pi"]
+    names = [below for below in n.names(chain) if below.key != "pi"]
     told = {name.base for name in names if name.base in _PARAMETERS}
     if not isinstance(matrix, n.Matrix) or any(any(each.scripts) for each in names) or not {"theta", "alpha"} <= told:
         return chain
-    is_classic = any(isinstance(below, n.Name) and below.base == "alpha" for c in matrix.rows[0] for below in n.walk(c))
+    is_classic = any(below.base == "alpha" for c in matrix.rows[0] for below in n.names(c))
     indices = {"theta": "i", "d": "i", **dict.fromkeys(("a", "alpha"), "i" if is_classic else "i-1")}
     for name in names:
         index = indices.get(name.base, "i" if name.base in "TAHM" else "")

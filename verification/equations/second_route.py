@@ -373,10 +373,10 @@ def _is_of_both_sides(node: n.Node, by: n.Node) -> bool:
 
 def _undoes(arc: n.Node, angle: n.Node) -> bool:
     """Whether a side is the arc function of the function of the angle that is the other side."""
-    if not (isinstance(arc, n.Call) and arc.function in ("acos", "asin", "atan") and len(arc.arguments) == 1):
+    if not (n.is_call(arc, "acos", "asin", "atan") and len(arc.arguments) == 1):
         return False
     inner = bare(arc.arguments[0])
-    return isinstance(inner, n.Call) and inner.function == arc.function[1:] and bare(inner.arguments[0]) == angle
+    return n.is_call(inner, arc.function[1:]) and bare(inner.arguments[0]) == angle
 
 
 def is_distance(node: n.Node) -> bool:
