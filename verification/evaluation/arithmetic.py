@@ -66,7 +66,8 @@ def product_value(evaluator: Evaluating, node: n.Product) -> Value:
         if not operator and isinstance(before, n.Name) and _is_nought(factor):
             raise UnboundName(before.key + "(0)")  # θ(0) is no product: it is the value at the time 0
         value = evaluator.evaluate(factor)
-        if evaluator.names.arm is None and _is_point(factor) and _is_pose(result) and value.shape == (3, 1):
+        is_vector = isinstance(value, Matrix) and value.shape == (3, 1)
+        if evaluator.names.arm is None and _is_point(factor) and _is_pose(result) and is_vector:
             result = result.block(range(3), range(3)) @ value + result.block(range(3), range(3, 4))
             continue  # {}^AP = {}^A_BT {}^BP, of which the 1 below is left to the reader
         if isinstance(bare(factor), n.Name) and not isinstance(value, Matrix | Identity) and _is_pose(result):
