@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
+from math import log10
 
+from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.display.two_readings import Decide
 from armproof.verification.equations.at_stated_values import MANY, is_mostly_right
 from armproof.verification.equations.inequalities import is_numbers
@@ -15,6 +19,8 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.state import DocumentState, Stated
 from armproof.verification.verdict import HOLDS, Verdict
+
+UNIT = 0.01  # of a power of ten: nearer to one, a number may be in another unit
 
 
 def under_given_rates(
@@ -49,13 +55,24 @@ def under_given_rates(
     return []
 
 
+def _is_of_data(state: DocumentState, chain: n.Chain) -> bool:
+    """Whether a display has given what a chain is about as numbers, P_y = 0.4: that it says so again is not decided by that."""
+    before = state.definitions.get(n.bare_key(chain.members[0]) or "")
+    return before is not None and before.node is not None and is_numbers(before.node)
+
+
 def of_worked_example(state: DocumentState, decide: Decide, chain: n.Chain, equation: int, line: int) -> list[Outcome]:
     """Return the outcomes of numbers that hold at the values given last, under whatever heading; [] where some do not.
 
     What is "Given" in centimetres is often worked out without a unit. Only one number of a matrix is refuted there, of which
     many others are right: else the numbers may be of other values.
     """
-    if not state.given_last or set(chain.relations) != {"="} or not any(map(tells_values, chain.members)):
+    if (
+        not state.given_last
+        or _is_of_data(state, chain)
+        or set(chain.relations) != {"="}
+        or not any(map(tells_values, chain.members))
+    ):
         return []
     before = state.copy()
     for given in unitless(state.given_last):
@@ -73,22 +90,43 @@ def of_worked_example(state: DocumentState, decide: Decide, chain: n.Chain, equa
     return []
 
 
+def _is_off(outcome: Outcome, number: Callable[[Scalar], float]) -> bool:
+    """Whether a number alone is refuted at stated values, and is not 10, 100, … times what is right: in millimetres, where lengths are in metres."""
+    if outcome.verdict is not Verdict.REFUTED or not outcome.there or outcome.pair is None:
+        return False
+    if not outcome.pair.is_scalar or any(map(symbols_in, ([cell] for cell in outcome.pair.true.cells))):
+        return False
+    ((_, *sides),) = outcome.pair.entries()
+    true, printed = map(number, sides)
+    powers = log10(abs(printed / true)) if true * printed > 0 else 0.5
+    return abs(powers - round(powers)) > UNIT or abs(powers) < 0.5
+
+
 def at_told_values(
-    state: DocumentState, told: dict[str, Stated], decide: Decide, chain: n.Chain, equation: int, line: int
+    state: DocumentState,
+    told: dict[str, Stated],
+    decide: Decide,
+    number: Callable[[Scalar], float],
+    chain: n.Chain,
+    equation: int,
+    line: int,
 ) -> list[Outcome]:
     """Return what becomes of numbers at the values that the text before gives; [] where there are none.
 
-    What is not decided there leaves no trace. Only few numbers of many are refuted there, and fewer still that do not stand right behind the text.
+    What is not decided there leaves no trace. Few numbers of many are refuted there, fewer still that do not stand right behind the text; a number
+    alone is where the sentence leads to it, "For ¤ and ¤ we get", unless it is in another unit.
     """
     speaks = state.told.standing or state.told_lengths
-    if not speaks or len(chain.members) < 2 or not any(map(is_numbers, chain.members)):
+    if not speaks or _is_of_data(state, chain) or len(chain.members) < 2 or not any(map(is_numbers, chain.members)):
         return []
     before = state.copy()
     state.configuration = {**told, **state.configuration}
     outcomes = decide(chain, equation, line, False)
     wrong = [each for each in outcomes if each.verdict not in HOLDS]
-    times = 1 if state.told.line == line else MANY
-    if not wrong or all(is_mostly_right(each, times) for each in wrong):
+    is_near = state.told.line == line
+    times = 1 if is_near else MANY
+    is_led_to = is_near and state.told.is_direct
+    if not wrong or all(is_mostly_right(each, times) or (is_led_to and _is_off(each, number)) for each in wrong):
         state.configuration = before.configuration
         return outcomes
     state.become(before)

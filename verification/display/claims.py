@@ -81,9 +81,9 @@ class Claims:
             return self.circumstances.of_ranks(chain, self.chain(chain, equation, line, define), line)
         told, there = self.names.state.told, list[Outcome]()
         if told.standing or self.names.state.told_lengths:
-            there = at_told_values(
-                self.names.state, self.circumstances.text.told_values(), self._read, chain, equation, line
-            )
+            values = self.circumstances.text.told_values()
+            number = self.checker.members.number
+            there = at_told_values(self.names.state, values, self._read, number, chain, equation, line)
         if any(outcome.verdict in DECIDED for outcome in there):
             return [replace(self.unless_doubted(outcome), uses=self.consulted()) for outcome in there]
         outcomes = self.chain(chain, equation, line, define)

@@ -75,7 +75,10 @@ class Equality:
         best: tuple[Pair, list[tuple[int, int]]] | None = None
         for pair in pairs:
             if branches:
-                wrong = self._wrong_in_branches(true.node, printed.node, pair)
+                try:
+                    wrong = self._wrong_in_branches(true.node, printed.node, pair)
+                except ShapeMismatch as mismatch:  # -R is 3×3 where R was a rotation beside 4×4 ones
+                    return outcome.left_open(finding_of(mismatch))
             else:
                 wrong = different_entries(pair, exactly_equal)
             if not wrong:
