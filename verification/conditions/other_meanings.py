@@ -8,7 +8,7 @@ from itertools import combinations
 
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.document.other_meanings import ALL, BEHIND, JACOBIAN, OMEGA_FIRST, TURNS
+from armproof.verification.document.other_meanings import ALL, ANEW, BEHIND, JACOBIAN, OMEGA_FIRST, TURNS
 from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.given_values import GivenValues
@@ -33,14 +33,15 @@ class OtherMeanings:
 
     def judge(self, outcome: Outcome, meant: Sequence[str]) -> Outcome:
         """Leave open what is written with a letter that the text gives another meaning than the arm has for it."""
-        written = {below.key for node in outcome.nodes for below in n.names(node)}
+        written = {below.undotted.key for node in outcome.nodes for below in n.names(node)}
         if JACOBIAN in meant and JACOBIAN in written:
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=JACOBIAN))
         sides = (outcome.pair.true, outcome.pair.printed) if outcome.pair is not None else ()
         is_twist = any(side.shape == _TWIST for side in sides)  # a Jacobian is read in that order
         if OMEGA_FIRST in meant and is_twist and written.isdisjoint(self.names.quantities):
             return outcome.left_open(say(Kind.OMEGA_IS_FIRST))
-        written |= symbols_in(cell for side in sides for cell in side.cells if isinstance(cell, Scalar))
+        symbols = symbols_in(cell for side in sides for cell in side.cells if isinstance(cell, Scalar))
+        written |= {each.rpartition(" ")[2] for each in symbols}  # dot d_3 is written with d_3
         for each in meant:
             letters = self._meant_by(each)
             if not written.isdisjoint(letters):
@@ -79,8 +80,11 @@ class OtherMeanings:
             return ""
 
     def _meant_by(self, meant: str) -> set[str]:
-        r"""Return the joints and lengths that a letter, or the word for all angles, names: of `BEHIND` those that are measured from a joint before them."""
+        r"""Return the names that a letter, or the word for all angles, is of, joints and lengths but for `ANEW`: of `BEHIND` those that are measured from a joint before them."""
         which, _, latex = meant.partition(" ")
+        if which == ANEW:
+            key = self._key(latex)
+            return {key, self.names.known_symbol(key) or key} - {""}
         if which not in (ALL, BEHIND):
             return set()
         of_arm = {*self.given.lengths} | self._turned(which == BEHIND)

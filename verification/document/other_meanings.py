@@ -13,6 +13,7 @@ from math import inf
 
 from armproof.verification.document.heading import is_ruled
 from armproof.verification.document.hearing import MOST_CHARACTERS, hears, hears_denied, says, with_axes, words_of
+from armproof.verification.document.letters_anew import MAY_RENAME, letters_anew
 from armproof.verification.document.model import Display, Document
 from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, subjects
 
@@ -59,13 +60,17 @@ _OF_EULER = re.compile(  # angles of an orientation, and of no joint
 TURNS = "turns"  # the order of the factors of rotations one after another, as their axes, and their angles where they are told: zyx α β γ
 OMEGA_FIRST = "omega first"  # a Jacobian, or a twist, whose first rows are those of ω
 ALL, BEHIND = "all", "behind"  # the angles of all joints; those that turn about the direction of one before
+ANEW = "anew"  # a letter that is something else for a while
 FRAME, JACOBIAN = "link", "J"  # the origin of one; that whose columns are those of joints in another order
 _NEAR_ABOVE, _NEAR_BELOW = 4, 8  # lines between a sentence and a display beside it
 
 
 @dataclass(frozen=True)
 class Meaning:
-    """What a sentence says on a line: letters that have another meaning, the frame whose origin it is of, what it is of `beside`, another point, frame or origin."""
+    """What a sentence says on a line: letters that have another meaning, the frame whose origin it is of, what it is of `beside`, another point, frame or origin.
+
+    Letters `anew` have it from the sentence on, to the end of its section where `is_of_section`, and only where they have stood above it.
+    """
 
     line: int
     letters: tuple[str, ...] = ()
@@ -73,6 +78,8 @@ class Meaning:
     beside: str = ""
     is_place: bool = False
     is_origin: bool = False
+    anew: tuple[str, ...] = ()
+    is_of_section: bool = False
 
 
 def with_other_meanings(document: Document, text: str) -> Document:
@@ -115,6 +122,8 @@ def _with(display: Display, said: Iterable[tuple[Meaning, int, float]]) -> Displ
             letters.append(f"{FRAME} {each.frame}")
         if each.beside and is_near:
             letters.append(each.beside)
+        if each.anew and each.line - _NEAR_ABOVE <= display.line < (ends if each.is_of_section else inf):
+            letters += each.anew
         if each.letters and (display.line >= begins or display.file):
             letters += each.letters
         is_elsewhere |= each.is_place and is_near
@@ -125,9 +134,12 @@ def _with(display: Display, said: Iterable[tuple[Meaning, int, float]]) -> Displ
 def _meanings(text: str) -> Iterator[Meaning]:
     """Yield what the sentences of a text say of letters and places that is not what an arm has for them."""
     shown = _SHOWN.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
+    goes_on = ""  # what stands before a semicolon: "In this section …; $\\theta_3$ is then …"
     for found in _SENTENCE.finditer(shown):
         sentence = found.group()
-        if len(sentence) > MOST_CHARACTERS or MAY_MEAN.search(sentence.lower()) is None:
+        before, goes_on = goes_on, sentence if sentence.endswith(";") else ""
+        small = (before + sentence).lower()
+        if len(sentence) > MOST_CHARACTERS or not (MAY_MEAN.search(small) or MAY_RENAME.search(small)):
             continue
         line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
         plain = with_axes(" ".join(sentence.split()))
@@ -137,6 +149,10 @@ def _meanings(text: str) -> Iterator[Meaning]:
         )
         if letters := tuple(_letters(words, formulas)):
             yield Meaning(line, letters)
+        earlier = [each[0] or each[1] for each in _FORMULA.findall(before)]
+        renamed, is_of_section = letters_anew(words_of(before) + words, [*earlier, *formulas])
+        if renamed and (known := tuple(_that_stand_in(text[: found.start()], renamed))):
+            yield Meaning(line, anew=known, is_of_section=is_of_section)
         if (frame := _OF_FRAME.search(words)) is not None:
             yield Meaning(line, frame=frame[1])
         if turns := _turns(plain, words):
@@ -150,6 +166,15 @@ def _meanings(text: str) -> Iterator[Meaning]:
             yield Meaning(line, is_place=True)
         if says("OTHER_ORIGIN", words):
             yield Meaning(line, is_origin=True)
+
+
+def _that_stand_in(text: str, letters: Sequence[str]) -> Iterator[str]:
+    """Yield the letters that stand in the displays and formulas of a text, as what holds of a display."""
+    displays = [found.group() for found in _SHOWN.finditer(text)]
+    formulas = " ".join([*displays, *(found.group() for found in _FORMULA.finditer(_SHOWN.sub(" ", text)))])
+    for letter in letters:
+        if re.search(rf"(?<![\\A-Za-z]){re.escape(letter)}(?![A-Za-z])", formulas):
+            yield f"{ANEW} {letter}"
 
 
 def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:

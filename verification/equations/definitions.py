@@ -429,11 +429,16 @@ class Redefinitions:
         return outcomes
 
     def unless_repeated(self, outcome: Outcome, line: int) -> Outcome:
-        """Return an equation of a column of letters that says what a line before says that they are: it decides nothing."""
+        """Return an equation of a letter, or of a column of them, that says what a line before says that they are: it decides nothing."""
         if outcome.verdict is not Verdict.PROVED or len(outcome.nodes) != 2:
             return outcome
         definitions = self.names.state.definitions
         for letters, other in (outcome.nodes, outcome.nodes[::-1]):
+            key = bare_key(letters)
+            alone = definitions.get(key) if key is not None else None
+            if alone is not None and alone.node is not None and alone.line != line and bare(alone.node) == bare(other):
+                said = say(Kind.DEFINES, name=key)
+                return replace(outcome, verdict=Verdict.DEFINED, findings=(said,), repeats=(str(key), alone.line))
             keys = [str(bare_key(cell)) for cell in cells_of(letters)]
             before = map(definitions.get, keys)
             wholes = [each.whole if each is not None and each.line != line else None for each in before]
