@@ -181,8 +181,9 @@ class Heeding:
         if not self.names.is_open(name) or self.names.angle_sum(name) is not None:  # θ_{23} is θ_2 + θ_3
             return
         members, value = self.checker.members, chain.members[1]
-        usual = is_usual(name) and self.names.usual(name)  # type: ignore[arg-type]
-        if usual or isinstance(bare(value), n.Name):
+        usual = self.names.usual(name) if is_usual(name) else ()
+        is_speed = n.has_rates(value) and not any(each.scalar for each in usual[:1])  # ω_1 = \dot θ_1 is no vector
+        if not is_speed and (usual or isinstance(bare(value), n.Name)):
             return
         (found,) = self.checker.conventions.bind([members.evaluate(value)])
         told = as_scalar(found.value) if found.known else None
