@@ -173,7 +173,10 @@ def _that_stand_in(text: str, letters: Sequence[str]) -> Iterator[str]:
     displays = [found.group() for found in _SHOWN.finditer(text)]
     formulas = " ".join([*displays, *(found.group() for found in _FORMULA.finditer(_SHOWN.sub(" ", text)))])
     for letter in letters:
-        if re.search(rf"(?<![\\A-Za-z]){re.escape(letter)}(?![A-Za-z])", formulas):
+        index = letter[-1] if letter.startswith(("\\theta", "q")) else "-"
+        if re.search(
+            rf"(?<![\\A-Za-z]){re.escape(letter)}(?![A-Za-z])|(?<![A-Za-z])[cCsS]_?\{{?\d*{index}", formulas
+        ):  # θ_2 stands in c_{12}
             yield f"{ANEW} {letter}"
 
 

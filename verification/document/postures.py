@@ -15,6 +15,12 @@ _BENT = r"(?:elbow|shoulder|wrist|joints?|coude|épaule|poignet|articulations?)(
 _AN_ANGLE = r"(?:-?\d+(?:\.\d+)? ?(?:°|degrees|degrés)|(?:an? |un )?(?:right angles?|angle droit))"
 _BENT_TO = re.compile(rf"\b{_BENT}\s+\Z", re.IGNORECASE)
 _DEGREES = re.compile(r"(?:\$`?|\\\(|:math:`)\s*-?\d+(?:\.\d+)?\s*(?:\^\s*\{?\s*\\circ|°)")
+_WHERE = r"(?:when(?:ever)?|if|with|once|while|lorsque|quand|si|avec|wenn|mit|falls|liegt|steht|cuando|con|quando|se)"
+_DIRECTED = (  # how a part of the arm lies: "with the upper arm vertical", "when it points backwards"
+    r"(?:vertical(?:ly|e|es)?|horizontal(?:ly|e|es)?|perpendicular|parallel|(?:lies|lie|points?|stands?) (?:along|on|over|up|down|back|to|in)\w*|upwards?|downwards?|backwards?|forwards?"
+    r"|at (?:a )?right angles?|perpendiculaires?|parallèles?|(?:pointe|dirigée?) vers|à angle droit|senkrecht|waagerecht|waagrecht|rechtwinklig|(?:oberarm|unterarm|arm|glied) (?:auf|entlang)"
+    r"|perpendicular(?:es)?|paralel[oa]s?|verticale|orizzontale|perpendicolare|parallel[oa])"
+)
 _POSTURE = re.compile(
     rf"\b(?:(?:out)?stretched|(?:fully|completely|entirely) (?:extended|folded|retracted)|full extension|folded|"
     rf"(?:zero|home|rest|initial|reference|singular|upright|vertical|horizontal) {_PLACE}|at the origin|straight (?!links?\b|segments?\b){_ARM}|"
@@ -23,6 +29,7 @@ _POSTURE = re.compile(
     rf"{_PLACE} (?:zéro|nulle|initiale|singulière|de repos|de référence|verticale|horizontale)|"
     r"(?:vanish(?:es)?|s['’]annule(?:nt)?|est nul(?:le)?) (?:when|if|iff|for|at|pour|si|quand|lorsque|ssi))\b"
     rf"|\b{_BENT} {_AN_ANGLE}"
+    rf"|\b{_WHERE} (?:(?!ax[ei]s\b|axes\b|plane\b|plan\b|achsen?\b|ejes?\b|assi\b|project\w*|force\w*|load\w*)[\w'’]+ ){{1,6}}{_DIRECTED}\b"
     rf"|\b(?:first|second|third|last|upper|lower|premier|deuxième|troisième|dernier) {_ARM}(?: (?:is|lies|lying|points|pointing|est|étant))? (?:along|parallel to|le long de|parallèle à)\b(?!\W*\Z)",
     re.IGNORECASE,
 )
