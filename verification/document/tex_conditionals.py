@@ -82,8 +82,8 @@ class Branches:
         if (found := _NUMBERS.match(test)) is not None:
             left, right = int(found[1]), int(found[3])
             return {"<": left < right, "=": left == right, ">": left > right}[found[2]]
-        first, second = test.lstrip()[:2]
-        return first == second
+        pair = test.lstrip()
+        return pair[0] == pair[1]
 
     def _turn(self, found: re.Match[str]) -> None:
         if not self.stack:
