@@ -115,7 +115,9 @@ class Claim:
 
     def _two_readings(self, latex: str) -> str:
         """Return what is said of a quotient that can be read in two ways, both of them wrong; empty where there is none."""
-        quotient = next((node for node in n.walk(self.read(latex)) if isinstance(node, n.Ambiguous)), None)
+        quotient = next(
+            (node for node in n.walk(self.read(latex)) if isinstance(node, n.Ambiguous) and node.sort == "slash"), None
+        )
         return str(say(Kind.TWO_READINGS, text=quotient.text)) if quotient is not None else ""
 
     def upright(self, latex: str) -> str:

@@ -131,6 +131,8 @@ class DisplayChecker:
         outcomes, extra = self._with_later_definitions(statements, display)
         if _is_spoken_of(display):
             outcomes = [self.words.judge(outcome, display) for outcome in outcomes]
+        for key in {key for outcome in outcomes for key in outcome.defines if display.may_not_print}:
+            self.names.doubt(key)
         if not outcomes:
             return replace(record, verdict=Verdict.UNCHECKED, findings=(say(Kind.NO_EQUATION), say(Kind.BEYOND)))
         if self.direction == ("lower", display.line):
@@ -282,4 +284,4 @@ def _is_spoken_of(display: Display) -> bool:
     """Whether the text around a display may say that it is so elsewhere, in a case, of something else, or not at all."""
     elsewhere = display.of_other_point or display.in_other_frame
     says = display.said_next or display.supposed or display.meant or display.denied or display.strange
-    return bool(elsewhere or says)
+    return bool(elsewhere or says or display.may_not_print)

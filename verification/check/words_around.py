@@ -46,6 +46,8 @@ class WordsAround:
             outcome = self.meanings.in_order(outcome, display.meant)
         if display.denied and outcome.verdict is not Verdict.UNCHECKED:
             outcome = replace(outcome.left_open(say(Kind.DENIED)), defines=())
+        if display.may_not_print and outcome.verdict is not Verdict.UNCHECKED:
+            outcome = outcome.left_open(say(Kind.MAY_NOT_PRINT))
         if display.strange and outcome.verdict is not Verdict.UNCHECKED:
             words = ", ".join(not_known_in(display.strange))
             outcome = outcome.left_open(say(Kind.STRANGE_WORDS, text=quoted(display.strange), words=words))

@@ -7,6 +7,7 @@ from dataclasses import replace
 from functools import partial
 from math import remainder, tau
 
+from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.display.at_values import at_told_values, of_worked_example, under_given_rates
@@ -199,6 +200,7 @@ class Claims:
 
     def _read(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         """Return the outcomes of a chain in the reading in which it holds."""
+        chain = self._with_bars(chain)
         unclear = [below for below in n.walk(chain) if isinstance(below, n.Ambiguous)]
         if unclear:
             return either_reading(self._read_clear, chain, unclear, equation, line, define)
@@ -208,6 +210,21 @@ class Claims:
         if parts := side_by_side(chain):
             return one_or_apart(self._read_clear, chain, parts, equation, line, define)
         return self._read_clear(chain, equation, line, define)
+
+    def _with_bars(self, chain: n.Chain) -> n.Chain:
+        """Let |J| of a square matrix be its determinant or the size of that."""
+        for below in [*n.walk(chain)]:
+            if n.is_call(below, "abs") and self._is_square(below.arguments[0]):
+                size = replace(below, arguments=(n.Call("det", below.arguments, span=below.span),))
+                unclear = n.Ambiguous(
+                    (below, size), f"|{bare_key(below.arguments[0]) or '…'}|", "bars", span=below.span
+                )
+                chain = n.substitute(chain, below, unclear)  # type: ignore[assignment]
+        return chain
+
+    def _is_square(self, node: n.Node) -> bool:
+        value = self.checker.members.evaluate(node).value
+        return isinstance(value, Matrix) and value.shape[0] == value.shape[1] > 1
 
     def _read_clear(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         if (plain := without_count(chain, self.names)) is not None:

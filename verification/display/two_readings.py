@@ -3,12 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import product
 
 from armproof.verification.equations.outcome import Outcome, hold
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.verdict import Verdict
 
+_KINDS: dict[str, tuple[Kind | None, Kind]] = {
+    "scale": (Kind.SLASH_OVER_ALL, Kind.SLASH_OVER_NEXT),
+    "bars": (None, Kind.READ_AS_SIZE),  # |J| is the determinant of most authors
+    "label": (Kind.READ_AS_LABEL, Kind.READ_AS_FACTOR),
+    "mixed": (Kind.READ_AS_MIXED, Kind.READ_AS_PRODUCT),  # alone: as a product it is left open
+    "mixed factor": (Kind.READ_AS_MIXED, Kind.READ_AS_PRODUCT),
+}
 Decide = Callable[
     [n.Chain, int, int, bool], list[Outcome]
 ]  # a chain, the number of its first equation, its line, whether it defines
@@ -17,22 +25,43 @@ Decide = Callable[
 def either_reading(
     decide: Decide, chain: n.Chain, unclear: list[n.Ambiguous], equation: int, line: int, define: bool
 ) -> list[Outcome]:
-    """Take the reading of a/2b under which the equation holds; the message names the choice."""
-    chains = []
-    for k in (0, 1):
-        read = chain
-        for below in unclear:
-            read = n.substitute(read, below, below.readings[k])  # type: ignore[assignment]
-        chains.append(read)
-    tried = [decide(read, equation, line, False) for read in chains]
-    good = [all(o.verdict not in (Verdict.REFUTED, Verdict.UNCHECKED) for o in outcomes) for outcomes in tried]
-    chosen = 1 if good[1] and not good[0] else 0
+    """Take the reading of a/2b under which the equation holds; the message names the choice.
+
+    What is unclear in one way is read alike wherever it stands.
+    """
+    sorts = [*dict.fromkeys(below.sort for below in unclear)]
+    choices = [dict(zip(sorts, choice, strict=True)) for choice in product((0, 1), repeat=len(sorts))]
+    chains = [_as_chosen(chain, unclear, choice) for choice in choices]
+    held = next((k for k, read in enumerate(chains) if _is_held(decide(read, equation, line, False))), None)
+    chosen = held or 0
     outcomes = decide(chains[chosen], equation, line, define)
-    whole = isinstance(unclear[0].readings[chosen], n.Quotient)
-    choice = Kind.SLASH_OVER_ALL if whole else Kind.SLASH_OVER_NEXT
+    if choices[chosen].get("mixed"):
+        text = next(below.text for below in unclear if below.sort == "mixed")
+        return [outcome.left_open(say(Kind.READ_AS_PRODUCT, text=text)) for outcome in outcomes]
     for outcome in outcomes:
-        outcome.also(say(choice if any(good) else Kind.SLASH_UNCLEAR, text=unclear[0].text))
+        for sort in sorts:
+            below = next(each for each in unclear if each.sort == sort)
+            kind = _kind(below, choices[chosen][sort])
+            if kind is not None:
+                outcome.also(say(Kind.SLASH_UNCLEAR if held is None else kind, text=below.text))
     return outcomes
+
+
+def _as_chosen(chain: n.Chain, unclear: list[n.Ambiguous], choice: dict[str, int]) -> n.Chain:
+    for below in unclear:
+        chain = n.substitute(chain, below, below.readings[choice[below.sort]])  # type: ignore[assignment]
+    return chain
+
+
+def _is_held(outcomes: list[Outcome]) -> bool:
+    return all(outcome.verdict not in (Verdict.REFUTED, Verdict.UNCHECKED) for outcome in outcomes)
+
+
+def _kind(unclear: n.Ambiguous, choice: int) -> Kind | None:
+    """Return what is said of a choice."""
+    if unclear.sort in _KINDS:
+        return _KINDS[unclear.sort][choice]
+    return Kind.SLASH_OVER_ALL if isinstance(unclear.readings[choice], n.Quotient) else Kind.SLASH_OVER_NEXT
 
 
 def one_or_apart(

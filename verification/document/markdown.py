@@ -25,6 +25,7 @@ from armproof.verification.document.heading import begin_section
 from armproof.verification.document.html_tables import read_html_tables
 from armproof.verification.document.in_words import said_in_words
 from armproof.verification.document.link_labels import with_quick_labels
+from armproof.verification.document.markdown_hidden import without_hidden
 from armproof.verification.document.model import CODE, INLINE, Display, Document, Piece, Table
 from armproof.verification.document.postures import postures
 from armproof.verification.document.sentences import said_above, said_below, said_in_general
@@ -69,6 +70,8 @@ ADMONITIONS = frozenset(["admonition", "note", "warning", "tip", "important", "c
 _DIRECTIVE = re.compile(
     r"\s*\{?\s*\.?(?P<name>[\w:-]*)"
 )  # ```{math}, :::{admonition} Erratum, ::: {.erratum}, ::: warning
+_IN_SOME_FORMAT = re.compile(r"\.content-(?:hidden|visible)(?![\w-])")  # of Quarto: when-format, unless-meta
+_HIDDEN = re.compile(r"\.(?:content-)?hidden(?![\w-])(?!.*\b(?:when|unless)-)")
 _ERRATUM = re.compile(r"(?<![A-Za-z])errat(?:um|a)\b", re.IGNORECASE)
 _LABEL = re.compile(
     r"(\$\$)[ \t]*\{#[^{}\n]*(?:\{[^{}\n]*\})?[^{}\n]*\}[ \t]*$", re.MULTILINE
@@ -186,7 +189,7 @@ def read_markdown_file(path: Path, text: str) -> Document:
 
 def read_markdown(body: str, first: int, cell: int | None = None) -> tuple[list[Display], list[Table]]:
     """Return the displays and tables of a Markdown text that begins on line `first` of the file or of the cell."""
-    body = without_labels(body)
+    body = without_labels(without_hidden(body))
     displays, tables = _read_blocks(body, first, cell, "", False)
     source = body.split("\n")
     return place_displays(displays, source, first), [place_table(table, source, first) for table in tables]
@@ -255,11 +258,14 @@ def _read_blocks(
             if inside.group("name") == "math":
                 displays.extend(_math_directive(token, line, erratum, cell, section))
                 is_behind = True
+            elif token.type == "colon_fence" and _HIDDEN.search(token.info):
+                pass
             elif token.type == "colon_fence" or inside["name"].removeprefix("prf:") in ADMONITIONS:
                 erratum = erratum or _ERRATUM.search(token.info) is not None or _begins_as_erratum(content)
                 inner = _without_options(content)
                 more, more_tables = _read_blocks(inner, line + 1, cell, section, erratum, depth + 1)
-                displays += more
+                may_not_print = _IN_SOME_FORMAT.search(token.info) is not None
+                displays += [replace(each, may_not_print=True) for each in more] if may_not_print else more
                 tables += more_tables
             else:
                 displays.append(Display(line + 1, content, cell=cell, section=section, opening=CODE))

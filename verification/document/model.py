@@ -59,6 +59,7 @@ class Display:
     )
     strange: str = ""  # the sentence around it that is not understood, and may take it back
     supposed: bool = False  # whether that supposes it, asks for it, or says in words that it holds in a case alone
+    may_not_print: bool = False  # whether it stands in a branch of a conditional that nothing in the document decides
     of_other_point: bool = False  # whether the sentence before it is of another point than the tool, or another frame
     in_other_frame: bool = False  # whether it says that what follows is expressed in another frame than the base
     meant: tuple[

@@ -24,7 +24,8 @@ from armproof.verification.document.in_words import said_in_words
 from armproof.verification.document.model import CODE, INLINE, Display, Document, Table, Words
 from armproof.verification.document.postures import postures
 from armproof.verification.document.sentences import said_above, said_below, said_in_general
-from armproof.verification.document.tex_definitions import find_macros
+from armproof.verification.document.tex_conditionals import without_branches
+from armproof.verification.document.tex_definitions import find_macros, without_unprinted
 from armproof.verification.document.tex_macros import blank, closing_brace
 from armproof.verification.document.tex_project import Project
 from armproof.verification.document.tex_tables import read_tabular
@@ -38,9 +39,10 @@ _WITH_ARGUMENT = re.compile(r"(?:alignat|xalignat|IEEEeqnarray|empheq)\*?")
 _ARGUMENTS = re.compile(r"\s*(?:\[(?:[^][{}]|\{[^{}]*\})*\]\s*)?\{[^{}]*\}")
 _COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%([^\n]*)")
 _HIDDEN = re.compile(
-    r"\\begin\{(verbatim\*?|lstlisting|minted|comment|Verbatim)\}.*?\\end\{\1\}|\\iffalse(?![A-Za-z]).*?\\(?:fi|else)(?![A-Za-z])|\\verb\*?([^\w\s*]).*?\2",
+    r"\\begin\{(verbatim\*?|lstlisting|minted|comment|Verbatim)\}.*?\\end\{\1\}|\\verb\*?([^\w\s*]).*?\2",
     re.DOTALL,
 )
+_EXCLUDED = re.compile(r"\\exclude(?:comment|version)\s*\{\s*([A-Za-z]+)\s*\}")
 _LISTING = re.compile(r"\\begin\{(verbatim\*?|lstlisting|minted|Verbatim)\}.*?\\end\{\1\}", re.DOTALL)
 _VERB = re.compile(r"\\verb\*?([^\w\s*])[^\n]*?\1")
 _OPEN_TITLE = re.compile(r"[\\\n]")  # what ends one whose brace is never closed
@@ -88,7 +90,7 @@ def begins_as_erratum(text: str, at: int) -> bool:
 
 
 def _project(path: Path, text: str) -> Project:
-    project = Project(path.parent.resolve(), _without_comments)
+    project = Project(path.parent.resolve(), _without_false_branches)
     project.add(text, path.name, (path.resolve(),))
     return project
 
@@ -96,6 +98,19 @@ def _project(path: Path, text: str) -> Project:
 def _without_comments(text: str) -> str:
     """Return a text with its comments and what is shown as it is typed blank, as long as it was."""
     return _HIDDEN.sub(lambda m: blank(m.group()), _uncommented(text))
+
+
+def _without_false_branches(text: str) -> str:
+    """Return a text without what its file alone tells not to be printed: a switch may be set in another file."""
+    return without_branches(_without_comments(text), follows=False)[0]
+
+
+def _without_excluded(text: str) -> str:
+    r"""Return a text without the environments that \excludecomment names."""
+    for name in dict.fromkeys(_EXCLUDED.findall(text)):
+        hidden = re.compile(rf"\\begin\s*\{{{name}\}}.*?\\end\s*\{{{name}\}}", re.DOTALL)
+        text = hidden.sub(lambda found: blank(found.group()), text)
+    return text
 
 
 def _uncommented(text: str) -> str:
@@ -159,7 +174,9 @@ class _Scanner:
         self.marks = [
             m.start() for m in _COMMENT.finditer(text) if re.match(r"[%\s]*errat(?:um|a)\b", m.group(2), re.I)
         ]
-        self.macros, self.visible = find_macros(_without_comments(text), project.definitions)
+        printed, self.unclear = without_branches(_without_excluded(_without_comments(text)), project.definitions)
+        self.macros, visible = find_macros(printed, project.definitions)
+        self.visible = without_unprinted(visible, self.macros)
         begin, end = (re.search(r"\\%s\s*\{document\}" % which, self.visible) for which in ("begin", "end"))
         self.start = begin.end() if begin else 0
         self.stop = end.start() if end else len(text)
@@ -323,10 +340,20 @@ class _Scanner:
             )
         while begin < end and self.visible[begin] == "\n":
             begin += 1
+        is_unclear = any(first <= token.start() < last for first, last in self.unclear)
         latex, pieces = self.macros.expanded(self.visible[begin:end].rstrip("\n"), begin, self.place)
         where = self.where(begin)
         pieces = pieces if where.get("file", "") in ("", self.project.parts[0].file) else ()
-        return Display(line, latex, erratum, section=self.section, opening=opening, pieces=pieces, **where)
+        return Display(
+            line,
+            latex,
+            erratum,
+            section=self.section,
+            opening=opening,
+            pieces=pieces,
+            may_not_print=is_unclear,
+            **where,
+        )
 
     # -- environments --------------------------------------------------------------------------------------------------
 

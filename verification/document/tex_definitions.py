@@ -10,7 +10,7 @@ from armproof.verification.document.tex_macros import Macro, Macros, blank, clos
 
 _NAME = r"\s*(?:\{\s*(?P<braced>\\[A-Za-z]+)\s*\}|(?P<plain>\\[A-Za-z]+))\s*"
 _COMMAND = re.compile(
-    rf"\\(?P<kind>(?:re|provide)?newcommand|DeclareRobustCommand|(?:New|Renew|Provide|Declare)DocumentCommand|DeclareMathOperator|DeclarePairedDelimiter)\*?{_NAME}"
+    rf"\\(?P<kind>(?:(?:re)?new|provide)command|DeclareRobustCommand|(?:New|Renew|Provide|Declare)DocumentCommand|DeclareMathOperator|DeclarePairedDelimiter)\*?{_NAME}"
     r"(?:\[(?P<count>\d)\]\s*)?(?:\[(?P<default>[^\]]*)\]\s*)?(?=\{)"
     r"|\\def\s*(?P<defined>\\[A-Za-z]+)(?P<parameters>[^{}\\\n]{0,80})(?=\{)"
     r"|\\let\s*(?P<let>\\[A-Za-z]+)\s*=?\s*(?P<meaning>\\[A-Za-z]+)"
@@ -24,6 +24,16 @@ _GROUP = re.compile(
 _PARAMETERS = re.compile(r"(?:O\{(?P<default>[^{}]*)\})?(?P<plain>[m\s]*)")
 
 
+def places_of_definitions(text: str) -> list[tuple[int, int]]:
+    """Return where the definitions in a text begin and end."""
+    places: list[tuple[int, int]] = []
+    position = 0
+    while (found := _COMMAND.search(text, position)) is not None:
+        position = _bodies(text, found)[1]
+        places.append((found.start(), position))
+    return places
+
+
 def find_macros(text: str, packages: str = "") -> tuple[Macros, str]:
     """Return the macros that a text and its packages define, and the text with their definitions blank."""
     macros: dict[str, list[Macro]] = {}
@@ -31,9 +41,7 @@ def find_macros(text: str, packages: str = "") -> tuple[Macros, str]:
         letters = list(source)
         position = 0
         while (found := _COMMAND.search(source, position)) is not None:
-            bodies, position = _groups(source, found.end(), 1 + (found["kind"] == "DeclarePairedDelimiter"))
-            if found["environment"] or (found["kind"] or "").endswith("DocumentCommand"):
-                bodies, position = _groups(source, found.end(), 2)
+            bodies, position = _bodies(source, found)
             if not found["let"] and not bodies:
                 continue
             begin = position if source is text else -1
@@ -64,6 +72,12 @@ def _ends_of_groups(text: str, places: Iterable[int]) -> dict[int, int]:
     return ends
 
 
+def _bodies(text: str, found: re.Match[str]) -> tuple[list[str], int]:
+    """Return the groups of a definition and where the last one ends."""
+    has_two = found["environment"] or found["kind"] == "DeclarePairedDelimiter"
+    return _groups(text, found.end(), 2 if has_two or (found["kind"] or "").endswith("DocumentCommand") else 1)
+
+
 def _groups(text: str, position: int, count: int) -> tuple[list[str], int]:
     """Return the groups in braces that stand at a place and where the last one ends; none where they are not all there."""
     start, groups = position, []
@@ -75,6 +89,35 @@ def _groups(text: str, position: int, count: int) -> tuple[list[str], int]:
         groups.append(text[opened.end() : close])
         position = close + 1
     return groups, position
+
+
+def without_unprinted(text: str, macros: Macros) -> str:
+    r"""Return a text with the arguments blank that macros do not print, as long as it was: \newcommand{\hide}[1]{}."""
+    names = [name for name, defined in macros.macros.items() if name[1:].isalpha() and any(map(_unprinted, defined))]
+    letters = list(text)
+    for found in re.finditer(rf"(?:{'|'.join(map(re.escape, names))})(?![A-Za-z])", text) if names else ():
+        macro = macros.at(found.start())[found.group()]
+        position = _behind_option(text, found.end()) if macro.default is not None else found.end()
+        for number in range(1 + (macro.default is not None), macro.arguments + 1):
+            groups, end = _groups(text, position, 1)
+            if not groups:
+                break
+            begin, position = end - 1 - len(groups[0]), end
+            if number in _unprinted(macro):
+                letters[begin : end - 1] = blank(groups[0])
+    return "".join(letters)
+
+
+def _unprinted(macro: Macro) -> list[int]:
+    """Return the arguments of a macro that its body does not name."""
+    if macro.delimiters:
+        return []
+    return [number for number in range(1, macro.arguments + 1) if f"#{number}" not in macro.body]
+
+
+def _behind_option(text: str, position: int) -> int:
+    option = re.compile(r"\s*\[[^\]]*\]").match(text, position)
+    return option.end() if option else position
 
 
 def _macros(found: re.Match[str], bodies: list[str]) -> Iterator[tuple[str, Macro]]:

@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import partial
 from operator import mul
 
-from armproof.verification.algebra.matrix import Matrix, as_matrix, is_zero
+from armproof.verification.algebra.matrix import Matrix, as_matrix, is_zero, stacked
 from armproof.verification.algebra.protocol import Algebra, Value
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.errors import EvaluationError
@@ -231,7 +231,7 @@ class _Size:
         for kind, value in self._meanings(free_velocity).items():
             names.define(kind, value)
         evaluator = Evaluator(names, algebra)
-        return [evaluator.evaluate(node) for node in nodes]
+        return [stacked(evaluator.evaluate(node)) for node in nodes]
 
     def _meanings(self, free_velocity: bool) -> dict[str, partial[Matrix]]:
         m, k = self.rows, self.columns

@@ -45,6 +45,11 @@ class Kind(MessageKind):
     SIGN = "sign", "`{name}` is a sign, either one"
     SLASH_OVER_ALL = "slash_over_all", "'{text}' read with all that follows the slash taken as the denominator"
     SLASH_OVER_NEXT = "slash_over_next", "'{text}' read with the slash dividing by the next factor alone"
+    READ_AS_LABEL = "read_as_label", "'{text}' read with the number of the equation behind it"
+    READ_AS_FACTOR = "read_as_factor", "'{text}' read with what stands last in brackets as a factor"
+    READ_AS_MIXED = "read_as_mixed", "'{text}' read as a whole number and a fraction, added"
+    READ_AS_SIZE = "read_as_size", "'{text}' read as the absolute value of the determinant"
+    READ_AS_PRODUCT = "read_as_product", "'{text}' read as a product"
     SLASH_UNCLEAR = "slash_unclear", "neither reading of '{text}' holds"
 
     # -- names and values -----------------------------------------------------------------------------------------------
@@ -124,6 +129,7 @@ class Kind(MessageKind):
     IS_SUPPOSED = "is_supposed", "the words before it suppose something, or ask for it: what holds then is not decided"
     MAY_BE_TRANSPOSED = "may_be_transposed", "the columns of `{name}` are the derivatives of coordinates, and its rows are of none: it may be transposed"
     DENIED = "denied", "the text says that it is wrong, or not so: what is denied is not decided"
+    MAY_NOT_PRINT = "may_not_print", "it stands in a conditional of which nothing here tells whether it is printed: what may not be printed is not decided"
     STRANGE_WORDS = "strange_words", "beside it stands '{text}', in words that are not known here ({words}): whether it takes the equation back is not decided; say it in plainer ones"
     SIGNS_CLASH = "signs_clash", "each holds on one choice of ±, and both on the same one only where ∓ stands for ± in one of them"
     ONE_OF_TWO = "one_of_two", "an equation beside 'or': which of them holds, and when, is not said; write each on its own, or a ±"

@@ -111,6 +111,11 @@ class TreeBuilder(Transformer):
             beside = n.Product((first, *run[1:]), ("",) * (len(run) - 1), span=span)
             if isinstance(left, n.Number) and isinstance(run[0], n.Number):
                 return beside
+            matrix = next((k for k, factor in enumerate(run) if isinstance(n.bare(factor), n.Matrix)), 0)
+            if matrix > 1:  # 1/l_1 l_2 s_2 [matrix]: nothing is divided by a matrix
+                scale = n.Quotient(left, product(run[:matrix]), "slash", span=(left.span[0], run[matrix - 1].span[1]))
+                scaled = n.Product((scale, *run[matrix:]), ("",) * (len(run) - matrix), span=span)
+                return n.Ambiguous((scaled, beside), self.text[span[0] : run[matrix - 1].span[1]], "scale", span=span)
             readings = (below, beside) if isinstance(run[0], n.Number) else (beside, below)
             return n.Ambiguous(readings, self.text[span[0] : span[1]], span=span)
         if operator.type == "TIMES":  # the cross product binds like any product, but must keep its two sides whole

@@ -136,10 +136,14 @@ class Quotient(Node):
 
 @dataclass(frozen=True, slots=True)
 class Ambiguous(Node):
-    """a/2b: both readings, the likelier first; which of them is meant is decided against the arm."""
+    """a/2b: both readings, the likelier first; which of them is meant is decided against the arm.
+
+    The sort is what is unclear: a "slash", a "label" that numbers the equation or is a factor, a "mixed" number or a product.
+    """
 
     readings: tuple[Node, Node]
     text: str = field(default="", compare=False)
+    sort: str = field(default="slash", compare=False)
 
 
 @dataclass(frozen=True, slots=True)

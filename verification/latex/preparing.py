@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 
 from armproof.verification.latex import greek
+from armproof.verification.latex.congruences import with_multiples
 
 _ARGUMENT = r"\s*\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}"
 _COMMAND = r"\s*(?:\{\s*\\[A-Za-z]+\s*\}|\\[A-Za-z]+)"
@@ -20,7 +21,7 @@ _SILENT = re.compile(
     r"|(?P<degree>\^\s*\\(?:text)?degree(?![A-Za-z]))|(?P<differential>\\dd?(?![A-Za-z]))|\\(?:d?dot|hat|vec|bar)\s*\{\s*\}"
     rf"|\\bf(?P<bold>[A-Za-z]|{'|'.join(sorted(greek.GREEK))})(?![A-Za-z])"
     rf"|\\(?:setlength|addtolength|settowidth|settoheight|settodepth){_COMMAND}{_ARGUMENT}|\\setcounter{_ARGUMENT}{_ARGUMENT}"
-    rf"|\\(?:re|provide)?newcommand\*?{_COMMAND}(?:\s*\[[^\]]{{0,200}}\])*{_ARGUMENT}|\\def\s*\\[A-Za-z]+[^{{}}\\]*{_ARGUMENT}"
+    rf"|\\(?:(?:re)?new|provide)command\*?{_COMMAND}(?:\s*\[[^\]]{{0,200}}\])*{_ARGUMENT}|\\def\s*\\[A-Za-z]+[^{{}}\\]*{_ARGUMENT}"
     rf"|\\(?:arraycolsep|tabcolsep|jot|lineskip|baselineskip|kern|mkern|hskip|mskip|vskip){_LENGTH}|\\arraystretch\s*=?\s*[\d.]*"
     rf"|\\(?:newlength|[hv]?phantom|label|vspace\*?){_ARGUMENT}|\\newlength\s*\\[A-Za-z]+"
     rf"|\\(?:pause|xspace|par|leavevmode|protect|boldmath|unboldmath|numberthis|qedhere|transparent)(?![A-Za-z])"
@@ -77,7 +78,7 @@ def prepared(text: str) -> str:
     text = _BROKEN.sub(lambda found: found["sign"] + _blank(found["break"]), text)
     text = _REMARK.sub(_said_beside, _OF_PANDOC.sub(_scripts, text)) if "(" in text or "~" in text else text
     text = _without_boxes(text) if _BOX.search(text) or _BARS.search(text) else text
-    return _SILENT.sub(_plain, _AT_THE_END.sub(_for, text))
+    return with_multiples(_SILENT.sub(_plain, _AT_THE_END.sub(_for, text)))
 
 
 def _for(found: re.Match[str]) -> str:

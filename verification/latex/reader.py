@@ -16,6 +16,7 @@ from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.builder import TreeBuilder
+from armproof.verification.latex.equation_numbers import either_factor, without_numbers
 from armproof.verification.latex.greek import SPELT
 from armproof.verification.latex.preparing import prepared
 from armproof.verification.latex.tokens import LatexLexer, Spelling
@@ -78,6 +79,19 @@ class Reader:
 
     def _build(self, latex: str) -> list[n.Statement]:
         text = prepared(normalise_unicode(latex))
+        plain = without_numbers(text)
+        if plain is None:
+            return self._transformed(text)
+        try:
+            without = self._transformed(plain)
+        except ReadError:  # what stands before it asks for what is in its brackets: \cos \, (2)
+            return self._transformed(text)
+        try:
+            return either_factor(text, self._transformed(text), without)
+        except ReadError:
+            return without
+
+    def _transformed(self, text: str) -> list[n.Statement]:
         try:
             tree: Tree = _grammar().parse((text, self.spelling))  # type: ignore[arg-type]
             return TreeBuilder(text, self.is_bound, self.read_expression, self.spelling).transform(tree)  # type: ignore[return-value]

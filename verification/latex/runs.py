@@ -31,7 +31,17 @@ class RunReader(CallReader):
         while index < len(items):
             node, index = self.next_factor(items, index)
             factors.append(node)
-        return factors
+        return self._with_mixed(factors)
+
+    def _with_mixed(self, factors: list[n.Node]) -> list[n.Node]:
+        r"""Let 1\tfrac12 be one and a half, or a product."""
+        if len(factors) < 2 or not _is_mixed(*factors[:2]):
+            return factors
+        whole, part = factors[:2]
+        span = span_of(factors[:2])
+        readings = (n.Group(n.Sum((("+", whole), ("+", part)), span=span), span=span), product(factors[:2]))
+        sort = "mixed" if len(factors) == 2 else "mixed factor"
+        return [n.Ambiguous(readings, self.text[slice(*span)], sort, span=span), *factors[2:]]
 
     def next_factor(self, items: Seq[Item], index: int) -> tuple[n.Node, int]:
         """Return the factor that begins at an item, and where the next one does."""
@@ -144,6 +154,16 @@ class RunReader(CallReader):
             if applied is not None:
                 return applied, index + 2
         return name, index + 1
+
+
+def _is_mixed(whole: n.Node, part: n.Node) -> bool:
+    """Whether a whole number stands before a fraction of two that is less than one."""
+    if not isinstance(part, n.Quotient) or part.style != "frac":
+        return False
+    numbers = [each for each in (whole, part.numerator, part.denominator) if isinstance(each, n.Number)]
+    if len(numbers) < 3 or not all(each.text.isdigit() for each in numbers):
+        return False
+    return numbers[0].value > 0 and 0 < numbers[1].value < numbers[2].value
 
 
 def _is_angle(node: n.Node) -> bool:

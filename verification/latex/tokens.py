@@ -151,6 +151,11 @@ _RELATION_NEXT = re.compile(r"(?:\s|\\[,;:! ]|&|:)*(?:=|\\(?:approx|equiv|[lg]eq
 _BEHIND_OPERAND = re.compile(r"\s*(?:[_^/*]|\+(?!\s*\\)|\\(?:times|cdot)(?![A-Za-z]))")
 
 
+_PERIOD = re.compile(
+    r"(?P<whole>\d{1,12})(?:\.|\{,\})(?P<fixed>\d{0,12})\s*\\(?:overline|bar|dot)\s*(?:\{\s*(?P<period>\d{1,12})\s*\}|(?P<one>\d))"
+)
+
+
 def _decimal(number: re.Match[str]) -> str:
     """Return the digits of a quantity such as 1.5e-3, its sign apart."""
     value = Decimal(number[2].replace(",", ".")).scaleb(int(number[3] or 0))
@@ -371,11 +376,32 @@ class _Scanner:
     def on_number(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
         if self.previous == "FRAC" and len(value) > 1 and value.isdigit():  # \frac12 is one half
             return [self.token("NUMBER", value[k], start + k, start + k + 1) for k in (0, 1)], start + 2
+        if (period := _PERIOD.match(self.text, start)) and self.previous != "FRAC":
+            return self._periodic(period), period.end()
         comma = _DECIMAL_COMMA.match(self.text, end)
         if comma and self.previous != "COMMA" and self.previous != "FRAC" and value.isdigit() and not self.lists:
             mark = "." if self.spelling.decimal_comma else ","
             return [self.token("NUMBER", f"{value}{mark}{comma.group(1)}", start, comma.end())], comma.end()
         return [self.token("NUMBER", value, start, end)], end
+
+    def _periodic(self, found: re.Match[str]) -> list[Token]:
+        r"""Return 0.1\overline{6} as the fraction that it is."""
+        period = found["period"] or found["one"]
+        fixed = found["whole"] + found["fixed"]
+        above = int(fixed + period) - int(fixed)
+        below = (10 ** len(period) - 1) * 10 ** len(found["fixed"])
+        parts = [
+            ("FRAC", "\\frac"),
+            *(
+                ("LBRACE", "{"),
+                ("NUMBER", str(above)),
+                ("RBRACE", "}"),
+                ("LBRACE", "{"),
+                ("NUMBER", str(below)),
+                ("RBRACE", "}"),
+            ),
+        ]
+        return [self.token(kind, value, *found.span()) for kind, value in parts]
 
     def on_bracespace(self, _value: str, start: int, end: int) -> tuple[list[Token], int]:
         """`{}` carries pre-scripts where scripts follow; elsewhere it prints nothing."""

@@ -243,6 +243,78 @@ def test_a_macro_is_corrected_as_a_whole_or_not_at_all() -> None:
     assert rewrite(".tex", text, [change]) == text.replace("\\two \\]", "3 \\]")
 
 
+HIDDEN_IN_TEX = {
+    "a branch": r"\if0 \[ b \] \fi \[ a \]",
+    "the other branch": r"\iftrue \[ a \] \else \[ b \] \fi",
+    "one within another": r"\iffalse \ifnum1=2 x\fi \[ b \] \fi \[ a \]",
+    "a switch": r"\newif\ifold \ifold \[ b \] \fi \oldtrue \ifold \[ a \] \fi",
+    "a switch that is set in a branch that does not print": r"\newif\ifold \iffalse \oldtrue \fi \ifold \[ b \] \else \[ a \] \fi",
+    "numbers": r"\ifnum 1 > 2 \[ b \] \else \[ a \] \fi",
+    "the argument of a macro": r"\newcommand{\hide}[1]{} \hide{\[ b \]} \[ a \]",
+    "one of two arguments": r"\providecommand{\first}[2]{#1} \first{\[ a \]}{\[ b \]}",
+    "an environment that is excluded": r"\excludecomment{old} \begin{old} \[ b \] \end{old} \[ a \]",
+    "an equivalence is no conditional": r"\iffalse $b \iff c$ \[ b \] \fi \[ a \]",
+}
+
+
+@pytest.mark.parametrize("text", HIDDEN_IN_TEX.values(), ids=[*HIDDEN_IN_TEX])
+def test_what_tex_does_not_print_is_no_display(text: str) -> None:
+    [display] = [each for each in parse_document(Path("page.tex"), text).displays if each.opening == "\\["]
+    assert (display.latex.strip(), display.may_not_print) == ("a", False)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"\ifdefined\x \[ a \] \else \[ b \] \fi",
+        r"\newif\ifold \ifx\a\b \oldtrue \fi \ifold \[ a \] \else \[ b \] \fi",
+    ],
+)
+def test_what_may_not_be_printed_is_not_decided(text: str) -> None:
+    displays = parse_document(Path("page.tex"), text).displays
+    assert [(display.latex.strip(), display.may_not_print) for display in displays] == [("a", True), ("b", True)]
+    page = "% arm: planar_2r\n\\ifdefined\\x\n\\[ D = l_2 \\]\n\\fi\n\\[ x = l_1 c_1 + D c_{12} \\]\n"
+    records = check_document(parse_document(Path("page.tex"), page)).equations
+    assert {record.verdict for record in records} == {Verdict.UNCHECKED}
+
+
+HIDDEN_IN_MARKDOWN = {
+    "an element": "<div class='a' hidden>\n\n<div>\n\n$$ b $$\n\n</div>\n\n$$ b $$\n\n</div>",
+    "a style": '<p style="color: red; display: none">\n\n$$ b $$\n\n</p>',
+    "lines of MyST": "% $$\n% b\n% $$",
+    "Obsidian": "%%\n$$ b $$\n\n$$ b $$\n%%",
+    "Jekyll": "{% comment %}\n$$ b $$\n{% endcomment %}",
+    "Hugo": "{{% comment %}}\n$$ b $$\n{{% /comment %}}",
+    "Quarto": "::: {.content-hidden}\n\n$$ b $$\n\n:::",
+}
+
+
+@pytest.mark.parametrize("hidden", HIDDEN_IN_MARKDOWN.values(), ids=[*HIDDEN_IN_MARKDOWN])
+def test_what_markdown_does_not_show_is_no_display(hidden: str) -> None:
+    text = f"$$ a $$\n\n{hidden}\n\n$$ c $$\n"
+    displays = parse_document(Path("page.md"), text).displays
+    assert [(display.latex.strip(), display.line) for display in displays] == [
+        ("a", 1),
+        ("c", 5 + hidden.count("\n")),
+    ]
+
+
+@pytest.mark.parametrize(
+    "shown",
+    [
+        "```matlab\n%% One\n```\n\n$$ b $$\n\n```matlab\n%% Two\n```",
+        "`%%`\n\n$$ b $$\n\n`%%`",
+        "about 50\n% of it is\n\n$$ b $$",
+        "<div hidden>\n\n$$ b $$",
+        "`<div hidden>`\n\n$$ b $$\n\n</div>",
+        "$$\nb %% one\n%% two\n$$",
+    ],
+)
+def test_what_only_looks_hidden_is_a_display(shown: str) -> None:
+    displays = parse_document(Path("page.md"), f"{shown}\n").displays
+    assert [display.latex.strip()[:1] for display in displays if display.opening == "$$"] == ["b"]
+
+
 def test_a_tabular_is_a_table() -> None:
     text = (
         "% arm: planar_2r\n\\section{Bras}\n\\begin{tabular}{c|cccc}\n \\hline $i$ & $a_i$ & $\\alpha_i$ & $d_i$ & $\\theta_i$ \\\\ \\hline\n"
