@@ -20,6 +20,8 @@ VECTOR_LETTERS = frozenset(
     ["p", "P", "z", "Z", "O", "o", "x", "y", "X", "Y", "J", "v", "V", "omega", "Omega", "W", "w"]
 )
 _BRANCHES = ("(+)", "(-)", "(pm)", "(mp)")  # marks of a solution's branch: θ_2^{(+)}
+_IN_BRACKETS = re.compile(r"\((?:\d|[ijkn](?:[+-]\d)?)\)")  # of a frame, a solution, a step: no power
+_CENTRES = ("cm", "mm")  # what would be units above a number
 _PLACED = re.compile(r"(\w+)\((\d)\)")
 _BETWEEN_VALUES = re.compile(r"(?:,|\\[,;]|\\quad|\\\\)(?![^(\[]*[)\]])")  # and not between those of (0, 0)
 _WORD = re.compile(r"\s*\\(?:text[a-z]*|mathrm|mathit|mathsf|operatorname)\s*\{\s*[A-Za-z]{2,}\s*\}\s*")
@@ -178,10 +180,10 @@ class NameReader:
         key = f"{base}_{sub}^{canonical}" if sub else f"{base}^{canonical}"
         if self.is_bound(key):
             return True
+        if canonical in _BRANCHES or _IN_BRACKETS.fullmatch(canonical) or canonical in _CENTRES:
+            return True
         if canonical in OPERATORS:
             return False
-        if canonical in _BRANCHES:
-            return True
         if not re.fullmatch(r"[A-Za-z0-9_,]+(?:[-+]\d)?", canonical):
             return False
         if canonical == "0":
