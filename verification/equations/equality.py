@@ -79,7 +79,8 @@ class Equality:
                     distances = self._on_branches(true.node, printed.node)
                 except ShapeMismatch as mismatch:  # -R is 3×3 where R was a rotation beside 4×4 ones
                     return outcome.left_open(finding_of(mismatch))
-                if not all(distances) and any(distances):
+                chosen = self.route.chooses_branches(true.node) or self.route.chooses_branches(printed.node)
+                if not chosen and not all(distances) and any(distances):
                     return outcome.left_open(say(Kind.ONE_SIGN_ONLY))
                 wrong = self._wrong_in_branches(distances, pair)
             else:

@@ -19,9 +19,7 @@ _SUB = r"\s*_\s*(\{[^{}]*\}|\w)"
 _STAR = r"\s*\^\s*\{?\s*(?:\*|\\ast|\\star)(?![A-Za-z])\s*\}?"
 _WORDS = re.compile(r"\\(?:text\w*|begin|end|mbox|operatorname)\s*\{[^{}]*\}")
 _DRESSED = re.compile(rf"{_DRESS}({_LETTER})")
-_HEAD = re.compile(
-    rf"(?:^|[,;&\n]|\\\\|quad)\s*(?:{_DRESS})?({_LETTER})[\s}}]*(?:{_SUB})?\s*&?\s*:?=\s*([^=,;&\n]*)"
-)
+_HEAD = re.compile(rf"(?:^|[,;&\n]|\\\\|quad)\s*(?:{_DRESS})?({_LETTER})[\s}}]*(?:{_SUB})?\s*&?\s*:?=\s*([^=,;&\n]*)")
 _NAME = re.compile(rf"({_LETTER})[\s}}]*(?:{_SUB})?({_STAR})?(?:{_SUB})?")
 _STARRED_HEAD = re.compile(
     rf"(?:^|[,;&=\n]|\\\\|quad)\s*({_LETTER})[\s}}]*(?:{_SUB})?{_STAR}(?:{_SUB})?\s*&?\s*:?=\s*([^=,;&\n]*)"
