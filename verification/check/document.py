@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from armproof.models.arm import Arm
 from armproof.models.catalogue import arm_of, load_arm
 from armproof.models.errors import ArmproofError
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.check.beforehand import Beforehand, lacks_base, shown_transforms
 from armproof.verification.check.display import DisplayChecker
@@ -22,12 +23,14 @@ from armproof.verification.display.statements import Statements
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
 from armproof.verification.equations.chain import ChainChecker, no_samples
 from armproof.verification.equations.later_definitions import definitions_behind, names_lacking
-from armproof.verification.errors import DocumentError
+from armproof.verification.errors import DocumentError, ReadError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, say
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.reader import key_as_latex
 from armproof.verification.naming.reading import read_names, spelling_of
 from armproof.verification.naming.settled import settle_definitions, settle_used
-from armproof.verification.naming.shown import settle_usual
+from armproof.verification.naming.shown import settle_used_otherwise, settle_usual
 from armproof.verification.tables import check_table
 from armproof.verification.tables.arms import (
     Inference,
@@ -180,11 +183,20 @@ class DocumentChecker:
         equations = tuple(self.check_display(display) for display in self.document.displays)
         return replace(self.result_of(equations), seconds=time.perf_counter() - started)
 
+    def _usual(self, key: str) -> tuple[Quantity, ...]:
+        """Return what a name may stand for by convention."""
+        try:
+            name = self.names.reader.read_expression(key_as_latex(key))
+        except ReadError:
+            return ()
+        return self.names.usual(name) if isinstance(name, n.Name) else ()
+
     def result_of(self, equations: tuple[Record, ...]) -> DocumentResult:
         """Return the document's result for the records of its displays; its tables are checked with the names of them all."""
         tables = tuple(record for table in self.document.tables if (record := self._table(table)) is not None)
         if any(record.if_shown is not None for record in equations):
             equations = settle_usual(equations)
+        equations = settle_used_otherwise(equations, self._usual)
         if any(each.order for record in equations for each in record.outcomes):
             from armproof.verification.equations.argument_order import settle_orders
 

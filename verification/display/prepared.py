@@ -191,7 +191,8 @@ def _is_letter(node: n.Node) -> bool:
 
 
 def _without_for_all(statements: list[n.Statement], names: Names) -> list[n.Statement]:
-    """Leave out "for all θ_1, θ_2", which every equation says without it."""
+    """Leave out "for all θ_1, θ_2", which every equation says without it but that of a rank: alone it is the generic one."""
+    has_rank = any(n.is_rank(below) for each in statements if isinstance(each, n.Chain) for below in n.walk(each))
     kept: list[n.Statement] = []
     index = 0
     while index < len(statements):
@@ -202,7 +203,8 @@ def _without_for_all(statements: list[n.Statement], names: Names) -> list[n.Stat
                 kept.pop()
             index = after
             continue
-        if isinstance(statement, n.Connective) and statement.text.strip(" .,;:").lower() in FOR_ALL:
+        is_for_all = isinstance(statement, n.Connective) and statement.text.strip(" .,;:").lower() in FOR_ALL
+        if is_for_all and not has_rank:
             while after < len(statements) and _is_any_configuration(statements[after], names):
                 after += 1
         if after == index + 1:

@@ -74,6 +74,9 @@ def holds_of_any_jacobian(chain: n.Chain, names: Names) -> bool:
         return False
     if any(isinstance(b, n.Matrix) and len(b.cells) == 1 for member in chain.members for b in n.walk(member)):
         return False  # the one component that a bracket holds is no vector
+    of_two = names.reader.spelling.of_two
+    if of_two and any(each.base == "J" and each.sub in of_two for member in chain.members for each in n.names(member)):
+        return False  # of ω, and of another velocity: nobody knows which
     spoken: set[tuple[str, str]] = set()
     chain = _with_jacobians(_of_one_frame(chain), names)
     members = [_usual(member, spoken) for member in chain.members]

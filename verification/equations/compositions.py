@@ -36,7 +36,7 @@ def is_composition(chain: n.Chain, frames: Collection[str]) -> bool:
     With one script above and one below, T_2^0 = T_1^0 T_2^1, the reference is that under which all names lead outwards. Where
     an arm has those frames, it is for the document to tell, and not for this law.
     """
-    if len(chain.members) < 2 or set(chain.relations) != {"="} or _are_frames(chain, frames):
+    if len(chain.members) < 2 or set(chain.relations) != {"="} or _are_frames(chain, frames) or _mixes_kinds(chain):
         return False
     for reference in ("upper", "lower"):
         members = _with_whole(chain, reference)
@@ -79,6 +79,12 @@ def is_way_outwards(chain: n.Chain) -> bool:
         and max(map(len, sides)) >= FEWEST
         and len(ends - {None}) == 1 == len(ends)
     )
+
+
+def _mixes_kinds(chain: n.Chain) -> bool:
+    """Whether rotations, 3×3, stand among transforms, 4×4: no index tells what of their product is meant."""
+    bases = {each.base for member in chain.members for each in n.names(member) if each.base in _TRANSFORMS}
+    return "R" in bases and len(bases) > 1
 
 
 def _is_of_links(node: n.Node) -> bool:

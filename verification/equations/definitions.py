@@ -25,6 +25,7 @@ from armproof.verification.equations.rigid import misses_group, with_entry_mende
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError, NoValue, UnboundName
 from armproof.verification.evaluation.blocks import Block, cells_of, partition, written_rows
+from armproof.verification.evaluation.calls import problem_of_arguments
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import greek
 from armproof.verification.latex import nodes as n
@@ -103,6 +104,9 @@ class Definitions:
             if self.members.decimals(true.node, least=1) is None and (group := misses_group(member.node, true.value)):
                 other = (say(Kind.NOT_IN_GROUP, group=group),)
                 return _with_slip(Outcome(Verdict.UNCHECKED, other, equation, true, member, role=Role.DEFINITION))
+            applied = bare(member.node)
+            if n.is_call(applied, "name") and (other_joint := problem_of_arguments(true.value, applied, self.names)):
+                return Outcome(Verdict.UNCHECKED, (other_joint,), equation, true, member)
             if self.defines:
                 self.names.define(key, self.members.meaning(true.node), self.line, node=true.node)
                 if (decimals := self.members.decimals(true.node)) is not None:

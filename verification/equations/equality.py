@@ -76,9 +76,13 @@ class Equality:
         for pair in pairs:
             if branches:
                 try:
-                    wrong = self._wrong_in_branches(true.node, printed.node, pair)
+                    distances = self._on_branches(true.node, printed.node)
                 except ShapeMismatch as mismatch:  # -R is 3×3 where R was a rotation beside 4×4 ones
                     return outcome.left_open(finding_of(mismatch))
+                chosen = self.route.chooses_branches(true.node) or self.route.chooses_branches(printed.node)
+                if not chosen and not all(distances) and any(distances):
+                    return outcome.left_open(say(Kind.ONE_SIGN_ONLY))
+                wrong = self._wrong_in_branches(distances, pair)
             else:
                 wrong = different_entries(pair, exactly_equal)
             if not wrong:
@@ -173,17 +177,18 @@ class Equality:
         last = self.exact.ring.one if is_point else self.exact.ring.zero
         return replace(pair, true=Matrix((*pair.true.rows[:3], (last,))))
 
-    def _wrong_in_branches(self, true: n.Node, printed: n.Node, pair: Pair) -> list[tuple[int, int]]:
-        """With ±, an equation is right as a whole where on every configuration all its entries are on one branch."""
-        differences = []
+    def _on_branches(self, true: n.Node, printed: n.Node) -> list[dict[tuple[int, int], Any]]:
+        """Return for each choice of the signs ± how far the entries are apart that differ with it somewhere."""
+        found = []
         for branch in self.names.state.signs.branches():
             one = Evaluator(self.names, self.exact, branch)
-            differences.append(next(align(one.evaluate(true), one.evaluate(printed), self.exact)))
-        places = [*pair.true.places]
-        distances = [
-            {place: d for place, a, b in each.entries() if not (d := _distance(a, b)).is_zero()} for each in differences
-        ]
-        wrong = [place for place in places if all(place in of for of in distances)]
+            pair = next(align(one.evaluate(true), one.evaluate(printed), self.exact))
+            found.append({place: d for place, a, b in pair.entries() if not (d := _distance(a, b)).is_zero()})
+        return found
+
+    def _wrong_in_branches(self, distances: list[dict[tuple[int, int], Any]], pair: Pair) -> list[tuple[int, int]]:
+        """With ±, an equation is right as a whole where on every configuration all its entries are on one branch."""
+        wrong = [place for place in pair.true.places if all(place in of for of in distances)]
         alone = [place for place in wrong if not prod(of[place] for of in distances).is_zero()]
         return alone or self._on_different_branches(distances)
 

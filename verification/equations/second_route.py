@@ -192,6 +192,10 @@ class SecondRoute:
         asks = letters and (ring.signs_chosen or _holds_arcs(outcome) or any(map(self._has_roots, outcome.nodes)))
         return letters if asks else []
 
+    def chooses_branches(self, node: n.Node) -> bool:
+        """Whether a square root or an arc function stands in a tree or behind its names: exactly, each has one of its signs."""
+        return any(n.is_call(b, *ROOTS, *n.ARCS) or _is_root(b) for b in n.walk(node)) or self._rests_on_roots(node)
+
     def _rests_on_roots(self, node: n.Node) -> bool:
         """Whether a name in a tree was defined by a square root."""
         named = (self._named(b) for b in n.names(node))
@@ -386,6 +390,13 @@ def is_distance(node: n.Node) -> bool:
     terms = inner.terms if isinstance(inner, n.Sum) else ()
     squares = [isinstance(bare(t), n.Power) and bare(t).exponent == n.Number(Fraction(2)) for _, t in terms]  # type: ignore[attr-defined]
     return len(squares) > 1 and all(squares) and all(sign == "+" for sign, _ in terms)
+
+
+def _is_root(node: n.Node) -> bool:
+    """Whether a power is none of a whole number."""
+    return isinstance(node, n.Power) and not (
+        isinstance(node.exponent, n.Number) and node.exponent.value.denominator == 1
+    )
 
 
 def _holds_arcs(outcome: Outcome) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -19,7 +19,7 @@ from armproof.verification.evaluation.differentiation import time_derivative
 from armproof.verification.evaluation.evaluating import Evaluating
 from armproof.verification.evaluation.mass_matrix import entry_of_masses
 from armproof.verification.evaluation.screws import HAT, exponential, jacobian_of_screws, twist_value
-from armproof.verification.findings import Kind, say
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import call_key, is_nought
 from armproof.verification.naming.names import Names
@@ -277,20 +277,29 @@ def _applied_name(evaluator: Evaluating, node: n.Call) -> Value:
             return multiply(evaluator.evaluate(name), "", evaluator.evaluate(arguments[0]))
         raise EvaluationError(say(Kind.WRONG_NUMBER_OF_VALUES, name=name.key, given=len(arguments), joints=len(own)))
     if all(is_variable(argument, names) for argument in arguments) and len({*letters}) == len(letters):
-        return _of_own_arguments(evaluator.evaluate(name), name, dict(zip(given, letters, strict=True)))
+        value = evaluator.evaluate(name)
+        if (problem := problem_of_arguments(value, node, names)) is not None:
+            raise EvaluationError(problem)
+        return value
     raise UnboundName(key)
 
 
-def _of_own_arguments(value: Value, name: n.Name, given: Mapping[str | None, str]) -> Value:
-    """Return a value that depends on the variables it is given; A_2^1(θ_3), which depends on θ_2 instead, is a slip."""
+def problem_of_arguments(value: Value, node: n.Call, names: Names) -> Finding | None:
+    """Say that a value depends on a joint that is none of its variables: A_2^1(θ_3) of θ_2, J(θ_1) of θ_1 and θ_2."""
+    name, *arguments = node.arguments
+    letters = [each.key for each in arguments if isinstance(each, n.Name)]
+    given = {symbol: letter for letter in letters if (symbol := names.known_symbol(letter)) is not None}
+    if len(given) < len(arguments) or not given.keys() & names.joints.keys():  # all joints, a time or a length
+        return None
     cells = [cell for cell in (value.cells if isinstance(value, Matrix) else (value,)) if isinstance(cell, Scalar)]
     own = symbols_in(cells)
-    for symbol in filter(None, given.keys() - own):
-        letter = symbol.partition("_")[0]
-        missing = sorted(each for each in own - given.keys() if each.partition("_")[0] == letter)
-        if missing:
-            raise EvaluationError(say(Kind.OTHER_ARGUMENT, name=name.key, own=missing[0], given=given[symbol]))
-    return value
+    missing = sorted((own & names.joints.keys()) - given.keys())
+    if not missing or not isinstance(name, n.Name):
+        return None
+    others = [letter for symbol, letter in given.items() if symbol not in own]
+    if others:
+        return say(Kind.OTHER_ARGUMENT, name=name.key, own=missing[0], given=others[0])
+    return say(Kind.FURTHER_ARGUMENT, name=name.key, own=missing[0])
 
 
 def is_variable(node: n.Node, names: Names) -> bool:

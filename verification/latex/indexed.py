@@ -20,6 +20,8 @@ VECTOR_LETTERS = frozenset(
     ["p", "P", "z", "Z", "O", "o", "x", "y", "X", "Y", "J", "v", "V", "omega", "Omega", "W", "w"]
 )
 _BRANCHES = ("(+)", "(-)", "(pm)", "(mp)")  # marks of a solution's branch: θ_2^{(+)}
+_IN_BRACKETS = re.compile(r"\((?:\d|[ijkn](?:[+-]\d)?)\)")  # of a frame, a solution, a step: no power
+_CENTRES = ("cm", "mm")  # what would be units above a number
 _PLACED = re.compile(r"(\w+)\((\d)\)")
 _BETWEEN_VALUES = re.compile(r"(?:,|\\[,;]|\\quad|\\\\)(?![^(\[]*[)\]])")  # and not between those of (0, 0)
 _WORD = re.compile(r"\s*\\(?:text[a-z]*|mathrm|mathit|mathsf|operatorname)\s*\{\s*[A-Za-z]{2,}\s*\}\s*")
@@ -105,7 +107,7 @@ class NameReader:
     def _raise_to(
         self, node: n.Node, text: str, canonical: str, whole: tuple[int, int], span: tuple[int, int]
     ) -> n.Node:
-        if canonical == "" and not isinstance(node, n.Call):
+        if canonical == "" and (not isinstance(node, n.Call) or self.spelling.starred):
             raise ReadError(say(Kind.STAR_ON_EXPRESSION), span[0])
         if canonical == "":  # above a cosine: that of a joint variable
             return replace(node, span=whole)
@@ -150,7 +152,7 @@ class NameReader:
                 sub = f"{sub},{canonical}" if sub else canonical
             elif self._is_index(item.base, canonical, below, bool(item.pre)) or _is_word(text, canonical):
                 sup = f"{sup},{canonical}" if sup else canonical
-            elif canonical == "" and item.base in STARRED:
+            elif canonical == "" and item.base in STARRED and not self._has_own_star(item.base, below):
                 pass
             elif canonical == "":
                 sup = "*"
@@ -162,6 +164,10 @@ class NameReader:
         text = self.text[item.start : end]
         name: n.Node = n.Name(item.base, sub, sup, pre_sub, pre_sup, primes, dots, text, span=(item.start, end))
         return self.scripted(name, above, item.start)
+
+    def _has_own_star(self, base: str, sub: str) -> bool:
+        """Whether a star makes another name of this one in the document."""
+        return (f"{base}_{sub}" if sub else base) in self.spelling.starred
 
     def _end_of_base(self, item: Item) -> int:
         """Return where an item's letter ends: before the mark of its first script, as \\lambda does in \\lambda^{2}."""
@@ -178,10 +184,10 @@ class NameReader:
         key = f"{base}_{sub}^{canonical}" if sub else f"{base}^{canonical}"
         if self.is_bound(key):
             return True
+        if canonical in _BRANCHES or _IN_BRACKETS.fullmatch(canonical) or canonical in _CENTRES:
+            return True
         if canonical in OPERATORS:
             return False
-        if canonical in _BRANCHES:
-            return True
         if not re.fullmatch(r"[A-Za-z0-9_,]+(?:[-+]\d)?", canonical):
             return False
         if canonical == "0":

@@ -27,6 +27,7 @@ from armproof.verification.latex.vocabulary import (
     CHARACTERS,
     COMMANDS,
     CONNECTIVES,
+    DRESSES,
     FUNCTIONS,
     JOINING,
     LAYOUTS,
@@ -105,6 +106,7 @@ _BRACED_FUNCTION = re.compile(r"\{\s*\\?([A-Za-z]+\d?)\s*\}")
 _PLAIN_UNDER_HAT = re.compile(
     r"[\s{]*(?:\\(?:math(?:bf|rm|it)|boldsymbol|bm)[\s{]*)?(?:[xyzXYZijknsaouweTRAHJ]|\\omega)(?![A-Za-z])"
 )
+_LETTER_UNDER = re.compile(r"[\s{]*\\?([A-Za-z]+)(?![A-Za-z])")
 _COORDINATE_UNDER_HAT = re.compile(r"(?:\s*\{\s*[xyXY]\s*\}|\s*[xyXY])(?!\s*[_A-Za-z])")  # x estimated, and no axis x_1
 _TWO = re.compile(r"\s*(?:_\s*\{?\s*2\s*\}?|2)(?=[\s&]*(?:\\left|\\[bB]ig|\(|\[|\{\s*\(|\\!|\\,))")  # of atan2
 _POWER_OF_UNIT = re.compile(r"\s*\^\s*(?:\{\s*-?\d\s*\}|\d)")
@@ -186,6 +188,9 @@ class Spelling:
     unit: str = ""  # mm or cm, in which it calculates: behind a number it says no more than m does in metres
     indices: frozenset[str] = frozenset()  # of θ, q, c and s, the first of several
     normals: str = "noa"  # its letters of the columns of the tool's rotation
+    dressed: frozenset[str] = frozenset()  # letters that their dress tells from the plain one: cal D of \mathcal D
+    starred: frozenset[str] = frozenset()  # the keys of names that a star tells from the plain one: l_2 of l_2^* = 2
+    of_two: frozenset[str] = frozenset()  # subscripts of a J that it multiplies to ω and to another velocity: a of J_a
     loads: frozenset[str] = frozenset()  # the components of forces and moments that it writes anywhere: F_x, M_z
 
     def joint_signs(self, digits: str) -> tuple[int, ...]:
@@ -591,7 +596,14 @@ class _Scanner:
         return "" if unit == self.spelling.unit else UNITS.get(unit, "")
 
     def _accent(self, name: str, end: int) -> str:
-        """The accent that makes another name of a letter: a bar, a tilde, a hat but for that of a unit vector or a matrix."""
+        """The accent that makes another name of a letter: a bar, a tilde, a hat but for that of a unit vector or a matrix.
+
+        A dress does so where the document has the letter in others, too.
+        """
+        if name in DRESSES and self.spelling.dressed and (letter := _LETTER_UNDER.match(self.text, end)):
+            dressed = f"{DRESSES[name]} {letter[1]}"
+            if dressed in self.spelling.dressed:
+                return DRESSES[name]
         accent = ACCENTS.get(name, "")
         is_plain = _PLAIN_UNDER_HAT.match(self.text, end) and not _COORDINATE_UNDER_HAT.match(self.text, end)
         return "" if accent == "hat" and is_plain else accent

@@ -77,6 +77,14 @@ TRANSPARENT = {"equation", "displaymath", "math", "subequations", "small", "foot
 
 # accents that make another name of a letter; vec, boldface and the like do not
 ACCENTS = {"bar": "bar", "overline": "bar", "tilde": "tilde", "widetilde": "tilde", "hat": "hat", "widehat": "hat"}
+# what makes another name of a letter where a document has it in both (naming/dresses.py)
+DRESSES = {
+    **dict.fromkeys(("mathcal", "mathscr", "cal"), "cal"),
+    **dict.fromkeys(("mathfrak", "frak"), "frak"),
+    **dict.fromkeys(("mathbf", "boldsymbol", "bm", "pmb", "symbf", "bold", "vb", "bf", "boldvec"), "bold"),
+    **dict.fromkeys(("vec", "overrightarrow", "va"), "arrow"),
+    **dict.fromkeys(("hat", "widehat"), "hat"),
+}
 STYLES = (
     "mathbf|mathrm|mathit|mathsf|mathbb|mathcal|mathfrak|mathscr|mathtt|boldsymbol|bm|pmb|vec|overrightarrow|text|textbf|textit|textrm|"
     "textsf|texttt|operatorname|mathop|mbox|hbox|bf|rm|it|hat|widehat|bar|overline|underline|tilde|widetilde|mathnormal|emph|boxed|fbox|"

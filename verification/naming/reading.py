@@ -19,6 +19,7 @@ from armproof.verification.latex.tokens import PRE_SCRIPTS, Spelling, canonical_
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.latex.vocabulary import FUNCTIONS, LETTERS
 from armproof.verification.naming.conventions import NORMALS
+from armproof.verification.naming.dresses import dressed_letters, starred_names
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import read_quantity
 
@@ -66,6 +67,10 @@ _LOAD = re.compile(r"(?<![A-Za-z\\])([FfM])\s*_\s*\{?\s*([xyz])(?![A-Za-z])")
 _SCREW = re.compile(  # e^{[S_1]θ_1}, exp([B_1]θ_1), e to a ξ_1 with a hat
     r"(?:(?<![A-Za-z\\])e\s*\^\s*\{|\\exp\s*(?:\\left)?\s*[({])\s*-?\s*(?:(?:\\left\s*)?\[|\\(?:wide)?hat\s*\{?)"
     r"\s*(?:\\(?:mathcal|mathbf|boldsymbol|bm)\s*\{?\s*)?\\?([A-Za-z]+)"
+)
+_TO_VELOCITY = re.compile(  # \omega = J_a \dot q
+    r"(\\[A-Za-z]+|[A-Za-z])[\s}]*(?:[_^](?:\{[^{}]*\}|\w)\s*)*&?\s*=\s*&?\s*(?:\\[a-z]+\s*\{?\s*)?J[\s}]*(?:_\s*(\{[^{}]*\}|\w))?"
+    r"\s*(?:\([^()]*\))?[\s{]*\\(?:dot|mathbf|boldsymbol|bm)(?![A-Za-z])"
 )
 _IN_UNIT = re.compile(
     r"(?<![\d.])(\d+(?:\.\d+)?)(?:[\s~]|\\[,;: ])*(?:\\(?:text|mathrm)\s*\{\s*)?(?<![A-Za-z\\])(mm|cm|m)(?![A-Za-z_^])"
@@ -128,6 +133,7 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
     return Spelling(
         words, frozenset(apart), comma, variables, angle, sums, _masses(said), own, _refers_below(text), lengths,
         frozenset(_SCREW.findall(text)), _own_unit(document.displays), frozenset(of_theta | of_q | of_cosine), _normals(said),
+        dressed_letters(texts), starred_names(texts), _of_two_velocities(texts),
         frozenset(f"{letter}_{axis}" for letter, axis in _LOAD.findall(said)),
     )  # fmt: skip
 
@@ -136,6 +142,15 @@ def _normals(said: str) -> str:
     """Return the letters of the columns of the tool's rotation, in the order in which s_x and n_x come first."""
     found = "".join(dict.fromkeys(_NORMAL.findall(said)))
     return f"{found.replace('a', '')}a" if set(found) in ({"s", "n"}, {"s", "n", "a"}) else NORMALS
+
+
+def _of_two_velocities(texts: Iterable[str]) -> frozenset[str]:
+    r"""Return the subscripts of Jacobians that are of ω and of another velocity, as a of ω = J_a \dot q and \dot p = J_a \dot q."""
+    kinds: dict[str, set[bool]] = {}
+    for text in texts:
+        for letter, script in _TO_VELOCITY.findall(text):
+            kinds.setdefault(canonical_script(script), set()).add(letter in ("\\omega", "\\Omega"))
+    return frozenset(script for script, is_angular in kinds.items() if len(is_angular) > 1)
 
 
 def _own_unit(displays: Iterable[Display]) -> str:

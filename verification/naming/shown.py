@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 
 from armproof.verification.algebra.quantity import Quantity
-from armproof.verification.findings import OTHER_ANGLES, Kind
-from armproof.verification.verdict import AXES, HOLDS, Record, Verdict
+from armproof.verification.findings import OTHER_ANGLES, Kind, say
+from armproof.verification.verdict import AXES, DECIDED, HOLDS, EquationResult, Record, Verdict
 
 _COORDINATE = re.compile(r"(?<![A-Za-z])(?:[xyz]|[XYZ])(?![A-Za-z])")
 
@@ -17,6 +18,39 @@ def settle_usual(records: Iterable[Record]) -> tuple[Record, ...]:
     """Return the records of a document; what its other equations show of a name is what it means in one that is left open."""
     records = tuple(records)
     return tuple(_settled(record, [each for each in records if each is not record]) for record in records)
+
+
+def settle_used_otherwise(records: Iterable[Record], usual: Callable[[str], Sequence[Quantity]]) -> tuple[Record, ...]:
+    """Return the records of a document; x_2 is left open where a display behind adds it up to a coordinate, P_x = x_1 + x_2, of which it is a part.
+
+    `usual` tells what a key may stand for by convention.
+    """
+    records = tuple(records)
+    refuted = {key for each in records for one in each.outcomes if one.verdict is Verdict.REFUTED for key in one.usual}
+    found = [(at, _parts(record, usual) if refuted else {}) for at, record in enumerate(records)]
+    for at, parts in found:
+        for key in parts.keys() & refuted:
+            doubt = say(Kind.USED_OTHERWISE, name=key, line=records[at].line)
+            records = tuple(
+                each.left_open(doubt, partial(_is_refuted_with, key)) if k < at and not each.erratum else each
+                for k, each in enumerate(records)
+            )
+    return records
+
+
+def _is_refuted_with(key: str, outcome: EquationResult) -> bool:
+    return outcome.verdict is Verdict.REFUTED and key in outcome.usual
+
+
+def _parts(record: Record, usual: Callable[[str], Sequence[Quantity]]) -> Mapping[str, object]:
+    """Return the coordinates by which a display gives its meaning to the usual name of one along the same axis."""
+    found: dict[str, object] = {}
+    for outcome in record.outcomes if record.verdict is not Verdict.REFUTED else ():
+        named = [each for key, _ in outcome.defines for each in usual(key)]
+        rows = {each.rows for each in named if point_of(each) is not None}
+        along = {key: each for key, each in outcome.usual.items() if point_of(each) and each.rows in rows}  # type: ignore[attr-defined]
+        found |= along if len(along) > 1 and outcome.verdict not in DECIDED else {}
+    return found
 
 
 def _settled(record: Record, others: Iterable[Record]) -> Record:

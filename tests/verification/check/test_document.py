@@ -281,3 +281,13 @@ def test_the_arm_of_the_front_matter_is_told_with_the_keys_that_name_it() -> Non
     (arm,) = verify_text("---\ntitle: A page\narm: scara\ntransforms: lower\nquantities: {}\n---\n\n$$ 1 = 1 $$\n").arms
     assert arm.front == {"arm": "scara", "transforms": "lower"}
     assert (arm.name, arm.line, arm.source, arm.transforms) == ("scara", 3, "front matter", "lower")
+
+
+@pytest.mark.parametrize(
+    ("behind", "verdict"),
+    [("P_x = x_1 + x_2", Verdict.UNCHECKED), ("d = x_2 - x_1", Verdict.REFUTED), ("P_x = x_2", Verdict.REFUTED)],
+)
+def test_a_part_that_a_later_display_adds_to_a_coordinate_is_no_coordinate(behind: str, verdict: Verdict) -> None:
+    displays = "".join(f"\n$$ {latex} $$\n" for latex in (r"x_1 = l_1 c_1, \quad x_2 = l_2 c_{12}", behind))
+    found = verify_text(f"---\ntitle: Parts\narm: planar_2r\n---\n{displays}")
+    assert found.equations[0].verdict is verdict
