@@ -19,6 +19,7 @@ from lark.lexer import Lexer
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex.greek import LONG, one_of
+from armproof.verification.latex.units import PER_CENT, UNIT, UNKNOWN, mark_of, read_unit
 from armproof.verification.latex.vocabulary import (
     ACCENTS,
     ASKED,
@@ -32,6 +33,7 @@ from armproof.verification.latex.vocabulary import (
     LAYOUTS,
     LETTERS,
     MATRICES,
+    NO_UNITS,
     PUNCTUATION,
     QUANTITIES,
     RELATIONS,
@@ -39,7 +41,6 @@ from armproof.verification.latex.vocabulary import (
     STYLES,
     TRANSPARENT,
     UNIT_NAMES,
-    UNITS,
     UNWRITTEN,
     VARIANTS,
     WORD_STYLES,
@@ -121,6 +122,11 @@ _ENDS_OPERAND = frozenset(
 )
 
 
+_MEASURED = frozenset(["NUMBER", "RBRACE", "SUP", "RPAR", "END"])  # behind which a unit may stand
+_ONE_WORD = re.compile(r"[^\W\d_]+(?:[./·^-]?(?:[^\W\d_]+|-?\d))*\.?")
+_NUMBER_ENDS = re.compile(
+    r"(?:\s|~|\\[,;:! ])*(?:[.,;&=)}\]]|\\(?:\\|[,;:}!]|(?:q?quad|end|right|text|approx|to|tag|hfill|[A-Z]\w*arrow|iff|implies)(?![a-z]))|\Z)"
+)
 _RUN = re.compile(r"(?=[A-Za-z]*[aeiouy])(?=[A-Za-z]*[^aeiouyA-Z])[A-Za-z][a-z]{3,}(?![A-Za-z])")
 _PART_OF_MODEL = re.compile(r"([A-Z]{2,4})([a-z]{3,})(?=(?:\s|&)*=)")  # MGDpos = …
 _SPELT_WITHIN = re.compile("|".join(word for word in (*BARE_WORDS, *LONG) if len(word) > 2))
@@ -454,6 +460,8 @@ class _Scanner:
             return [self.token("REL", RELATIONS[name], start, end)], end
         if name in CONNECTIVES:
             return [self.token("CONN", CONNECTIVES[name], start, end)], end
+        if name == PER_CENT and self.previous in _MEASURED:
+            return [self.token("SUP", f"{UNIT}{name}", start, end)], end
         if name in PUNCTUATION:
             return [self.token("TEXT", name, start, end)], end
         raise ReadError(say(Kind.UNKNOWN_COMMAND, command=value), start)
@@ -466,7 +474,7 @@ class _Scanner:
                 self.transparent_braces.add(self._matching_brace(brace))
                 return [], brace + 1
         unit = _OF_FORCE.match(self.text, end) if self.previous in ("NUMBER", "END") else None
-        if unit is not None and not re.search(r"[kmM]N(?![A-Za-z])", self.text):  # 2 kN = 2000 N
+        if unit is not None:
             return [], unit.end()
         self.accent = self._accent(name, end)
         word = _STYLED_WORD.match(self.text, end)
@@ -474,19 +482,15 @@ class _Scanner:
             words = (_OPENS if name in WORD_STYLES else _OPENS_SPACED).match(self.text, end)
             return self._sentence(start, self.text.index("{", end)) if words else ([], end)
         content, after = word.group(1), word.end()
-        if (
-            name in ("mathrm", "text", "operatorname")
-            and (spelt := re.sub(r"[\s~]|\\[,;!: ]", "", content)) in FUNCTIONS | UNITS
+        if name in ("mathrm", "text", "operatorname") and (
+            (spelt := re.sub(r"[\s~]|\\[,;!: ]", "", content)) in FUNCTIONS or (" " in content and read_unit(spelt))
         ):
             content = spelt  # \mathrm{a t a n 2}, taken apart by a reader of images
-        if self.previous in ("NUMBER", "RBRACE", "SUP") and content in UNITS and content not in self.words:
-            mark = self._mark(content)
+        if self.previous in _MEASURED and content not in self.words and (unit := self._unit(name, content, after)):
             if content in ("m", "s") and self.previous != "NUMBER":
                 return [], end
-            if power := _POWER_OF_UNIT.match(self.text, after):  # 5 m^2 is no square of 5, and 2 s^{-1} no half
-                text = self.text[start : power.end()]
-                return ([self.token("TEXT", text, start, power.end())] if mark else []), power.end()
-            return ([self.token("SUP", mark, start, after)] if mark else []), after
+            mark = mark_of(unit[0], self.spelling.unit)
+            return ([self.token("SUP", mark, start, unit[1])] if mark else []), unit[1]
         if content in FUNCTIONS:
             return self._function(content, start, after)
         if content in LETTERS:
@@ -503,6 +507,25 @@ class _Scanner:
         if re.fullmatch(r"[A-Za-z]+", content) and not over_several:
             return self._letter(content, start, after)
         return [], end
+
+    def _unit(self, style: str, content: str, after: int) -> tuple[str, int] | None:
+        """Return the unit that a styled word behind a number is, with its power, and where it ends; None of another word.
+
+        A word alone behind a number, of which nobody knows what it is, makes of it a number of nobody knows what.
+        """
+        power = _POWER_OF_UNIT.match(self.text, after)  # 5 m^2 is no square of 5, and 2 s^{-1} no half
+        unit, end = (content + re.sub(r"[\s{}]", "", power.group()), power.end()) if power else (content, after)
+        if content != "N" and read_unit(content) is not None:
+            return unit, end
+        first = re.match(r"[^\W\d_]+(?= [^\W\d_])", content)
+        is_beside = first is not None and len(first[0]) > 1 and read_unit(first[0]) is not None  # 5 \text{ mm squared}
+        words = {word.strip(".,;:").lower() for word in content.split()}
+        alone = _ONE_WORD.fullmatch(content) and style in WORD_STYLES and self.previous == "NUMBER"
+        if (is_beside and not words & JOINING) or (
+            alone and not words & NO_UNITS and _NUMBER_ENDS.match(self.text, end)
+        ):
+            return f"{UNKNOWN}{unit}", end
+        return None
 
     def _words(self, content: str, start: int, after: int) -> tuple[list[Token], int]:
         """Words are no product: a name where they stand as an operand does, else what is said between equations."""
@@ -554,15 +577,11 @@ class _Scanner:
                 *tokens,
                 self.token("RPAR", ")", *places),
             ]
-        unit = re.sub(r"\\?([A-Za-z]+)|[\s.~]", lambda word: UNIT_NAMES.get(word[1] or "", word[1] or ""), found[count])
-        if name == "num" or (name != "ang" and unit in UNITS and not self._mark(unit)):
+        unit = re.sub(r"\\([A-Za-z]+)", lambda word: UNIT_NAMES.get(word[1], f"{word[1]}."), found[count])
+        if name == "num" or not unit.strip():
             return tokens, found.end()
-        mark = "\\circ" if name == "ang" else self._mark(unit)
-        return [*tokens, self.token("SUP", mark, *places) if mark else self.token("TEXT", unit, *places)], found.end()
-
-    def _mark(self, unit: str) -> str:
-        """Return the mark that a unit becomes above its number, none of the one in which the document calculates."""
-        return "" if unit == self.spelling.unit else UNITS.get(unit, "")
+        mark = "\\circ" if name == "ang" else mark_of(unit, self.spelling.unit)
+        return [*tokens, *([self.token("SUP", mark, *places)] if mark else [])], found.end()
 
     def _accent(self, name: str, end: int) -> str:
         """The accent that makes another name of a letter: a bar, a tilde, a hat but for that of a unit vector or a matrix."""

@@ -65,10 +65,6 @@ CONNECTIVES = {
     "lor": "or", "vee": "or", "land": "and", "mapsto": "⇒", "longmapsto": "⇒",
 }  # fmt: skip
 
-# units behind a number, and the mark above it that they become; metres and radians become none
-UNITS = {"mm": "mm", "cm": "cm", "m": "", "rad": "", "rads": "", "radians": "", "s": "", "rad/s": "", "m/s": "", "meters": "",
-         "deg": "\\circ", "degrees": "\\circ", "°": "\\circ"}  # fmt: skip
-
 MATRICES = {"matrix", "bmatrix", "pmatrix", "vmatrix", "Vmatrix", "Bmatrix", "smallmatrix", "array", "bsmallmatrix",
             "psmallmatrix"}  # fmt: skip
 LAYOUTS = {"aligned", "align", "split", "gather", "gathered", "alignat", "alignedat", "eqnarray", "multline",
@@ -118,14 +114,24 @@ SPOKEN = {
 }  # fmt: skip
 QUANTITIES = frozenset(["SI", "qty", "ang", "num", "si", "unit"])  # of siunitx
 UNIT_NAMES = {
+    "micro": "µ",
     "milli": "m",
     "centi": "c",
-    "metre": "m",
-    "meter": "m",
-    "degree": "deg",
-    "radian": "rad",
+    "deci": "d",
+    "kilo": "k",
+    "mega": "M",
+    "metre": "m.",
+    "meter": "m.",
+    "gram": "g.",
+    "newton": "N.",
+    "degree": "deg.",
+    "radian": "rad.",
     "per": "/",
-    "second": "s",
+    "second": "s.",
+    "minute": "min.",
+    "squared": "^2.",
+    "cubed": "^3.",
+    "percent": "%",
 }
 WORD_STYLES = frozenset(
     ["text", "textbf", "textit", "textrm", "textsf", "texttt", "textup", "textnormal", "mbox", "hbox", "emph"]
@@ -134,5 +140,9 @@ WORD_STYLES = frozenset(
 JOINING = frozenset(
     """and or if then where when with so thus hence therefore for from since because as is are we that which otherwise else i.e. e.g.
 et ou où si alors avec donc ainsi d'où soit pour car sinon on und oder wenn also mit wobei für y o si entonces donde con e ou se então onde com""".split()
+)
+# words behind a number that are no unit of it
+NO_UNITS = (
+    JOINING | frozenset(word for spoken in SPOKEN.values() for word in spoken) | {"mod", "modulo", "and", "etc", "only"}
 )
 PUNCTUATION = {"%": "TEXT", "$": "TEXT", "#": "TEXT", "&": "TEXT", "_": "TEXT"}
