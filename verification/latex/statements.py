@@ -15,6 +15,7 @@ from armproof.verification.latex.vocabulary import LAYOUTS, SPOKEN
 
 ARROWS = ("⇒", "⇔", "⇐")
 _TRANSFORMS = frozenset("TRAH")
+UNREAD = "unread"  # the kind of a relation of which a side cannot be read: "= constant"
 Cell = list  # of Node and Token, in the order of the line
 PREVIOUS = n.Name("=", text="")  # stands for the subject of the display before: a display may begin with "="
 
@@ -31,8 +32,8 @@ class _Statements:
         """End the chain that is open, if any."""
         if not self.members:
             return
-        if len(self.relations) >= len(self.members):
-            self.relations = self.relations[: len(self.members) - 1]
+        unread = self.relations[len(self.members) - 1 :]
+        self.relations = self.relations[: len(self.members) - 1]
         for member in self.members[:-1]:
             if isinstance(member, n.Layout):
                 raise ReadError(say(Kind.SEVERAL_EQUATIONS), member.span[0])
@@ -42,6 +43,8 @@ class _Statements:
             span = (self.members[0].span[0], self.members[-1].span[1])
             self.done.append(n.Chain(tuple(self.members), tuple(self.relations), span=span))
             self._follow_from_condition()
+        if unread:
+            self.done.append(n.Connective(UNREAD, unread[0], span=(self.members[-1].span[1],) * 2))
         self.members, self.relations = [], []
 
     def _follow_from_condition(self) -> None:
@@ -62,7 +65,7 @@ class _Statements:
     def reopen(self) -> None:
         """Take up the last chain again: a line or a display that begins with a relation continues it."""
         spoken = len(self.done)  # "x = a, thus = b": what is said between is passed over
-        while spoken and isinstance(said := self.done[spoken - 1], n.Connective) and said.kind == "words":
+        while spoken and isinstance(said := self.done[spoken - 1], n.Connective) and said.kind in ("words", UNREAD):
             spoken -= 1
         if spoken and isinstance(last := self.done[spoken - 1], n.Chain):
             del self.done[spoken - 1]
@@ -77,6 +80,9 @@ class _Statements:
 
     def relation(self, token: Token) -> None:
         if not self.members:
+            is_first = not any(isinstance(each, n.Chain) for each in self.done)
+            if is_first and self.done and self.done[-1].kind == "words":  # type: ignore[union-attr]
+                self.done.append(n.Connective(UNREAD, f"{self.done[-1].text} {token.value}", span=span_of_token(token)))
             self.reopen()
         if len(self.relations) >= len(self.members):
             raise ReadError(say(Kind.TWO_RELATIONS, text=str(token.value)), span_of_token(token)[0])
@@ -84,6 +90,8 @@ class _Statements:
 
     def connective(self, kind: str, token: Token) -> None:
         self.close()
+        if kind == "words" and self.done and isinstance(last := self.done[-1], n.Connective) and last.kind == UNREAD:
+            self.done[-1] = replace(last, text=f"{last.text} {token.value}")
         self.done.append(n.Connective(kind, token.value, span=span_of_token(token)))
 
     def together(self, place: int) -> None:

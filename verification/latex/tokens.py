@@ -37,6 +37,7 @@ from armproof.verification.latex.vocabulary import (
     PUNCTUATION,
     QUANTITIES,
     RELATIONS,
+    SAID_OF_VALUES,
     SPACES,
     STYLES,
     TRANSPARENT,
@@ -530,7 +531,7 @@ class _Scanner:
     def _words(self, content: str, start: int, after: int) -> tuple[list[Token], int]:
         """Words are no product: a name where they stand as an operand does, else what is said between equations."""
         name = re.sub(r"[\W\d_]+", "", content)
-        joins = {word.lower() for word in content.split()} & JOINING or not name
+        joins = {word.lower() for word in content.split()} & JOINING or not name or name.lower() in SAID_OF_VALUES
         begins = self.previous in _BEGINS or _SCRIPT_BEFORE.search(self.text, max(0, start - 12), start)
         heads = begins and _RELATION_NEXT.match(self.text, after)
         alone = self.previous == "LBRACE" and self.text[after : after + 1] == "}"  # in a fraction

@@ -141,6 +141,10 @@ JOINING = frozenset(
     """and or if then where when with so thus hence therefore for from since because as is are we that which otherwise else i.e. e.g.
 et ou où si alors avec donc ainsi d'où soit pour car sinon on und oder wenn also mit wobei für y o si entonces donde con e ou se então onde com""".split()
 )
+# words that say of what value something is, and are the name of nothing
+SAID_OF_VALUES = frozenset(
+    "const constant constante konstant cste zero zéro null nul nulle positive positif negative négatif nonzero finite infinite unknown independent dependent invariant".split()
+)
 # words behind a number that are no unit of it
 NO_UNITS = (
     JOINING | frozenset(word for spoken in SPOKEN.values() for word in spoken) | {"mod", "modulo", "and", "etc", "only"}
