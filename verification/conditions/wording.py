@@ -30,7 +30,9 @@ _PREDICATE = re.compile(  # "… is nonsense": what is said of an equation, unle
 )
 
 _WORD = re.compile(r"[^\W\d_][^\W\d_]+(?:[-'][^\W\d_]+)*")
-_NO_WORDS = re.compile(r"\$[^$]*\$|\\[A-Za-z]+|(?<=[a-z])'|(?<!\w)[ldcnsLDCNS]['’]|forall|exists|because|\b(?:ref|eqref|cite|autoref)\b")
+_NO_WORDS = re.compile(
+    r"\$[^$]*\$|\\[A-Za-z]+|(?<=[a-z])'|(?<!\w)[ldcnsLDCNS]['’]|forall|exists|because|\b(?:ref|eqref|cite|autoref)\b"
+)
 _OF_OTHER_LETTERS = re.compile(r"[^a-zà-ÿœ'-]")  # of a script in which no words are known
 # "opposite of", before an equation: it is said of something else than what stands there
 _OF_EQUATION = re.compile(
@@ -65,14 +67,18 @@ def tell_words_that_change(statements: list[n.Statement], outcomes: list[Outcome
 def _is_strange(text: str) -> bool:
     """Whether words beside an equation are none of those that leave it what it is: "squared", "if a link is removed"."""
     words = _WORD.findall(_NO_WORDS.sub(" ", text).lower())
-    if sum(word in _harmless() or _OF_OTHER_LETTERS.search(word) is not None for word in words) == len(words):
-        return False
-    return True
+    return any(word not in _harmless() and not _OF_OTHER_LETTERS.search(word) for word in words)
 
 
 @cache
 def _harmless() -> frozenset[str]:
-    return frozenset([*IN_DISPLAYS.split(), *JOINING, *(word for spoken in SPOKEN.values() for each in spoken for word in each.split())])
+    return frozenset(
+        [
+            *IN_DISPLAYS.split(),
+            *JOINING,
+            *(word for spoken in SPOKEN.values() for each in spoken for word in each.split()),
+        ]
+    )
 
 
 def is_alternative(statements: list[n.Statement], index: int) -> bool:

@@ -11,7 +11,7 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.tokens import span_of_token
-from armproof.verification.latex.vocabulary import LAYOUTS, SPOKEN
+from armproof.verification.latex.vocabulary import LAYOUTS, MATRICES, SPOKEN
 
 ARROWS = ("⇒", "⇔", "⇐")
 _TRANSFORMS = frozenset("TRAH")
@@ -123,6 +123,8 @@ def build_statements(rows: list[list[Cell]]) -> list[n.Statement]:
                 found.relation(part)
             elif part.type == "CONN":
                 found.connective(part.value, part)
+            elif part.type == "UNREAD":
+                found.connective(UNREAD, part)
             elif part.type == "TEXT":
                 found.connective(_word_kind(part.value), part)
             elif not (found.members and len(found.relations) == len(found.members)):  # SEP, COMMA
@@ -216,6 +218,8 @@ def _continue_sum(found: _Statements, more: n.Sum) -> None:
 
 def environment_node(name: str, rows: list[list[Cell]], span: tuple[int, int], text: str) -> n.Node:
     """A matrix, lines of equations, or a brace of cases, by what the cells hold."""
+    if name in MATRICES - {"array"}:
+        _check_blank(rows, span)
     rows = _without_empty(rows)
     relations = [
         any(isinstance(part, Token) and part.type == "REL" for part in cell) for row in rows for cell in row[:1]
@@ -244,6 +248,15 @@ def _checked(rows: list[list[Cell]], span: tuple[int, int]) -> list[list[Cell]]:
     if not rows:
         raise ReadError(say(Kind.NO_CELLS), span[0])
     return rows
+
+
+def _check_blank(rows: list[list[Cell]], span: tuple[int, int]) -> None:
+    """Refuse a matrix with a blank column or a blank row between others: it may stand for zeros."""
+    width = max((len(row) for row in rows), default=0)
+    empty = [all(len(row) <= column or not row[column] for row in rows) for column in range(width)]
+    blank = [len(row) > 1 and not any(row) for row in rows]
+    if any(empty[: max(width - 1, 0)]) or any(blank[:-1]):
+        raise ReadError(say(Kind.EMPTY_CELL), span[0])
 
 
 def _without_empty(rows: list[list[Cell]]) -> list[list[Cell]]:

@@ -39,6 +39,7 @@ from armproof.verification.latex.vocabulary import (
     RELATIONS,
     SAID_OF_VALUES,
     SPACES,
+    STRIKES,
     STYLES,
     TRANSPARENT,
     UNIT_NAMES,
@@ -53,7 +54,7 @@ MAX_DEPTH = 60
 _MASTER = re.compile(
     r"""
     (?P<SPACE>(?:\s|~|\\[,;:!>\ ]|\\(?:%s)(?![A-Za-z])|\\(?=\n|\Z)|%%[^\n]*\n)+)
-  | (?P<TAG>\\(?:tag\*?|color|hspace\*?|cline|cmidrule|rule|eqno)\s*\{[^{}]*\})
+  | (?P<TAG>\\(?:color|hspace\*?|cline|cmidrule|rule|eqno)\s*\{[^{}]*\})
   | (?P<NEWLINE>\\\\\*?(?:\s*\[\s*-?[\d.]+\s*(?:ex|em|pt|mm|cm|in|\\baselineskip)\s*\])?|\\cr(?![A-Za-z])|\\newline(?![A-Za-z])|\\tabularnewline(?![A-Za-z]))
   | (?P<BEGIN>\\begin\s*\{\s*([A-Za-z]+)\*?\s*\})
   | (?P<END>\\end\s*\{\s*([A-Za-z]+)\*?\s*\})
@@ -86,12 +87,26 @@ _MARKED_RELATION = re.compile(r"\s*\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}\s*\{\s*(?:=
 _NO_CLAIM = re.compile(
     r"[!?]|\\(?:not|times|lnot)\b|\\\w+\s*\{\s*(?:no[nt]?|pas|faux|false|wrong|never|jamais)\b", re.IGNORECASE
 )
+_MARKUP = re.compile(
+    r"\\(?:text[a-z]*|math(?:rm|bf|it)|mbox|small|tiny|scriptsize|scriptstyle|rm|(?:eq)?ref\s*\{[^{}]*\}|[,;:! ])|[(){}\[\]~]"
+)
+_REFERENCE = re.compile(  # what stands above = and says why, or that it defines: nothing, def, (1), Eq. 3
+    r"\s*(?:(?:def|déf|defn|notation|définition|definition|\\triangle|\\Delta|\\wedge|\\ast|\*+|△|∆|[a-z]|[ivx]+)\.?\s*"
+    r"|(?:(?:eqs?|éqs?|eqn|equations?|équations?|gl|gln|formulas?|formules?|fig|figure|table|step|étape|lemma|lemme|theorem|théorème|rule|see|voir|cf|by|par|from|using|with|and|et)\b\.?\s*"
+    r"|[A-Z]?\d+(?:[.–-]\d+)*[a-z]?'?\s*|,\s*)*)",
+    re.IGNORECASE,
+)
+_TAGS = re.compile(r"\*?\s*\{")
 _DOTS_ABOVE = re.compile(r"\s*\{\s*((?:(?:\.|\\cdot)\s*){1,3})\}")  # \overset{\cdot}{\theta}
 _DOTS_BEFORE = re.compile(r"\\[cl]?dots(?:\\[,;:! ]|\s)*\Z")
 _WIDE_SPACE = re.compile(
     r"\\hspace\*?\s*\{\s*(?:[1-9]\d*\.?\d*\s*(?:em|cm|in)|0?\.[5-9]\d*\s*(?:cm|in)|[5-9]\s*mm|\d\d+\.?\d*\s*(?:pt|mm|ex))\s*\}"
 )
-_REMARK = re.compile(r"\(\s*[ijkn]\s*(?:=|\\in|\\geq?|\\leq?|>|<)[^()&]{1,60}\)")
+_ANY_WHOLE = re.compile(
+    r"\(\s*\w\s*(?:\\in\s*\{?\s*\\?(?:math[a-z]+|Bbb|mathds)?\s*\{?\s*\\?[ZN]\s*\}?\s*\}?(?:_0|_\{0\})?"
+    r"|=\s*0\s*,\s*(?:\\pm\s*)?1\s*,\s*(?:(?:\\pm\s*)?2\s*,\s*)?(?:(?:\\pm\s*)?3\s*,\s*)?(?:\\[lcd]?dots[cbm]?|\.\.\.|…))\s*\)"
+)
+_REMARK = re.compile(r"\(\s*([ijkmn])\s*(?:=|\\in|\\geq?|\\leq?|>|<)[^()&]{1,60}\)")
 _CONDITION = re.compile(r"\((?!\s*\\text)[^()&=]{1,60}\\neq?(?![A-Za-z])[^()&=]{1,60}\)")
 _VALUE_GIVEN = r"\s*\\?[A-Za-z]+(?:_(?:\{[^{}]*\}|\w))?\s*=[^()=<>&,;]{1,40}"
 _AT_VALUES = re.compile(rf"\(({_VALUE_GIVEN}(?:[,;]{_VALUE_GIVEN})*)\)")  # x(θ_1 = 0, θ_2 = π)
@@ -127,6 +142,9 @@ _MEASURED = frozenset(["NUMBER", "RBRACE", "SUP", "RPAR", "END"])  # behind whic
 _ONE_WORD = re.compile(r"[^\W\d_]+(?:[./·^-]?(?:[^\W\d_]+|-?\d))*\.?")
 _NUMBER_ENDS = re.compile(
     r"(?:\s|~|\\[,;:! ])*(?:[.,;&=)}\]]|\\(?:\\|[,;:}!]|(?:q?quad|end|right|text|approx|to|tag|hfill|[A-Z]\w*arrow|iff|implies)(?![a-z]))|\Z)"
+)
+_UNCLEAR_NUMBER = re.compile(  # 1\tfrac{1}{2}, one and a half or a half; 0.\overline{3}, without end
+    r"\d+\s*\\[dt]?frac\s*(?:\d\s*\d|\{\s*\d+\s*\}\s*\{\s*\d+\s*\})|\d+[.,]\d*\s*\\(?:overline|bar|dot)\s*\{?\s*\d+\s*\}?"
 )
 _RUN = re.compile(r"(?=[A-Za-z]*[aeiouy])(?=[A-Za-z]*[^aeiouyA-Z])[A-Za-z][a-z]{3,}(?![A-Za-z])")
 _PART_OF_MODEL = re.compile(r"([A-Z]{2,4})([a-z]{3,})(?=(?:\s|&)*=)")  # MGDpos = …
@@ -355,7 +373,9 @@ class _Scanner:
     def _plain_end(self, start: int, end: int) -> list[Token]:
         """Return the tokens that end a matrix or a fraction of plain TeX."""
         self.depth -= 1
-        if (name := self.plain_ends[start]) != "over":
+        if (name := self.plain_ends[start]) == "struck":
+            return [self.token("RBRACE", "}", start, end), self.token("SUP", f"{UNIT}{UNKNOWN}", start, end)]
+        if name != "over":
             return [self.token("END", name, start, end)]
         return [self.token("RBRACE", "}", start, end), self.token("RBRACE", "}", start, end)]
 
@@ -378,6 +398,9 @@ class _Scanner:
     def on_number(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
         if self.previous == "FRAC" and len(value) > 1 and value.isdigit():  # \frac12 is one half
             return [self.token("NUMBER", value[k], start + k, start + k + 1) for k in (0, 1)], start + 2
+        if self.previous != "FRAC" and (unclear := _UNCLEAR_NUMBER.match(self.text, start)):
+            places = (start, unclear.end())
+            return [self.token("NUMBER", value, *places), self.token("SUP", f"{UNIT}{UNKNOWN}", *places)], unclear.end()
         comma = _DECIMAL_COMMA.match(self.text, end)
         if comma and self.previous != "COMMA" and self.previous != "FRAC" and value.isdigit() and not self.lists:
             mark = "." if self.spelling.decimal_comma else ","
@@ -402,6 +425,8 @@ class _Scanner:
             opened = self.fences.pop() if self.fences else sort
             kind = {"|": "CLOSE_BAR", "(": "RPAR"}.get(opened if sort == "." else sort, "CLOSE_EMPTY")
             kind = "CLOSE_EMPTY" if opened in ".{" else kind
+        if mark == "\\rangle":  # ⟨x⟩, the mean of x, or a form of two: nobody knows its value
+            return [self.token("RPAR", ")", start, end), self.token("SUP", f"{UNIT}{UNKNOWN}", start, end)], end
         shown = {"{": "{" if opening else "}", "|": "|"}.get(sort, mark)
         return [self.token(kind, shown, start, end)], end
 
@@ -412,7 +437,8 @@ class _Scanner:
         if name in ("left", "right"):
             raise ReadError(say(Kind.NO_DELIMITER, name=name), start)
         if name in ("overset", "stackrel", "underset") and (marked := _MARKED_RELATION.match(self.text, end)):
-            is_claim = _NO_CLAIM.match(marked[1].strip()) is None
+            mark = marked[1].strip()
+            is_claim = _NO_CLAIM.match(mark) is None and _REFERENCE.fullmatch(_MARKUP.sub(" ", mark)) is not None
             return [self.token("REL", "=" if is_claim else ASKED, start, marked.end())], marked.end()
         if name in ("overset", "stackrel") and (dots := _DOTS_ABOVE.match(self.text, end)):
             count = len(re.findall(r"\.|cdot", dots[1]))
@@ -421,6 +447,12 @@ class _Scanner:
             return [], end
         if name in ("degree", "textdegree"):
             return [self.token("SUP", "\\circ", start, end)], end
+        if name in STRIKES and (brace := _OPENS.match(self.text, end)):
+            self.plain_ends[self._matching_brace(brace.end() - 1)] = "struck"
+            self._deeper(start)
+            return [self.token("LBRACE", "{", start, brace.end())], brace.end()
+        if name == "tag" and (brace := _TAGS.match(self.text, end)):
+            return self._tag(brace.end() - 1, start)
         if name == "textcolor":
             colour = re.compile(r"\s*\{[^{}]*\}").match(self.text, end)
             return [], colour.end() if colour else end
@@ -466,6 +498,20 @@ class _Scanner:
         if name in PUNCTUATION:
             return [self.token("TEXT", name, start, end)], end
         raise ReadError(say(Kind.UNKNOWN_COMMAND, command=value), start)
+
+    def _tag(self, brace: int, start: int) -> tuple[list[Token], int]:
+        r"""Pass over a tag, \tag{2-15}; an equation and several words in it are read as behind a wide space."""
+        close = self._matching_brace(brace)
+        content = self.text[brace + 1 : close]
+        separator = self.token("SEP", "\\quad", start, brace)
+        if "$" in content or re.search(r"[^\W\d_]{2,}\s+[^\W\d_]{2,}", content):
+            self.sentences.append(close)
+            tokens, position = self._sentence_from(brace + 1, start)
+            return [separator, *tokens], position
+        if _RELATES.search(content):
+            self.transparent_braces.add(close)
+            return [separator], brace + 1
+        return [], close + 1
 
     def _style(self, name: str, start: int, end: int) -> tuple[list[Token], int]:
         """`\\mathbf{J}` is J; `\\text{Atan2}` a function; `\\mathrm{tool}` a name; `\\text{if } x` words."""
@@ -685,6 +731,16 @@ class _Scanner:
             self.member = edge, [bar.start() for bar in _BARS.finditer(self.text, start, edge) if bar["single"]]
         return self.member
 
+    def _ranges_over_all(self, remark: re.Match[str]) -> bool:
+        """Whether a remark says that a whole number is any, k ∈ ℤ; one that is the index of a law may range as it will."""
+        letter = remark[1]
+        multiplies = re.compile(
+            rf"(?<![A-Za-z\\_^{{]){letter}\s*(?:\\[,;:! ]\s*|\\cdot\s*)?(?:\\?pi(?![A-Za-z])|π|\\[td]?frac|\d)|\\pi\s*{letter}(?![A-Za-z])"
+        )
+        return (
+            multiplies.search(self.text, 0, remark.start()) is None or _ANY_WHOLE.fullmatch(remark.group()) is not None
+        )
+
     def _fills_cell(self, end: int) -> bool:
         """Whether what ends here stands in a cell of a matrix alone."""
         return self.previous in ("AMP", "NEWLINE", "BEGIN") and _CELL_ENDS.match(self.text, end) is not None
@@ -732,7 +788,8 @@ class _Scanner:
             self.depth -= 1
         elif kind == "LPAR":
             if value == "(" and (remark := _REMARK.match(self.text, start)):  # (i = 1, …, n)
-                return [self.token("TEXT", remark.group(), start, remark.end())], remark.end()
+                kind = "TEXT" if self._ranges_over_all(remark) else "UNREAD"
+                return [self.token(kind, remark.group(), start, remark.end())], remark.end()
             given = _AT_VALUES.match(self.text, start) if value == "(" else None
             if given and _OF_ARM.search(self.text, 0, start):
                 return [self.token("AT", given[1], start, given.end())], given.end()

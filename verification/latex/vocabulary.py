@@ -76,8 +76,9 @@ ACCENTS = {"bar": "bar", "overline": "bar", "tilde": "tilde", "widetilde": "tild
 STYLES = (
     "mathbf|mathrm|mathit|mathsf|mathbb|mathcal|mathfrak|mathscr|mathtt|boldsymbol|bm|pmb|vec|overrightarrow|text|textbf|textit|textrm|"
     "textsf|texttt|operatorname|mathop|mbox|hbox|bf|rm|it|hat|widehat|bar|overline|underline|tilde|widetilde|mathnormal|emph|boxed|fbox|"
-    "bold|symbf|symup|textup|textnormal|mathds|Bbb|frak|cal|sf|tt|vb|va|vu|uvec|boldvec|ensuremath|cancel|phantom|smash|mathstrut|mathord|mathbin|mathrel"
+    "bold|symbf|symup|textup|textnormal|mathds|Bbb|frak|cal|sf|tt|vb|va|vu|uvec|boldvec|ensuremath|phantom|smash|mathstrut|mathord|mathbin|mathrel"
 )
+STRIKES = frozenset(["cancel", "bcancel", "xcancel", "sout"])  # whether a struck term counts nobody can tell
 SPACES = (
     r"displaystyle|textstyle|scriptstyle|scriptscriptstyle|limits|nolimits|nonumber|notag|hline|hdashline|hfill|noindent|"
     r"normalsize|small|footnotesize|scriptsize|tiny|large|Large|centering|allowbreak|"
@@ -150,3 +151,12 @@ NO_UNITS = (
     JOINING | frozenset(word for spoken in SPOKEN.values() for word in spoken) | {"mod", "modulo", "and", "etc", "only"}
 )
 PUNCTUATION = {"%": "TEXT", "$": "TEXT", "#": "TEXT", "&": "TEXT", "_": "TEXT"}
+# words of a brace's label that name a part, and claim nothing of its value
+LABEL_WORDS = frozenset(
+    """the of first second third last term terms part sum joint link arm body frame tool gripper height width depth length distance angle rotation rotational
+    translation translational position orientation linear angular matrix vector block column row radius reach point target known unknown given new old here
+    coefficient coefficients lhs rhs left right hand side numerator denominator determinant square root radial planar horizontal vertical projection contribution
+    le la les du de des premier deuxième troisième dernier terme partie somme liaison articulation corps segment bras repère outil pince hauteur largeur longueur
+    rotation translation position orientation matrice vecteur bloc colonne ligne rayon point cible connu inconnu gauche droite membre coefficient
+    höhe länge glied gelenk werkzeug drehung verschiebung""".split()
+)
