@@ -88,7 +88,8 @@ class NameReader:
         if _NO_SIZE.fullmatch(note):
             return n.Name("words", note, text=self.text[slice(*span)], span=span)
         is_printed = isinstance(n.ungrouped(node), n.Matrix) or isinstance(node, n.Sequence)
-        if is_printed and (size := re.fullmatch(r"\(?([1-9])x([1-9])\)?", note)):  # a claim of its size
+        is_zero = isinstance(node, n.Matrix) and node.environment == "zeros"
+        if is_printed and not is_zero and (size := re.fullmatch(r"\(?([1-9])x([1-9])\)?", note)):  # a claim of its size
             return n.Labelled(node, None, (int(size[1]), int(size[2])), "", span=span)
         is_norm = n.is_call(node, "norm")
         if (is_norm and note == "2") or _NOTED_SIZE.fullmatch(note) or (is_printed and _NOTED_BASE.fullmatch(note)):

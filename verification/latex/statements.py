@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 from lark import Token
@@ -15,6 +16,7 @@ from armproof.verification.latex.vocabulary import LAYOUTS, MATRICES, SPOKEN
 
 ARROWS = ("⇒", "⇔", "⇐")
 _TRANSFORMS = frozenset("TRAH")
+_BLANK_CELL = re.compile(r"&(?:[ \t]|\\[,;:! ])+&")
 UNREAD = "unread"  # the kind of a relation of which a side cannot be read: "= constant"
 Cell = list  # of Node and Token, in the order of the line
 PREVIOUS = n.Name("=", text="")  # stands for the subject of the display before: a display may begin with "="
@@ -219,7 +221,7 @@ def _continue_sum(found: _Statements, more: n.Sum) -> None:
 def environment_node(name: str, rows: list[list[Cell]], span: tuple[int, int], text: str) -> n.Node:
     """A matrix, lines of equations, or a brace of cases, by what the cells hold."""
     if name in MATRICES - {"array"}:
-        _check_blank(rows, span)
+        _check_blank(rows, span, text)
     rows = _without_empty(rows)
     relations = [
         any(isinstance(part, Token) and part.type == "REL" for part in cell) for row in rows for cell in row[:1]
@@ -250,12 +252,12 @@ def _checked(rows: list[list[Cell]], span: tuple[int, int]) -> list[list[Cell]]:
     return rows
 
 
-def _check_blank(rows: list[list[Cell]], span: tuple[int, int]) -> None:
-    """Refuse a matrix with a blank column or a blank row between others: it may stand for zeros."""
+def _check_blank(rows: list[list[Cell]], span: tuple[int, int], text: str) -> None:
+    """Refuse a matrix with a blank column or a blank row between others: it may stand for zeros. `&&` sets columns off widely."""
     width = max((len(row) for row in rows), default=0)
     empty = [all(len(row) <= column or not row[column] for row in rows) for column in range(width)]
     blank = [len(row) > 1 and not any(row) for row in rows]
-    if any(empty[: max(width - 1, 0)]) or any(blank[:-1]):
+    if (any(empty[:-1]) and _BLANK_CELL.search(text, *span)) or any(blank[:-1]):
         raise ReadError(say(Kind.EMPTY_CELL), span[0])
 
 
