@@ -12,7 +12,7 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.tokens import span_of_token
-from armproof.verification.latex.vocabulary import LAYOUTS, MATRICES, SPOKEN
+from armproof.verification.latex.vocabulary import JOINING, LAYOUTS, MATRICES, SPOKEN
 
 ARROWS = ("⇒", "⇔", "⇐")
 _TRANSFORMS = frozenset("TRAH")
@@ -83,8 +83,12 @@ class _Statements:
     def relation(self, token: Token) -> None:
         if not self.members:
             is_first = not any(isinstance(each, n.Chain) for each in self.done)
-            if is_first and self.done and self.done[-1].kind == "words":  # type: ignore[union-attr]
-                self.done.append(n.Connective(UNREAD, f"{self.done[-1].text} {token.value}", span=span_of_token(token)))
+            last = self.done[-1] if self.done else None
+            said = (
+                {word.strip(".,:").lower() for word in last.text.split()} if isinstance(last, n.Connective) else set()
+            )
+            if is_first and isinstance(last, n.Connective) and last.kind == "words" and not said & JOINING:
+                self.done.append(n.Connective(UNREAD, f"{last.text} {token.value}", span=span_of_token(token)))
             self.reopen()
         if len(self.relations) >= len(self.members):
             raise ReadError(say(Kind.TWO_RELATIONS, text=str(token.value)), span_of_token(token)[0])

@@ -533,11 +533,11 @@ class _Scanner:
             (spelt := re.sub(r"[\s~]|\\[,;!: ]", "", content)) in FUNCTIONS or (" " in content and read_unit(spelt))
         ):
             content = spelt  # \mathrm{a t a n 2}, taken apart by a reader of images
-        if self.previous in _MEASURED and content not in self.words and (unit := self._unit(name, content, after)):
+        if self.previous in _MEASURED and content not in self.words and (measure := self._unit(name, content, after)):
             if content in ("m", "s") and self.previous != "NUMBER":
                 return [], end
-            mark = mark_of(unit[0], self.spelling.unit)
-            return ([self.token("SUP", mark, start, unit[1])] if mark else []), unit[1]
+            mark = mark_of(measure[0], self.spelling.unit)
+            return ([self.token("SUP", mark, start, measure[1])] if mark else []), measure[1]
         if content in FUNCTIONS:
             return self._function(content, start, after)
         if content in LETTERS:

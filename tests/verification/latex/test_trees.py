@@ -207,7 +207,7 @@ a = b - x \\ \quad + c  ⟶  a = (+ b - x + c)
 a = b \text{ thus } = c  ⟶  [words thus]; a = b = c
 \text{so } = c  ⟶  [words so]; = = c
 \text{Position} = x \quad \text{so we have } x = y \quad y = \frac{\text{distance}}{\text{time}} \quad \text{where $D = x$, which is}  ⟶  Position = x; [words so we have]; x = y; y = (distance / time); [words where]; D = x; [words , which is]
-\text{mass} \times \text{time} \quad \text{a} = b \quad 2 \text{ mass} \quad \text{l1} \quad \text{in the plane} \quad \text{speed}^2  ⟶  (mass × time); a = b; 2; [words mass]; l_1; [words in the plane]; speed**2
+\text{mass} \times \text{time} \quad \text{a} = b \quad 2 \text{ mass} \quad \text{l1} \quad \text{in the plane} \quad \text{speed}^2  ⟶  (mass × time); a = b; '2 \text{ mass}'; l_1; [words in the plane]; speed**2
 {x_{i=1} y} z \quad {x = {y}} \quad {\begin{bmatrix} a \end{bmatrix} = b}  ⟶  ({(x_i=1 y)} z); x = y; bmatrix[a] = b
 x \text{ } y \quad x \text{: } = y \quad \text{, } z  ⟶  (x y); x = y; z
 a = b, \\ + c  ⟶  a = (+ b + c)
@@ -228,7 +228,7 @@ a = \quad \Rightarrow b = c \quad \Rightarrow \quad d  ⟶  a; [unread =]; [⇒]
 3 \text{ m} \quad 4\,\mathrm{mm} \quad 5 \text{cm} \quad 30 \text{ deg} \quad x \text{ m} \quad 2^2 \mathrm{m} \quad \pi\,\text{rad} \quad 2^2 \text{mm} \quad (2) \text{mm}  ⟶  3; 4^<mm>; 5^<cm>; 30^<deg>; (x m); (2**2 m); pi; [words rad]; 2**2^<mm>; (2)^<mm>
 \SI{500}{\milli\metre} x \quad \num{1.5e-3} x \quad \ang{90} + y  ⟶  (500^<mm> x); (3/2000 x); (+ 90^<deg> + y)
 \SI{2}{\degree} + \qty{-2}{m}  ⟶  (+ 2^<deg> + ((- 2)))
-\qty{1,5}{cm} + \SI{3}{\kilo\gram}  ⟶  (+ 3/2^<cm> + 3); [words kilogram]
+\qty{1,5}{cm} + \SI{3}{\kilo\gram}  ⟶  (+ 3/2^<cm> + 3)
 \SI[a=b]{+2.5}{\centi\meter}  ⟶  5/2^<cm>
 2 \text{s}^{-1} \quad 2\,\mathrm{rad/s} \quad 5 \text{ m}^2 \quad \frac{1,8}{2} \quad \{1,5\} \quad [1,5; 2] \quad 1,5 x \quad x(\theta_1 = 0) = l_1 \quad k(\theta_1 = 0)  ⟶  2; 2; 5; ('1,8' / 2); {1, 5}; [1, 5, 2]; ('1,5' x); x|(theta_1 = 0) = l_1; k; [if]; theta_1 = 0
 """,
