@@ -207,7 +207,7 @@ a = b - x \\ \quad + c  ⟶  a = (+ b - x + c)
 a = b \text{ thus } = c  ⟶  [words thus]; a = b = c
 \text{so } = c  ⟶  [words so]; = = c
 \text{Position} = x \quad \text{so we have } x = y \quad y = \frac{\text{distance}}{\text{time}} \quad \text{where $D = x$, which is}  ⟶  Position = x; [words so we have]; x = y; y = (distance / time); [words where]; D = x; [words , which is]
-\text{mass} \times \text{time} \quad \text{a} = b \quad 2 \text{ mass} \quad \text{l1} \quad \text{in the plane} \quad \text{speed}^2  ⟶  (mass × time); a = b; '2 \text{ mass}'; l_1; [words in the plane]; speed**2
+\text{mass} \times \text{time} \quad \text{a} = b \quad 2 \text{ mass} \quad \text{l1} \quad \text{in the plane} \quad \text{speed}^2  ⟶  (mass × time); a = b; '2 \\text{ mass}'; l_1; [words in the plane]; speed**2
 {x_{i=1} y} z \quad {x = {y}} \quad {\begin{bmatrix} a \end{bmatrix} = b}  ⟶  ({(x_i=1 y)} z); x = y; bmatrix[a] = b
 x \text{ } y \quad x \text{: } = y \quad \text{, } z  ⟶  (x y); x = y; z
 a = b, \\ + c  ⟶  a = (+ b + c)
