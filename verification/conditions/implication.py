@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-from armproof.verification.equations.decimals import UNITS
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.statements import ARROWS
+from armproof.verification.latex.units import size_of
 
 WHOLE_NUMBERS = ("k", "n", "m")
 Alternatives = list[list[n.Chain]]  # "and" binds closer than "or"
@@ -163,7 +163,7 @@ def is_condition(chain: n.Chain) -> bool:
 def _is_constant(node: n.Node) -> bool:
     return all(
         isinstance(b, n.Number | n.Sum | n.Product | n.Quotient | n.Group)
-        or (isinstance(b, n.Postfix) and b.operator in UNITS)
+        or (isinstance(b, n.Postfix) and size_of(b.operator))
         or n.is_call(b, "sqrt")
         or (isinstance(b, n.Name) and b.key in ("pi", *WHOLE_NUMBERS))
         for b in n.walk(node)

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import re
+from functools import cache
 
 from armproof.verification.document.denials import denies_within
 from armproof.verification.document.hearing import without_harmless
+from armproof.verification.document.vocabulary import IN_DISPLAYS
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.statements import ARROWS
+from armproof.verification.latex.statements import ARROWS, UNREAD
+from armproof.verification.latex.vocabulary import JOINING, SPOKEN
 from armproof.verification.verdict import DECIDED, Role, Verdict
 
 CHANGES = re.compile(
@@ -26,6 +29,18 @@ _PREDICATE = re.compile(  # "… is nonsense": what is said of an equation, unle
     re.I,
 )
 
+_WORD = re.compile(r"[^\W\d_][^\W\d_]+(?:[-'][^\W\d_]+)*")
+_NO_WORDS = re.compile(
+    r"\$[^$]*\$|\\[A-Za-z]+|(?<=[a-z])'|(?<!\w)[ldcnsLDCNS]['’]|forall|exists|because|\b(?:ref|eqref|cite|autoref)\b"
+)
+_OF_OTHER_LETTERS = re.compile(r"[^a-zà-ÿœ'-]")  # of a script in which no words are known
+# "opposite of", before an equation: it is said of something else than what stands there
+_OF_EQUATION = re.compile(
+    r"\b(?<!\bvalue )(?<!\bvalues )(?<!\bexpression )(?<!\bcomponent )(?<!\bcomponents )(?<!\bcoordinates )(?<!\bsolution )(?<!\bsolutions )"
+    r"(?<!\bvaleur )(?<!\bexpression )(?<!\bcase )(?<!\bcas )(?<!\bdefinition )(?:of|de|von)\s*$",
+    re.IGNORECASE,
+)
+
 
 def tell_words_that_change(statements: list[n.Statement], outcomes: list[Outcome]) -> None:
     """Beside "not", "except" or "unless" nothing is decided or defined."""
@@ -37,10 +52,33 @@ def tell_words_that_change(statements: list[n.Statement], outcomes: list[Outcome
         or denies_within(text)
         or _PREDICATE.match(text)
         or text.strip(" .,()") in ("exists", "only", "seulement")
+        or _is_strange(text)
+        or _OF_EQUATION.search(text)
     ]
+    unread = next((s.text for s in statements if isinstance(s, n.Connective) and s.kind == UNREAD), "")
+    for outcome in outcomes if unread else ():
+        if outcome.verdict in DECIDED or outcome.role is Role.DEFINITION:
+            outcome.verdict, outcome.findings = Verdict.UNCHECKED, (say(Kind.LEFT_OUT, text=unread),)
     for outcome in outcomes if words else ():
         if outcome.verdict in DECIDED or outcome.role is Role.DEFINITION:
             outcome.verdict, outcome.findings = Verdict.UNCHECKED, (say(Kind.WORDS_CHANGE_IT, text=words[0]),)
+
+
+def _is_strange(text: str) -> bool:
+    """Whether words beside an equation are none of those that leave it what it is: "squared", "if a link is removed"."""
+    words = _WORD.findall(_NO_WORDS.sub(" ", text).lower())
+    return any(word not in _harmless() and not _OF_OTHER_LETTERS.search(word) for word in words)
+
+
+@cache
+def _harmless() -> frozenset[str]:
+    return frozenset(
+        [
+            *IN_DISPLAYS.split(),
+            *JOINING,
+            *(word for spoken in SPOKEN.values() for each in spoken for word in each.split()),
+        ]
+    )
 
 
 def is_alternative(statements: list[n.Statement], index: int) -> bool:

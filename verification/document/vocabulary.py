@@ -391,3 +391,38 @@ no ningún ninguna ni solo solamente sin signo
 non nessun nessuna né solo soltanto senza segno
 não nenhum nenhuma nem apenas somente sem sinal
 """
+
+# words beside the equations of one display that leave these what they are: none of what makes another quantity of one (mean, squared)
+IN_DISPLAYS = """
+a an the this that these those it its we one you they he in on at by to from of with without for as and or but so thus then hence here
+there therefore since because is are was be been being has have had do does can may must will would let if iff else otherwise when whenever
+where which whose who while until unless only not any all both each every some other also again now only always generally clearly finally namely simply
+e.g i.e resp respectively cf see eq eqs equation equations fig figure section table step example note def definition proof qed
+above below before after again earlier following previous previously next last first second third fourth fifth sixth i.e
+arm arms robot robots manipulator tool gripper hand effector end end-effector joint joints link links frame frames base wrist elbow shoulder
+forearm upper lower body axis axes origin origins plane planar space spatial world ground point points tip coordinates coordinate x-axis y-axis z-axis
+revolute prismatic rotary rotational translational linear angular elbow-up elbow-down up down left right front back inside outside
+singular regular singularity singularities configuration configurations posture postures pose poses position positions orientation orientations
+solution solutions case cases branch branches angle angles length lengths value values variable variables parameter parameters unknown unknowns
+number numbers integer integers real vector vectors matrix matrices row rows column columns determinant jacobian component components entry entries
+sign term terms factor side sides expression expressions formula form condition conditions constraint constraints law rule identity identities theorem lemma
+cosine sine cosines sines tangent pythagoras theorem sum addition product chain geometry geometric algebraic numerical closed-form closed inverse forward direct kinematics
+kinematic dynamics static model model velocity velocities force forces torque torques euler coriolis classic classical modified convention notation
+obtain obtained get gives give given yields yield find found follows follow holds hold means know known write written using used use uses define defined
+called call denote denotes denoted choose chosen set take taken have compute computed substitute substituting consider recall get result results
+fully stretched folded extended straight aligned parallel perpendicular horizontal vertical height tool's elbow's arm's possible exists exist there
+true correct right valid fixed
+le la les l un une des du de d au aux ce cette ces cet il elle on nous vous ils elles en dans sur par pour avec et ou où mais donc alors ainsi car comme
+si sinon soit sont est être ont avons a ayant peut tout tous toute toutes chaque autre autres aussi encore ici enfin toujours c'est-à-dire
+voir équation équations figure définition exemple remarque preuve ci-dessus ci-dessous précédent précédente suivant suivante premier première deuxième second seconde troisième
+bras robot outil effecteur pince main liaison liaisons articulation articulations corps segment segments repère repères poignet coude épaule axe axes origine
+plan point points base coordonnées coordonnée rotoïde prismatique rotatoire pivot glissière haut bas gauche droite droit avant arrière
+singulier singulière régulier configuration configurations posture position orientation solution solutions cas angle angles longueur longueurs valeur valeurs variable variables
+paramètre inconnue nombre entier entiers relatif relatifs réel réels vecteur vecteurs matrice ligne lignes colonne colonnes déterminant jacobienne composante composantes signe terme termes facteur côté
+expression formule forme condition conditions loi règle identité théorème cosinus sinus somme produit géométrie modèle vitesse force couple
+obtient obtenir donne donnée donné trouve suit vérifie écrit posons pose note notons appelle connu connue vrai vraie correct correcte
+und oder der die das den dem des ein eine einer mit für ist sind wenn falls also damit somit wobei daher folgt gilt alle jede jeder wir es man in im zu aus von bei
+gelenk gelenke arm werkzeug ellbogen handgelenk koordinatensystem achse ursprung ebene punkt lösung fall fälle winkel länge wert siehe gleichung ganze zahl ganzzahlig
+y o el los las una con para por donde si entonces es son todo todos todas entero enteros codo arriba abajo articulación articulaciones eslabón caso casos solución ángulo valor
+e per con dove se allora è sono tutti intero gomito alto basso giunto caso soluzione ou com onde então são inteiro cotovelo cima baixo junta
+"""

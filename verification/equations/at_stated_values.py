@@ -22,6 +22,7 @@ from armproof.verification.errors import NoValue, WhereDefined
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
+from armproof.verification.latex.units import is_length
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Stated
 from armproof.verification.verdict import Verdict
@@ -333,7 +334,7 @@ def _differences(pair: Pair) -> list[Scalar]:
 
 def _has_unit(node: n.Node) -> bool:
     """Whether a value is in millimetres or centimetres: what stands beside it without a unit may be so, too."""
-    return any(isinstance(below, n.Postfix) and below.operator in ("mm", "cm") for below in n.walk(node))
+    return any(isinstance(below, n.Postfix) and is_length(below.operator) for below in n.walk(node))
 
 
 def _has_factor(node: n.Node) -> bool:

@@ -17,6 +17,7 @@ from armproof.verification.equations.sides import Members
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import is_number
+from armproof.verification.latex.units import is_length, size_of
 from armproof.verification.verdict import Verdict
 
 FINE = 3  # decimals: a number of so many may be rounded
@@ -47,7 +48,6 @@ class Rounding:
     far: float
 
 
-UNITS = {"deg": 0.017453292519943295, "cm": 0.01, "mm": 0.001}
 EXACT = Rounding(1e-9, 1e-9)
 
 
@@ -71,9 +71,9 @@ def _rounding(cell: n.Node, whole: n.Node) -> Rounding:
     if not decimals and alone:
         decimals = [b.decimals for b in n.walk(whole) if isinstance(b, n.Number) and b.decimals]
     marks = [b.operator for b in n.walk(cell) if isinstance(b, n.Postfix)]
-    if not decimals and not {"mm", "cm"}.intersection(marks) and not _is_large(cell):
+    if not decimals and not any(map(is_length, marks)) and not _is_large(cell):
         return EXACT
-    unit = 10.0 ** -max(decimals, default=0) * min((UNITS[mark] for mark in marks if mark in UNITS), default=1.0)
+    unit = 10.0 ** -max(decimals, default=0) * min(filter(None, map(size_of, marks)), default=1.0)
     return Rounding(unit / 2 + 1e-9 if alone else EXACT.near, unit + 1e-9)
 
 
@@ -149,11 +149,11 @@ def _whole_unit(outcome: Outcome) -> float | None:
         units = [
             b
             for b in n.walk(whole)
-            if isinstance(b, n.Postfix) and b.operator in UNITS and isinstance(b.base, n.Number)
+            if isinstance(b, n.Postfix) and size_of(b.operator) and isinstance(b.base, n.Number)
         ]
         alone = all(isinstance(b, n.Postfix | n.Number | n.Sum | n.Group) for b in n.walk(whole)) and len(units) == 1
         if alone and not finest_decimals([whole]) and finest_decimals([other]) and not isinstance(other, n.Number):
-            return UNITS[units[0].operator]
+            return size_of(units[0].operator)
     return None
 
 

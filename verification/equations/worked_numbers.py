@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.equations.decimals import UNITS, fewest_decimals, roundings
+from armproof.verification.equations.decimals import fewest_decimals, roundings
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Members
 from armproof.verification.errors import EvaluationError
@@ -14,6 +14,7 @@ from armproof.verification.evaluation.blocks import written_rows
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, is_number
+from armproof.verification.latex.units import is_length, size_of
 from armproof.verification.naming.state import Stated
 from armproof.verification.verdict import Verdict
 
@@ -47,13 +48,13 @@ def holds_as_worked(members: Members, outcome: Outcome) -> bool:
 
 def without_unit(sides: Sequence[n.Node]) -> list[n.Node]:
     """Return the sides without the unit behind one of them, where none of the other's numbers has one."""
-    marks = [any(isinstance(b, n.Postfix) and b.operator in UNITS for b in n.walk(side)) for side in sides]
+    marks = [any(isinstance(b, n.Postfix) and size_of(b.operator) for b in n.walk(side)) for side in sides]
     return [side if other else _plain(side) for side, other in zip(sides, reversed(marks), strict=True)]
 
 
 def _plain(node: n.Node) -> n.Node:
     """Return a number without its unit of length."""
-    return bare(node.base) if isinstance(node, n.Postfix) and node.operator in ("cm", "mm") else node
+    return bare(node.base) if isinstance(node, n.Postfix) and is_length(node.operator) else node
 
 
 def _terms(node: n.Node) -> list[tuple[str, n.Node]]:

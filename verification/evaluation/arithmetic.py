@@ -14,6 +14,7 @@ from armproof.verification.evaluation.screws import exponential, is_exponential,
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.latex.units import read_unit
 
 
 def sum_value(evaluator: Evaluating, node: n.Sum) -> Value:
@@ -249,15 +250,21 @@ def _fit(evaluator: Evaluating, cell: Any, height: int, width: int) -> Matrix:
     raise ShapeError(say(Kind.SCALAR_FOR_BLOCK, size=f"{height}×{width}"))
 
 
-UNITS = {"cm": 100, "mm": 1000}  # of a metre
+_OPERATORS = ("T", "-T", "-1", "+", "-")
 
 
 def postfix_value(evaluator: Evaluating, node: n.Postfix) -> Value:
     """Return a transpose, an inverse, a pseudo-inverse, degrees or metres."""
     if node.operator == "deg":
         return evaluator.scalar(node.base) * evaluator.algebra.pi() / evaluator.algebra.rational(Fraction(180))
-    if node.operator in UNITS:
-        return evaluator.scalar(node.base) / evaluator.algebra.rational(Fraction(UNITS[node.operator]))
+    if (unit := read_unit(node.operator)) is not None and node.operator not in _OPERATORS:
+        one = evaluator.algebra.rational(unit.number)
+        for _ in range(abs(unit.of_pi)):
+            one = one * evaluator.algebra.pi() if unit.of_pi > 0 else one / evaluator.algebra.pi()
+        measured = as_scalar(evaluator.evaluate(node.base))
+        if isinstance(measured, Matrix):
+            return Matrix(tuple(tuple(cell * one for cell in row) for row in measured.rows))
+        return evaluator.scalar(node.base) * one
     value = as_scalar(evaluator.evaluate(node.base))
     if node.operator == "-":  # of several solutions, or any generalised inverse
         raise EvaluationError(say(Kind.OPERATOR_ON_SCALAR, operator=node.operator))

@@ -285,6 +285,9 @@ class TreeBuilder(Transformer):
         if token.value != "underset" and not isinstance(above, n.Layout):  # an arrow leaves a name what it is
             raise ReadError(say(Kind.MARK_ABOVE, text=self.text[slice(*above.span)]), token.start_pos)
         span = (token.start_pos, argument_end(self.text, below.span[1]))
+        noted = self.text[slice(*above.span)]
+        if not isinstance(below, n.Name) and (isinstance(above, n.Number) or "\\text" in noted):
+            return Item("labelled", below, *span, scripts=[("SUB", noted, above.span)])
         index = token.value == "underset" and isinstance(above, n.Name | n.Number)
         if isinstance(below, n.Name) and index:  # p with a 2 under it is p_2
             if below.sub not in ("", "x", "y", "z"):

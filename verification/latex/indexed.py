@@ -13,6 +13,7 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.items import OPERATORS, Item, Script
 from armproof.verification.latex.tokens import Spelling, canonical_script
+from armproof.verification.latex.units import UNIT, UNKNOWN
 
 MAX_EXPONENT = 24
 TRANSFORM_LETTERS = frozenset("TAHR")
@@ -58,6 +59,9 @@ class NameReader:
                 continue
             if kind == "PRIME":
                 raise ReadError(say(Kind.PRIME_ON_EXPRESSION), span[0])
+            if text.startswith(UNIT):
+                node = self._measured(node, text.removeprefix(UNIT), (start, span[1]))
+                continue
             canonical = canonical_script(text)
             if kind == "SUB":
                 size = re.fullmatch(r"\(?([1-9])x([1-9])\)?", canonical)
@@ -73,6 +77,12 @@ class NameReader:
             node = self._raise_to(node, text, canonical, whole, span)
         return node
 
+    def _measured(self, node: n.Node, unit: str, span: tuple[int, int]) -> n.Node:
+        """Return a number with its unit: of one that is not known nobody knows the value."""
+        if unit.startswith(UNKNOWN):
+            return n.Name("words", text=self.text[slice(*span)], span=span)
+        return n.Postfix(node, unit, span=span)
+
     def noted(self, node: n.Node, note: str, span: tuple[int, int]) -> n.Node:
         """Return an operand with a note under it: its size, its frame and ‖·‖_2 change nothing, of others nobody knows the value."""
         if isinstance(node, n.Power) and isinstance(node.base, n.Call) and node.base.function == "norm":
@@ -80,6 +90,9 @@ class NameReader:
         if _NO_SIZE.fullmatch(note):
             return n.Name("words", note, text=self.text[slice(*span)], span=span)
         is_printed = isinstance(n.ungrouped(node), n.Matrix) or isinstance(node, n.Sequence)
+        is_zero = isinstance(node, n.Matrix) and node.environment == "zeros"
+        if is_printed and not is_zero and (size := re.fullmatch(r"\(?([1-9])x([1-9])\)?", note)):  # a claim of its size
+            return n.Labelled(node, None, (int(size[1]), int(size[2])), "", span=span)
         is_norm = n.is_call(node, "norm")
         if (is_norm and note == "2") or _NOTED_SIZE.fullmatch(note) or (is_printed and _NOTED_BASE.fullmatch(note)):
             return node

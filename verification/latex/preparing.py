@@ -107,7 +107,7 @@ def _plain(found: re.Match[str]) -> str:
     if found["degree"]:
         return "^\\circ".ljust(len(found.group()))
     if found["differential"]:
-        return " d "
+        return "d".rjust(len(found.group()))
     if found["escape"] or found["set"]:
         return " " + found.group()[1]
     if found["bold"]:  # \\bfq and \\bfomega: macros for bold letters, wherever they are defined

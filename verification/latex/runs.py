@@ -14,10 +14,13 @@ from armproof.verification.latex.greek import ANGLES
 from armproof.verification.latex.indexed import TRANSFORM_LETTERS
 from armproof.verification.latex.items import OPERATORS, DerivativeOperator, Differential, Item, Script
 from armproof.verification.latex.tokens import canonical_script
+from armproof.verification.latex.vocabulary import LABEL_WORDS
 
 _WHOLE = ("q", "theta", "Theta")  # all joint variables at once
 _SIZE_BEHIND = re.compile(r"(?:\\[,;:! ]|\\q?quad|[,~\s])*(?:(?<=[,;])|\()\s*(\d)\s*\\times\s*(\d)\s*\)?\s*$")
 _WORDS = re.compile(r"\s*\\(?:text[a-z]*|mbox|hbox|mathrm|mathit)\s*\{[^{}=\\$]*\}\s*")
+
+_STYLED = re.compile(r"\\[A-Za-z]+")
 
 
 class RunReader(CallReader):
@@ -103,10 +106,18 @@ class RunReader(CallReader):
         try:
             label = self.parse(plain, self.text.find(plain, span[0]))
         except ReadError:
-            return None, "" if _WORDS.fullmatch(text) else text
-        if plain == text and isinstance(n.ungrouped(label), n.Number):
+            return None, "" if self._is_harmless(text) else text
+        if _WORDS.fullmatch(text):
+            return None, "" if self._is_harmless(text) else text
+        number = n.ungrouped(label)
+        if plain == text and isinstance(number, n.Number) and number.value != 0:
             return None, ""
         return label, ""
+
+    def _is_harmless(self, text: str) -> bool:
+        """Whether a brace's label is plain words for a part, "term 1", "height", that claim nothing of its value."""
+        words = re.findall(r"[^\W\d_]{2,}", _STYLED.sub(" ", text).lower())
+        return _WORDS.fullmatch(text) is not None and all(word in LABEL_WORDS for word in words)
 
     def _evaluated(self, item: Item) -> n.Node:
         """Read F|_{θ_2 = 0}; what else stands at a bar without a first one, as an integral's limits do, has no meaning here."""

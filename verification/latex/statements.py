@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 from lark import Token
@@ -11,10 +12,12 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.tokens import span_of_token
-from armproof.verification.latex.vocabulary import LAYOUTS, SPOKEN
+from armproof.verification.latex.vocabulary import JOINING, LAYOUTS, MATRICES, SPOKEN
 
 ARROWS = ("⇒", "⇔", "⇐")
 _TRANSFORMS = frozenset("TRAH")
+_BLANK_CELL = re.compile(r"&(?:[ \t]|\\[,;:! ])+&")
+UNREAD = "unread"  # the kind of a relation of which a side cannot be read: "= constant"
 Cell = list  # of Node and Token, in the order of the line
 PREVIOUS = n.Name("=", text="")  # stands for the subject of the display before: a display may begin with "="
 
@@ -31,8 +34,8 @@ class _Statements:
         """End the chain that is open, if any."""
         if not self.members:
             return
-        if len(self.relations) >= len(self.members):
-            self.relations = self.relations[: len(self.members) - 1]
+        unread = self.relations[len(self.members) - 1 :]
+        self.relations = self.relations[: len(self.members) - 1]
         for member in self.members[:-1]:
             if isinstance(member, n.Layout):
                 raise ReadError(say(Kind.SEVERAL_EQUATIONS), member.span[0])
@@ -42,6 +45,8 @@ class _Statements:
             span = (self.members[0].span[0], self.members[-1].span[1])
             self.done.append(n.Chain(tuple(self.members), tuple(self.relations), span=span))
             self._follow_from_condition()
+        if unread:
+            self.done.append(n.Connective(UNREAD, unread[0], span=(self.members[-1].span[1],) * 2))
         self.members, self.relations = [], []
 
     def _follow_from_condition(self) -> None:
@@ -62,7 +67,7 @@ class _Statements:
     def reopen(self) -> None:
         """Take up the last chain again: a line or a display that begins with a relation continues it."""
         spoken = len(self.done)  # "x = a, thus = b": what is said between is passed over
-        while spoken and isinstance(said := self.done[spoken - 1], n.Connective) and said.kind == "words":
+        while spoken and isinstance(said := self.done[spoken - 1], n.Connective) and said.kind in ("words", UNREAD):
             spoken -= 1
         if spoken and isinstance(last := self.done[spoken - 1], n.Chain):
             del self.done[spoken - 1]
@@ -77,6 +82,13 @@ class _Statements:
 
     def relation(self, token: Token) -> None:
         if not self.members:
+            is_first = not any(isinstance(each, n.Chain) for each in self.done)
+            last = self.done[-1] if self.done else None
+            said = (
+                {word.strip(".,:").lower() for word in last.text.split()} if isinstance(last, n.Connective) else set()
+            )
+            if is_first and isinstance(last, n.Connective) and last.kind == "words" and not said & JOINING:
+                self.done.append(n.Connective(UNREAD, f"{last.text} {token.value}", span=span_of_token(token)))
             self.reopen()
         if len(self.relations) >= len(self.members):
             raise ReadError(say(Kind.TWO_RELATIONS, text=str(token.value)), span_of_token(token)[0])
@@ -84,6 +96,8 @@ class _Statements:
 
     def connective(self, kind: str, token: Token) -> None:
         self.close()
+        if kind == "words" and self.done and isinstance(last := self.done[-1], n.Connective) and last.kind == UNREAD:
+            self.done[-1] = replace(last, text=f"{last.text} {token.value}")
         self.done.append(n.Connective(kind, token.value, span=span_of_token(token)))
 
     def together(self, place: int) -> None:
@@ -115,6 +129,8 @@ def build_statements(rows: list[list[Cell]]) -> list[n.Statement]:
                 found.relation(part)
             elif part.type == "CONN":
                 found.connective(part.value, part)
+            elif part.type == "UNREAD":
+                found.connective(UNREAD, part)
             elif part.type == "TEXT":
                 found.connective(_word_kind(part.value), part)
             elif not (found.members and len(found.relations) == len(found.members)):  # SEP, COMMA
@@ -208,6 +224,8 @@ def _continue_sum(found: _Statements, more: n.Sum) -> None:
 
 def environment_node(name: str, rows: list[list[Cell]], span: tuple[int, int], text: str) -> n.Node:
     """A matrix, lines of equations, or a brace of cases, by what the cells hold."""
+    if name in MATRICES - {"array"}:
+        _check_blank(rows, span, text)
     rows = _without_empty(rows)
     relations = [
         any(isinstance(part, Token) and part.type == "REL" for part in cell) for row in rows for cell in row[:1]
@@ -236,6 +254,15 @@ def _checked(rows: list[list[Cell]], span: tuple[int, int]) -> list[list[Cell]]:
     if not rows:
         raise ReadError(say(Kind.NO_CELLS), span[0])
     return rows
+
+
+def _check_blank(rows: list[list[Cell]], span: tuple[int, int], text: str) -> None:
+    """Refuse a matrix with a blank column or a blank row between others: it may stand for zeros. `&&` sets columns off widely."""
+    width = max((len(row) for row in rows), default=0)
+    empty = [all(len(row) <= column or not row[column] for row in rows) for column in range(width)]
+    blank = [len(row) > 1 and not any(row) for row in rows]
+    if (any(empty[:-1]) and _BLANK_CELL.search(text, *span)) or any(blank[:-1]):
+        raise ReadError(say(Kind.EMPTY_CELL), span[0])
 
 
 def _without_empty(rows: list[list[Cell]]) -> list[list[Cell]]:

@@ -19,6 +19,7 @@ from lark.lexer import Lexer
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex.greek import LONG, one_of
+from armproof.verification.latex.units import PER_CENT, UNIT, UNKNOWN, mark_of, read_unit
 from armproof.verification.latex.vocabulary import (
     ACCENTS,
     ASKED,
@@ -33,14 +34,16 @@ from armproof.verification.latex.vocabulary import (
     LAYOUTS,
     LETTERS,
     MATRICES,
+    NO_UNITS,
     PUNCTUATION,
     QUANTITIES,
     RELATIONS,
+    SAID_OF_VALUES,
     SPACES,
+    STRIKES,
     STYLES,
     TRANSPARENT,
     UNIT_NAMES,
-    UNITS,
     UNWRITTEN,
     VARIANTS,
     WORD_STYLES,
@@ -52,7 +55,7 @@ MAX_DEPTH = 60
 _MASTER = re.compile(
     r"""
     (?P<SPACE>(?:\s|~|\\[,;:!>\ ]|\\(?:%s)(?![A-Za-z])|\\(?=\n|\Z)|%%[^\n]*\n)+)
-  | (?P<TAG>\\(?:tag\*?|color|hspace\*?|cline|cmidrule|rule|eqno)\s*\{[^{}]*\})
+  | (?P<TAG>\\(?:color|hspace\*?|cline|cmidrule|rule|eqno)\s*\{[^{}]*\})
   | (?P<NEWLINE>\\\\\*?(?:\s*\[\s*-?[\d.]+\s*(?:ex|em|pt|mm|cm|in|\\baselineskip)\s*\])?|\\cr(?![A-Za-z])|\\newline(?![A-Za-z])|\\tabularnewline(?![A-Za-z]))
   | (?P<BEGIN>\\begin\s*\{\s*([A-Za-z]+)\*?\s*\})
   | (?P<END>\\end\s*\{\s*([A-Za-z]+)\*?\s*\})
@@ -85,12 +88,26 @@ _MARKED_RELATION = re.compile(r"\s*\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}\s*\{\s*(?:=
 _NO_CLAIM = re.compile(
     r"[!?]|\\(?:not|times|lnot)\b|\\\w+\s*\{\s*(?:no[nt]?|pas|faux|false|wrong|never|jamais)\b", re.IGNORECASE
 )
+_MARKUP = re.compile(
+    r"\\(?:text[a-z]*|math(?:rm|bf|it)|mbox|small|tiny|scriptsize|scriptstyle|rm|(?:eq)?ref\s*\{[^{}]*\}|[,;:! ])|[(){}\[\]~]"
+)
+_REFERENCE = re.compile(  # what stands above = and says why, or that it defines: nothing, def, (1), Eq. 3
+    r"\s*(?:(?:def|déf|defn|notation|définition|definition|\\triangle|\\Delta|\\wedge|\\ast|\*+|△|∆|[a-z]|[ivx]+)\.?\s*"
+    r"|(?:(?:eqs?|éqs?|eqn|equations?|équations?|gl|gln|formulas?|formules?|fig|figure|table|step|étape|lemma|lemme|theorem|théorème|rule|see|voir|cf|by|par|from|using|with|and|et)\b\.?\s*"
+    r"|[A-Z]?\d+(?:[.–-]\d+)*[a-z]?'?\s*|,\s*)*)",
+    re.IGNORECASE,
+)
+_TAGS = re.compile(r"\*?\s*\{")
 _DOTS_ABOVE = re.compile(r"\s*\{\s*((?:(?:\.|\\cdot)\s*){1,3})\}")  # \overset{\cdot}{\theta}
 _DOTS_BEFORE = re.compile(r"\\[cl]?dots(?:\\[,;:! ]|\s)*\Z")
 _WIDE_SPACE = re.compile(
     r"\\hspace\*?\s*\{\s*(?:[1-9]\d*\.?\d*\s*(?:em|cm|in)|0?\.[5-9]\d*\s*(?:cm|in)|[5-9]\s*mm|\d\d+\.?\d*\s*(?:pt|mm|ex))\s*\}"
 )
-_REMARK = re.compile(r"\(\s*[ijkn]\s*(?:=|\\in|\\geq?|\\leq?|>|<)[^()&]{1,60}\)")
+_ANY_WHOLE = re.compile(
+    r"\(\s*\w\s*(?:\\in\s*\{?\s*\\?(?:math[a-z]+|Bbb|mathds)?\s*\{?\s*\\?[ZN]\s*\}?\s*\}?(?:_0|_\{0\})?"
+    r"|=\s*0\s*,\s*(?:\\pm\s*)?1\s*,\s*(?:(?:\\pm\s*)?2\s*,\s*)?(?:(?:\\pm\s*)?3\s*,\s*)?(?:\\[lcd]?dots[cbm]?|\.\.\.|…))\s*\)"
+)
+_REMARK = re.compile(r"\(\s*([ijkmn])\s*(?:=|\\in|\\geq?|\\leq?|>|<)[^()&]{1,60}\)")
 _CONDITION = re.compile(r"\((?!\s*\\text)[^()&=]{1,60}\\neq?(?![A-Za-z])[^()&=]{1,60}\)")
 _VALUE_GIVEN = r"\s*\\?[A-Za-z]+(?:_(?:\{[^{}]*\}|\w))?\s*=[^()=<>&,;]{1,40}"
 _AT_VALUES = re.compile(rf"\(({_VALUE_GIVEN}(?:[,;]{_VALUE_GIVEN})*)\)")  # x(θ_1 = 0, θ_2 = π)
@@ -123,6 +140,11 @@ _ENDS_OPERAND = frozenset(
 )
 
 
+_MEASURED = frozenset(["NUMBER", "RBRACE", "SUP", "RPAR", "END"])  # behind which a unit may stand
+_ONE_WORD = re.compile(r"[^\W\d_]+(?:[./·^-]?(?:[^\W\d_]+|-?\d))*\.?")
+_NUMBER_ENDS = re.compile(
+    r"(?:\s|~|\\[,;:! ])*(?:[.,;&=)}\]]|\\(?:\\|[,;:}!]|(?:q?quad|end|right|text|approx|to|tag|hfill|[A-Z]\w*arrow|iff|implies)(?![a-z]))|\Z)"
+)
 _RUN = re.compile(r"(?=[A-Za-z]*[aeiouy])(?=[A-Za-z]*[^aeiouyA-Z])[A-Za-z][a-z]{3,}(?![A-Za-z])")
 _PART_OF_MODEL = re.compile(r"([A-Z]{2,4})([a-z]{3,})(?=(?:\s|&)*=)")  # MGDpos = …
 _SPELT_WITHIN = re.compile("|".join(word for word in (*BARE_WORDS, *LONG) if len(word) > 2))
@@ -358,7 +380,9 @@ class _Scanner:
     def _plain_end(self, start: int, end: int) -> list[Token]:
         """Return the tokens that end a matrix or a fraction of plain TeX."""
         self.depth -= 1
-        if (name := self.plain_ends[start]) != "over":
+        if (name := self.plain_ends[start]) == "struck":
+            return [self.token("RBRACE", "}", start, end), self.token("SUP", f"{UNIT}{UNKNOWN}", start, end)]
+        if name != "over":
             return [self.token("END", name, start, end)]
         return [self.token("RBRACE", "}", start, end), self.token("RBRACE", "}", start, end)]
 
@@ -426,6 +450,8 @@ class _Scanner:
             opened = self.fences.pop() if self.fences else sort
             kind = {"|": "CLOSE_BAR", "(": "RPAR"}.get(opened if sort == "." else sort, "CLOSE_EMPTY")
             kind = "CLOSE_EMPTY" if opened in ".{" else kind
+        if mark == "\\rangle":  # ⟨x⟩, the mean of x, or a form of two: nobody knows its value
+            return [self.token("RPAR", ")", start, end), self.token("SUP", f"{UNIT}{UNKNOWN}", start, end)], end
         shown = {"{": "{" if opening else "}", "|": "|"}.get(sort, mark)
         return [self.token(kind, shown, start, end)], end
 
@@ -436,7 +462,8 @@ class _Scanner:
         if name in ("left", "right"):
             raise ReadError(say(Kind.NO_DELIMITER, name=name), start)
         if name in ("overset", "stackrel", "underset") and (marked := _MARKED_RELATION.match(self.text, end)):
-            is_claim = _NO_CLAIM.match(marked[1].strip()) is None
+            mark = marked[1].strip()
+            is_claim = _NO_CLAIM.match(mark) is None and _REFERENCE.fullmatch(_MARKUP.sub(" ", mark)) is not None
             return [self.token("REL", "=" if is_claim else ASKED, start, marked.end())], marked.end()
         if name in ("overset", "stackrel") and (dots := _DOTS_ABOVE.match(self.text, end)):
             count = len(re.findall(r"\.|cdot", dots[1]))
@@ -445,6 +472,12 @@ class _Scanner:
             return [], end
         if name in ("degree", "textdegree"):
             return [self.token("SUP", "\\circ", start, end)], end
+        if name in STRIKES and (brace := _OPENS.match(self.text, end)):
+            self.plain_ends[self._matching_brace(brace.end() - 1)] = "struck"
+            self._deeper(start)
+            return [self.token("LBRACE", "{", start, brace.end())], brace.end()
+        if name == "tag" and (brace := _TAGS.match(self.text, end)):
+            return self._tag(brace.end() - 1, start)
         if name == "textcolor":
             colour = re.compile(r"\s*\{[^{}]*\}").match(self.text, end)
             return [], colour.end() if colour else end
@@ -485,9 +518,25 @@ class _Scanner:
             return [self.token("REL", RELATIONS[name], start, end)], end
         if name in CONNECTIVES:
             return [self.token("CONN", CONNECTIVES[name], start, end)], end
+        if name == PER_CENT and self.previous in _MEASURED:
+            return [self.token("SUP", f"{UNIT}{name}", start, end)], end
         if name in PUNCTUATION:
             return [self.token("TEXT", name, start, end)], end
         raise ReadError(say(Kind.UNKNOWN_COMMAND, command=value), start)
+
+    def _tag(self, brace: int, start: int) -> tuple[list[Token], int]:
+        r"""Pass over a tag, \tag{2-15}; an equation and several words in it are read as behind a wide space."""
+        close = self._matching_brace(brace)
+        content = self.text[brace + 1 : close]
+        separator = self.token("SEP", "\\quad", start, brace)
+        if "$" in content or re.search(r"[^\W\d_]{2,}\s+[^\W\d_]{2,}", content):
+            self.sentences.append(close)
+            tokens, position = self._sentence_from(brace + 1, start)
+            return [separator, *tokens], position
+        if _RELATES.search(content):
+            self.transparent_braces.add(close)
+            return [separator], brace + 1
+        return [], close + 1
 
     def _style(self, name: str, start: int, end: int) -> tuple[list[Token], int]:
         """`\\mathbf{J}` is J; `\\text{Atan2}` a function; `\\mathrm{tool}` a name; `\\text{if } x` words."""
@@ -497,7 +546,7 @@ class _Scanner:
                 self.transparent_braces.add(self._matching_brace(brace))
                 return [], brace + 1
         unit = _OF_FORCE.match(self.text, end) if self.previous in ("NUMBER", "END") else None
-        if unit is not None and not re.search(r"[kmM]N(?![A-Za-z])", self.text):  # 2 kN = 2000 N
+        if unit is not None:
             return [], unit.end()
         self.accent = self._accent(name, end)
         word = _STYLED_WORD.match(self.text, end)
@@ -505,19 +554,15 @@ class _Scanner:
             words = (_OPENS if name in WORD_STYLES else _OPENS_SPACED).match(self.text, end)
             return self._sentence(start, self.text.index("{", end)) if words else ([], end)
         content, after = word.group(1), word.end()
-        if (
-            name in ("mathrm", "text", "operatorname")
-            and (spelt := re.sub(r"[\s~]|\\[,;!: ]", "", content)) in FUNCTIONS | UNITS
+        if name in ("mathrm", "text", "operatorname") and (
+            (spelt := re.sub(r"[\s~]|\\[,;!: ]", "", content)) in FUNCTIONS or (" " in content and read_unit(spelt))
         ):
             content = spelt  # \mathrm{a t a n 2}, taken apart by a reader of images
-        if self.previous in ("NUMBER", "RBRACE", "SUP") and content in UNITS and content not in self.words:
-            mark = self._mark(content)
+        if self.previous in _MEASURED and content not in self.words and (measure := self._unit(name, content, after)):
             if content in ("m", "s") and self.previous != "NUMBER":
                 return [], end
-            if power := _POWER_OF_UNIT.match(self.text, after):  # 5 m^2 is no square of 5, and 2 s^{-1} no half
-                text = self.text[start : power.end()]
-                return ([self.token("TEXT", text, start, power.end())] if mark else []), power.end()
-            return ([self.token("SUP", mark, start, after)] if mark else []), after
+            mark = mark_of(measure[0], self.spelling.unit)
+            return ([self.token("SUP", mark, start, measure[1])] if mark else []), measure[1]
         if content in FUNCTIONS:
             return self._function(content, start, after)
         if content in LETTERS:
@@ -535,10 +580,29 @@ class _Scanner:
             return self._letter(content, start, after)
         return [], end
 
+    def _unit(self, style: str, content: str, after: int) -> tuple[str, int] | None:
+        """Return the unit that a styled word behind a number is, with its power, and where it ends; None of another word.
+
+        A word alone behind a number, of which nobody knows what it is, makes of it a number of nobody knows what.
+        """
+        power = _POWER_OF_UNIT.match(self.text, after)  # 5 m^2 is no square of 5, and 2 s^{-1} no half
+        unit, end = (content + re.sub(r"[\s{}]", "", power.group()), power.end()) if power else (content, after)
+        if content != "N" and read_unit(content) is not None:
+            return unit, end
+        first = re.match(r"[^\W\d_]+(?= [^\W\d_])", content)
+        is_beside = first is not None and len(first[0]) > 1 and read_unit(first[0]) is not None  # 5 \text{ mm squared}
+        words = {word.strip(".,;:").lower() for word in content.split()}
+        alone = _ONE_WORD.fullmatch(content) and style in WORD_STYLES and self.previous == "NUMBER"
+        if (is_beside and not words & JOINING) or (
+            alone and not words & NO_UNITS and _NUMBER_ENDS.match(self.text, end)
+        ):
+            return f"{UNKNOWN}{unit}", end
+        return None
+
     def _words(self, content: str, start: int, after: int) -> tuple[list[Token], int]:
         """Words are no product: a name where they stand as an operand does, else what is said between equations."""
         name = re.sub(r"[\W\d_]+", "", content)
-        joins = {word.lower() for word in content.split()} & JOINING or not name
+        joins = {word.lower() for word in content.split()} & JOINING or not name or name.lower() in SAID_OF_VALUES
         begins = self.previous in _BEGINS or _SCRIPT_BEFORE.search(self.text, max(0, start - 12), start)
         heads = begins and _RELATION_NEXT.match(self.text, after)
         alone = self.previous == "LBRACE" and self.text[after : after + 1] == "}"  # in a fraction
@@ -585,15 +649,11 @@ class _Scanner:
                 *tokens,
                 self.token("RPAR", ")", *places),
             ]
-        unit = re.sub(r"\\?([A-Za-z]+)|[\s.~]", lambda word: UNIT_NAMES.get(word[1] or "", word[1] or ""), found[count])
-        if name == "num" or (name != "ang" and unit in UNITS and not self._mark(unit)):
+        unit = re.sub(r"\\([A-Za-z]+)", lambda word: UNIT_NAMES.get(word[1], f"{word[1]}."), found[count])
+        if name == "num" or not unit.strip():
             return tokens, found.end()
-        mark = "\\circ" if name == "ang" else self._mark(unit)
-        return [*tokens, self.token("SUP", mark, *places) if mark else self.token("TEXT", unit, *places)], found.end()
-
-    def _mark(self, unit: str) -> str:
-        """Return the mark that a unit becomes above its number, none of the one in which the document calculates."""
-        return "" if unit == self.spelling.unit else UNITS.get(unit, "")
+        mark = "\\circ" if name == "ang" else mark_of(unit, self.spelling.unit)
+        return [*tokens, *([self.token("SUP", mark, *places)] if mark else [])], found.end()
 
     def _accent(self, name: str, end: int) -> str:
         """The accent that makes another name of a letter: a bar, a tilde, a hat but for that of a unit vector or a matrix.
@@ -703,6 +763,16 @@ class _Scanner:
             self.member = edge, [bar.start() for bar in _BARS.finditer(self.text, start, edge) if bar["single"]]
         return self.member
 
+    def _ranges_over_all(self, remark: re.Match[str]) -> bool:
+        """Whether a remark says that a whole number is any, k ∈ ℤ; one that is the index of a law may range as it will."""
+        letter = remark[1]
+        multiplies = re.compile(
+            rf"(?<![A-Za-z\\_^{{]){letter}\s*(?:\\[,;:! ]\s*|\\cdot\s*)?(?:\\?pi(?![A-Za-z])|π|\\[td]?frac|\d)|\\pi\s*{letter}(?![A-Za-z])"
+        )
+        return (
+            multiplies.search(self.text, 0, remark.start()) is None or _ANY_WHOLE.fullmatch(remark.group()) is not None
+        )
+
     def _fills_cell(self, end: int) -> bool:
         """Whether what ends here stands in a cell of a matrix alone."""
         return self.previous in ("AMP", "NEWLINE", "BEGIN") and _CELL_ENDS.match(self.text, end) is not None
@@ -750,7 +820,8 @@ class _Scanner:
             self.depth -= 1
         elif kind == "LPAR":
             if value == "(" and (remark := _REMARK.match(self.text, start)):  # (i = 1, …, n)
-                return [self.token("TEXT", remark.group(), start, remark.end())], remark.end()
+                kind = "TEXT" if self._ranges_over_all(remark) else "UNREAD"
+                return [self.token(kind, remark.group(), start, remark.end())], remark.end()
             given = _AT_VALUES.match(self.text, start) if value == "(" else None
             if given and _OF_ARM.search(self.text, 0, start):
                 return [self.token("AT", given[1], start, given.end())], given.end()

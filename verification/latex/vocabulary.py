@@ -65,10 +65,6 @@ CONNECTIVES = {
     "lor": "or", "vee": "or", "land": "and", "mapsto": "⇒", "longmapsto": "⇒",
 }  # fmt: skip
 
-# units behind a number, and the mark above it that they become; metres and radians become none
-UNITS = {"mm": "mm", "cm": "cm", "m": "", "rad": "", "rads": "", "radians": "", "s": "", "rad/s": "", "m/s": "", "meters": "",
-         "deg": "\\circ", "degrees": "\\circ", "°": "\\circ"}  # fmt: skip
-
 MATRICES = {"matrix", "bmatrix", "pmatrix", "vmatrix", "Vmatrix", "Bmatrix", "smallmatrix", "array", "bsmallmatrix",
             "psmallmatrix"}  # fmt: skip
 LAYOUTS = {"aligned", "align", "split", "gather", "gathered", "alignat", "alignedat", "eqnarray", "multline",
@@ -88,8 +84,9 @@ DRESSES = {
 STYLES = (
     "mathbf|mathrm|mathit|mathsf|mathbb|mathcal|mathfrak|mathscr|mathtt|boldsymbol|bm|pmb|vec|overrightarrow|text|textbf|textit|textrm|"
     "textsf|texttt|operatorname|mathop|mbox|hbox|bf|rm|it|hat|widehat|bar|overline|underline|tilde|widetilde|mathnormal|emph|boxed|fbox|"
-    "bold|symbf|symup|textup|textnormal|mathds|Bbb|frak|cal|sf|tt|vb|va|vu|uvec|boldvec|ensuremath|cancel|phantom|smash|mathstrut|mathord|mathbin|mathrel"
+    "bold|symbf|symup|textup|textnormal|mathds|Bbb|frak|cal|sf|tt|vb|va|vu|uvec|boldvec|ensuremath|phantom|smash|mathstrut|mathord|mathbin|mathrel"
 )
+STRIKES = frozenset(["cancel", "bcancel", "xcancel", "sout"])  # whether a struck term counts nobody can tell
 SPACES = (
     r"displaystyle|textstyle|scriptstyle|scriptscriptstyle|limits|nolimits|nonumber|notag|hline|hdashline|hfill|noindent|"
     r"normalsize|small|footnotesize|scriptsize|tiny|large|Large|centering|allowbreak|"
@@ -126,14 +123,24 @@ SPOKEN = {
 }  # fmt: skip
 QUANTITIES = frozenset(["SI", "qty", "ang", "num", "si", "unit"])  # of siunitx
 UNIT_NAMES = {
+    "micro": "µ",
     "milli": "m",
     "centi": "c",
-    "metre": "m",
-    "meter": "m",
-    "degree": "deg",
-    "radian": "rad",
+    "deci": "d",
+    "kilo": "k",
+    "mega": "M",
+    "metre": "m.",
+    "meter": "m.",
+    "gram": "g.",
+    "newton": "N.",
+    "degree": "deg.",
+    "radian": "rad.",
     "per": "/",
-    "second": "s",
+    "second": "s.",
+    "minute": "min.",
+    "squared": "^2.",
+    "cubed": "^3.",
+    "percent": "%",
 }
 WORD_STYLES = frozenset(
     ["text", "textbf", "textit", "textrm", "textsf", "texttt", "textup", "textnormal", "mbox", "hbox", "emph"]
@@ -143,4 +150,21 @@ JOINING = frozenset(
     """and or if then where when with so thus hence therefore for from since because as is are we that which otherwise else i.e. e.g.
 et ou où si alors avec donc ainsi d'où soit pour car sinon on und oder wenn also mit wobei für y o si entonces donde con e ou se então onde com""".split()
 )
+# words that say of what value something is, and are the name of nothing
+SAID_OF_VALUES = frozenset(
+    "const constant constante konstant cste zero zéro null nul nulle positive positif negative négatif nonzero finite infinite unknown independent dependent invariant".split()
+)
+# words behind a number that are no unit of it
+NO_UNITS = (
+    JOINING | frozenset(word for spoken in SPOKEN.values() for word in spoken) | {"mod", "modulo", "and", "etc", "only"}
+)
 PUNCTUATION = {"%": "TEXT", "$": "TEXT", "#": "TEXT", "&": "TEXT", "_": "TEXT"}
+# words of a brace's label that name a part, and claim nothing of its value
+LABEL_WORDS = frozenset(
+    """the of first second third last term terms part sum joint link arm body frame tool gripper height width depth length distance angle rotation rotational
+    translation translational position orientation linear angular matrix vector block column row radius reach point target known unknown given new old here
+    coefficient coefficients lhs rhs left right hand side numerator denominator determinant square root radial planar horizontal vertical projection contribution
+    le la les du de des premier deuxième troisième dernier terme partie somme liaison articulation corps segment bras repère outil pince hauteur largeur longueur
+    rotation translation position orientation matrice vecteur bloc colonne ligne rayon point cible connu inconnu gauche droite membre coefficient
+    höhe länge glied gelenk werkzeug drehung verschiebung""".split()
+)

@@ -9,6 +9,7 @@ from fractions import Fraction
 
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import GREEK
+from armproof.verification.latex.units import size_of
 
 SWAPPED = {"cos": "sin", "sin": "cos", "\\cos": "\\sin", "\\sin": "\\cos", "C": "S", "S": "C", "c": "s", "s": "c", "Cos": "Sin",
            "Sin": "Cos", "\\mathrm{c}": "\\mathrm{s}", "\\mathrm{s}": "\\mathrm{c}"}  # fmt: skip
@@ -261,8 +262,13 @@ class Writer:
         if isinstance(node, n.Power):
             return f"{self._base(node.base)}^{{{self.write(node.exponent)}}}"
         if isinstance(node, n.Postfix):
-            if node.operator in ("cm", "mm"):
-                return f"{self._base(node.base)}\\,\\mathrm{{{node.operator}}}"
+            if node.operator != "deg" and size_of(node.operator):
+                unit = node.operator.replace("%", "\\%")
+                return (
+                    f"{self._base(node.base)}\\,\\text{{{unit}}}"
+                    if unit not in ("cm", "mm")
+                    else f"{self._base(node.base)}\\,\\mathrm{{{unit}}}"
+                )
             above = "\\circ" if node.operator == "deg" else node.operator
             return f"{self._base(node.base)}^{{{above}}}"
         if isinstance(node, n.Matrix):

@@ -176,7 +176,7 @@ J^2(q) \quad {[a]}^T(q) \quad \alpha(\theta_1) \quad \mathrm{pos}(\theta_1) \qua
 |x| \quad |x + y|^2 \quad \lVert p \rVert \quad \|p\| \quad ||p|| \quad \left|x\right| \quad |A| \quad l |s| \quad \lvert x \rvert \quad a|b|c \quad a |b \quad \abs{x} \quad \norm{p}  ⟶  abs(x); abs((+ x + y))**2; norm(p); norm(p); norm(p); abs(x); abs(A); (l abs(s)); abs(x); (a abs(b) c); a; [words |]; b; abs(x); norm(p)
 a |b| |c| d |e| \quad |a| + |b| \quad |a||b| \quad \left|a\right| |b| \quad a |b| = |c|  ⟶  (a abs(b) abs(c) d abs(e)); (+ abs(a) + abs(b)); (abs(a) abs(b)); (abs(a) abs(b)); (a abs(b)) = abs(c)
 F|_{x = 0} \quad \left. F \right|_{x = 0, y = 1} \quad (a b)|_{x=1} \quad F_{x=0} \quad F_1^2|_{x = 0}  ⟶  F|(x = 0); F|(x = 0, y = 1); ((a b))|(x = 1); F_x=0; F_1**2|(x = 0)
-\underbrace{a}_{b} \overbrace{a + b}^{c} \underbrace{T}_{4 \times 4} \underbrace{a}_{\text{words}} \underbrace{a}_{=b} \underbrace{a}_{2} \underbrace{x}_{a + } \underbrace{x}_{(2\times 3)} \underbrace{x}  ⟶  (a_[b] (+ a + b)_[c] T_[4, 4] a_[] a_[b] a_[] x_[a + ] x_[2, 3] x_[])
+\underbrace{a}_{b} \overbrace{a + b}^{c} \underbrace{T}_{4 \times 4} \underbrace{a}_{\text{term 1}} \underbrace{a}_{\text{zero}} \underbrace{a}_{0} \underbrace{a}_{=b} \underbrace{a}_{2} \underbrace{x}_{a + } \underbrace{x}_{(2\times 3)} \underbrace{x}  ⟶  (a_[b] (+ a + b)_[c] T_[4, 4] a_[] a_[\text{zero}] a_[0] a_[b] a_[] x_[a + ] x_[2, 3] x_[])
 \|p_2\|_2 \quad \|p_2\|^2_2 \quad \|p\|_1 \quad \|p\|_x \quad |x|_2 \quad p|_{x=0, y=1}^2 \quad |a|_1 = |b|  ⟶  norm(p_2); norm(p_2)**2; '\\|p\\|_1'; '\\|p\\|_x'; '|x|_2'; p|(x = 0, y = 1)**2; '|a|_1' = abs(b)
 a \| b \quad \|a\| b \|c\| \quad l \|s\| \quad a || b || c \quad s ‖p‖ \quad 2\|p_2\| = 0 \quad a |b| = c |d|  ⟶  a; [words |]; b; (norm(a) b norm(c)); (l norm(s)); (a norm(b) c); (s norm(p)); (2 norm(p_2)) = 0; (a abs(b)) = (c abs(d))
 """,
@@ -196,7 +196,7 @@ x = \left\{ \begin{array}{l} b \\ c \end{array} \right. \quad \left\{ \begin{arr
 a = b = c \quad a \approx b \quad a \le b < c \quad a \in b \quad a \neq b \quad a := b \quad a \triangleq b \quad a \overset{!}{=} b \quad a \overset{\text{def}}{=} b \quad a \not= b  ⟶  a = b = c; a ≈ b; a ≤ b < c; a ∈ b; a ≠ b; a = b; a = b; a ≟ b; a = b; a ≠ b
 = a  ⟶  = = a
 a = b \\ = c \\ d = e  ⟶  a = b = c; d = e
-a =  ⟶  a
+a =  ⟶  a; [unread =]
 a = \\ b = c \quad a = b = \\ c  ⟶  a = b = c; a = b = c
 a \Rightarrow b \iff c \quad a \therefore b \lor c \land d \Leftarrow e \to f  ⟶  a; [⇒]; b; [⇔]; c; a; [⇒]; b; [or]; c; [and]; d; [⇐]; e; [⇒]; f
 a = b \text{ and } c = d \text{ or } e \text{ if } f \text{ some words } g  ⟶  a = b; [and]; c = d; [or]; e; [if]; f; [words some words]; g
@@ -207,7 +207,7 @@ a = b - x \\ \quad + c  ⟶  a = (+ b - x + c)
 a = b \text{ thus } = c  ⟶  [words thus]; a = b = c
 \text{so } = c  ⟶  [words so]; = = c
 \text{Position} = x \quad \text{so we have } x = y \quad y = \frac{\text{distance}}{\text{time}} \quad \text{where $D = x$, which is}  ⟶  Position = x; [words so we have]; x = y; y = (distance / time); [words where]; D = x; [words , which is]
-\text{mass} \times \text{time} \quad \text{a} = b \quad 2 \text{ mass} \quad \text{l1} \quad \text{in the plane} \quad \text{speed}^2  ⟶  (mass × time); a = b; 2; [words mass]; l_1; [words in the plane]; speed**2
+\text{mass} \times \text{time} \quad \text{a} = b \quad 2 \text{ mass} \quad \text{l1} \quad \text{in the plane} \quad \text{speed}^2  ⟶  (mass × time); a = b; '2 \\text{ mass}'; l_1; [words in the plane]; speed**2
 {x_{i=1} y} z \quad {x = {y}} \quad {\begin{bmatrix} a \end{bmatrix} = b}  ⟶  ({(x_i=1 y)} z); x = y; bmatrix[a] = b
 x \text{ } y \quad x \text{: } = y \quad \text{, } z  ⟶  (x y); x = y; z
 a = b, \\ + c  ⟶  a = (+ b + c)
@@ -220,15 +220,15 @@ a (i = 1, 2) \quad a (s_2 \neq 0)  ⟶  a; [words (i = 1, 2)]; a; [if]; sin(+2) 
 \text{where $D = x$ and $y > 0$, so} \quad \text{$x$ and $y$} \quad \text{(}x\text{)} \quad \text{ ( } x \text{ ) } \quad \text{a and} b \quad \text{if $x = y$}  ⟶  [words where]; D = x; [and]; y > 0; [words , so]; [words $x$ and $y$]; x; x; [words a and]; b; [if]; x = y
 a = b \\ \text{so} \\ c = d \quad = e  ⟶  a = b; [words so]; c = d = e
 \begin{aligned} a &= b \\ & \text{so} \\ &= c \end{aligned}  ⟶  [words so]; a = b = c
-a = \quad \Rightarrow b = c \quad \Rightarrow \quad d  ⟶  a; [⇒]; b = c; [⇒]; d
+a = \quad \Rightarrow b = c \quad \Rightarrow \quad d  ⟶  a; [unread =]; [⇒]; b = c; [⇒]; d
 """,
     "numbers and units": r"""
 1 2.5 0{,}5 .5 x 10  ⟶  (1 5/2 1/2 1/2 x 10)
 0,5 \quad (0,5) \quad f(1,2) \quad 0,5,7 \quad x = 0,5  ⟶  '0,5'; (0, 5); (f (1, 2)); 0; 5; 7; x = '0,5'
-3 \text{ m} \quad 4\,\mathrm{mm} \quad 5 \text{cm} \quad 30 \text{ deg} \quad x \text{ m} \quad 2^2 \mathrm{m} \quad \pi\,\text{rad} \quad 2^2 \text{mm} \quad (2) \text{mm}  ⟶  3; 4^<mm>; 5^<cm>; 30^<deg>; (x m); (2**2 m); pi; [words rad]; 2**2^<mm>; (2); [words mm]
+3 \text{ m} \quad 4\,\mathrm{mm} \quad 5 \text{cm} \quad 30 \text{ deg} \quad x \text{ m} \quad 2^2 \mathrm{m} \quad \pi\,\text{rad} \quad 2^2 \text{mm} \quad (2) \text{mm}  ⟶  3; 4^<mm>; 5^<cm>; 30^<deg>; (x m); (2**2 m); pi; [words rad]; 2**2^<mm>; (2)^<mm>
 \SI{500}{\milli\metre} x \quad \num{1.5e-3} x \quad \ang{90} + y  ⟶  (500^<mm> x); (3/2000 x); (+ 90^<deg> + y)
 \SI{2}{\degree} + \qty{-2}{m}  ⟶  (+ 2^<deg> + ((- 2)))
-\qty{1,5}{cm} + \SI{3}{\kilo\gram}  ⟶  (+ 3/2^<cm> + 3); [words kilogram]
+\qty{1,5}{cm} + \SI{3}{\kilo\gram}  ⟶  (+ 3/2^<cm> + 3)
 \SI[a=b]{+2.5}{\centi\meter}  ⟶  5/2^<cm>
 2 \text{s}^{-1} \quad 2\,\mathrm{rad/s} \quad 5 \text{ m}^2 \quad \frac{1,8}{2} \quad \{1,5\} \quad [1,5; 2] \quad 1,5 x \quad x(\theta_1 = 0) = l_1 \quad k(\theta_1 = 0)  ⟶  2; 2; 5; ('1,8' / 2); {1, 5}; [1, 5, 2]; ('1,5' x); x|(theta_1 = 0) = l_1; k; [if]; theta_1 = 0
 """,

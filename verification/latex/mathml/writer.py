@@ -19,6 +19,7 @@ from armproof.verification.latex.mathml.calls import CallWriter
 from armproof.verification.latex.mathml.marks import Mark
 from armproof.verification.latex.mathml.names import name_box
 from armproof.verification.latex.plain import plain_text
+from armproof.verification.latex.units import size_of
 
 Read = Callable[[str], list[n.Statement]]
 FENCES = {"bmatrix": ("[", "]"), "bsmallmatrix": ("[", "]"), "pmatrix": ("(", ")"), "psmallmatrix": ("(", ")"),
@@ -126,7 +127,7 @@ class MathWriter:
         return self._raised(node.base, self.write(node.exponent))
 
     def _postfix(self, node: n.Postfix) -> Box:
-        if node.operator in ("cm", "mm"):
+        if node.operator != "deg" and size_of(node.operator):
             return box.row(self.write(node.base), box.words(node.operator))
         minus = box.mark("−")
         above = {"T": box.letter("T", upright=True), "-1": box.row(minus, box.number("1")), "+": box.mark("+"), "-": minus,
