@@ -85,6 +85,12 @@ def goes_on(words: str) -> bool:
     return words[:1].islower() or words.count(" ") <= _SHORT
 
 
+def is_of_display(words: str) -> bool:
+    """Whether a sentence, with its words, is of the display that it stands behind: "It describes the elbow"."""
+    found = clauses(words)
+    return bool(found) and found[0].is_of_display and not found[0].has("not", "if")
+
+
 def is_weighed(word: str) -> bool:
     """Whether a word is of a kind by which a clause is judged but for what is wrong: a sentence is understood with it."""
     return not _kinds(LANGUAGES, word).isdisjoint(_WEIGHED)

@@ -9,6 +9,9 @@ import re
 from collections.abc import Iterator, Sequence
 from functools import cache
 
+from armproof.verification.document.named_quantities import NAMED, named_quantity
+from armproof.verification.document.other_arms import OF_ARM, arms_named
+
 OTHER_PLACE = "other place"  # neither the tool, nor a link or frame with a number
 LINK = "link"  # with its number: the frame at its far end
 WRIST = "wrist"  # a link where the arm has a hand behind it
@@ -44,6 +47,9 @@ MOVES moves move sits lies travels has have stands rests déplace trouve bewegt 
 FIXED fixed attached mounted fixée fixé montée monté attachée attaché befestigt montiert fijada fijado montada montado fissata fissato montata
 TRANSPOSED transpose~ inverse inversed inverted pseudo-inverse~ pseudoinverse~ negative transposée~ opposé~ transponierte~ inverse~ inversa trasposta traspuesta~ transpuesta~ transposta pseudoinversa
 SCALED scaled normali~ weighted dimensionless normiert~ normé~ pondéré~ escalad~ ponderad~
+THOSE those that celles celle ceux celui diejenigen die jene las los aquellas quelle quelli quelli as os aquelas
+FOR for pour für para per
+ACTS describes concerns regards décrit concerne beschreibt betrifft describe concierne descrive riguarda descreve
 DERIVATIVE derivative~ dérivée~ ableitung~ zeitableitung derivada~ derivata
 """
 _ORDINALS = {"first": 1, "second": 2, "third": 3, "fourth": 4, "premier": 1, "première": 1, "deuxième": 2, "seconde": 2, "troisième": 3, "ersten": 1, "zweiten": 2, "dritten": 3, "primer": 1, "primero": 1, "segundo": 2, "tercer": 3, "primo": 1, "secondo": 2, "terzo": 3, "primeiro": 1, "terceiro": 3}  # fmt: skip
@@ -73,6 +79,9 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
             yield OTHER_PLACE
         if _is(word, "RELATIVE"):
             yield from _seen_from(said, place)
+        if _is(word, "ACTS") or (place == 0 and _is(word, "FOR")):
+            yield from _of_thing(_phrase(said[place + 1 :]))
+    yield from _of_those(said)
     label = [each for each in _unskipped(said) if each not in _ENDS]
     if (
         0 < len(label) <= MOST_OF_LABEL
@@ -89,6 +98,29 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
     elif _moves(_unskipped(said)) and not any(_is(each, "TOOL") for each in said):
         yield OTHER_PLACE
     yield from _quantity(said)
+    if named := named_quantity(said):
+        yield f"{NAMED} {named}"
+    yield from (f"{OF_ARM} {each}" for each in arms_named(words))
+
+
+def places_of_those(words: str) -> Iterator[str]:
+    """Yield of what place something near a sentence is said to be, wherever the sentence stands: "The coordinates are those of the elbow."."""
+    yield from _of_those(words.lower().split())
+
+
+def _of_those(said: Sequence[str]) -> Iterator[str]:
+    for place, word in enumerate(said):
+        is_told = any(_is(each, "BE") for each in said[max(0, place - 2) : place])
+        if is_told and _is(word, "THOSE") and _is((*said[place + 1 :], "")[0], "OF"):
+            yield from _of_place(_phrase(said[place + 2 :]))
+
+
+def _of_thing(phrase: Sequence[str]) -> Iterator[str]:
+    """Yield of what place a phrase is that begins with its noun: "the elbow", but not "the elbow-up branch", nor "the joint angles"."""
+    noun, behind = (*phrase, "", "")[:2]
+    is_place = (_is(noun, "OTHER") and not _is(noun, "BASE")) or _is(noun, "WRIST")
+    if is_place and "-" not in noun and noun != "joint" and behind not in ("up", "down"):
+        yield from _of_place(phrase[:1] if _is(behind, "OF") else phrase[:2])
 
 
 def _along(behind: Sequence[str]) -> Iterator[str]:
