@@ -12,7 +12,7 @@ import armproof.verification.document.phrases as phrases
 
 FORMULA = re.compile(r"\$\$?[^$]*\$\$?|\\\(.*?\\\)|:math:`[^`]*`")
 AXIS = re.compile(
-    r"\$\s*([xyz])(?:_0)?\s*\$[ -]?(?:axis|achse|direction|coordinate)|\b([xyz])[ -](?:axis|achse|direction)|\b(?:axe|eje) \$\s*([xyz])(?:_0)?\s*\$"
+    r"\$\s*([xyz])(?:_0)?\s*\$[ -]?(?:axis|achse|direction|coordinate)|\b([xyz])[ -](?:axis|achse|direction)|\b(?:axe|eje|asse|eixo)(?: des| de las| delle| dos)? \$\s*([xyz])(?:_0)?\s*\$"
     r"|(?<=with )\$\s*(y)\s*\$",
     re.IGNORECASE,
 )

@@ -88,7 +88,7 @@ def _limits_below(clause: Clause) -> bool:
     if clause.has("general"):
         return False
     if (clause.begins("only") and not clause.has("neutral") and not clause.ends("if")) or (
-        clause.begins("of") and clause.has("case")
+        clause.begins("of") and (clause.has("case") or clause.ends("only"))
     ):
         return True
     if "¤" in clause.words or clause.has("given"):

@@ -15,7 +15,7 @@ _OTHER = "other"
 # A line is a class and its words; ~ ends a stem.
 _CLASSES = """
 velocity velocity velocities speed speeds vitesse vitesses geschwindigkeit geschwindigkeiten velocidad velocidades velocità velocidade
-distance distance distances abstand abstände entfernung distancia distanza distância
+distance how-far distance distances abstand abstände entfernung distancia distanza distância
 abscissa abscissa abscisse abszisse abscisa ascissa x-coordinate x-koordinate
 ordinate ordinate ordonnée ordenada ordinata y-coordinate y-koordinate height hauteur höhe altura altezza
 other position~ posición posizione posição location~ situation lage acceleration~ accélération~ beschleunigung~ aceleración accelerazione aceleração orientation~ orientierung~ orientación orientamento orientação jacobi~ pose poses lengths~ torque~ force~ angle angles rotation~ determinant~ rate rates
@@ -58,7 +58,8 @@ def _is_told(said: Sequence[str], place: int) -> bool:
     ]
     if "," in said[place:-1] and not (before and _is(before[-1], "FOR")):
         return False
-    return not before or _is(before[-1], "OPENING") or _is(before[-1], "LEADS")
+    is_purpose = before[-2:-1] == ["to"]  # "to find the velocity"
+    return not before or _is(before[-1], "OPENING") or (_is(before[-1], "LEADS") and not is_purpose)
 
 
 @cache

@@ -29,6 +29,7 @@ from armproof.verification.document.limiting_clauses import (
     limits_what_is_near,
 )
 from armproof.verification.document.model import INLINE, Display
+from armproof.verification.document.named_quantities import NAMED
 from armproof.verification.document.postures import SINGULAR, is_of_singularities
 from armproof.verification.document.strange import is_strange_before, is_strange_behind, strange_words
 from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, places_of_those, subjects
@@ -68,6 +69,7 @@ _ARGUMENTS = re.compile(  # \begin{frame}<2->[fragile]{Title}, \section{Inverse}
     r"\\begin\s*\{\w+\*?\}(?:<[^<>]*>|\[[^\[\]]*\]|\{[^{}]*\})*|\\(?:(?:sub)*section|chapter|paragraph|label|\w*ref|cite|includegraphics|caption|[vh]space|setcounter)\*?"
     r"(?:\[[^\[\]]*\])?\{[^{}]*\}|!\[[^\[\]]*\]\([^()]*\)|<[^<>\s][^<>]{0,200}>"
 )
+_FOR = re.compile(r"(?<!\S)(?:for|pour|für|para|per) ")  # "The formula for the ordinate follows"
 _MOST_OF_LABEL = 4  # words with their stop: "The elbow."
 MOST_KNOWN = 4096  # sentences, so that those of a text that is read again are heard once
 _LONGEST_QUOTED = 40  # characters of a formula in one that is quoted
@@ -87,7 +89,7 @@ def _heard_behind(sentence: str) -> tuple[str, ...]:
     if _limits(words):
         heard.append(LIMITED_ABOVE)
     if is_of_display(words):
-        heard += (ABOVE + each for each in _subjects(sentence, words))
+        heard += (ABOVE + each for each in _subjects(sentence, words) if not (_FOR.search(words) and NAMED in each))
     if DENIED_ABOVE not in heard and is_strange_behind(_plain(sentence)):
         heard.append(STRANGE_ABOVE + sentence)
     return tuple(heard)

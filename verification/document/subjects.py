@@ -25,7 +25,7 @@ MOST_OF_LABEL = 2  # words of one that stands alone before a display: "Elbow:"
 _CLASSES = """
 QUANTITY position~ coordinate~ location~ velocit~ speed~ acceleration~ jacobi~ pose poses orientation~ rotation~ attitude~ twist~ transform~ coordonnée~ vitesse~ accélération~ situation lage koordinaten geschwindigkeit~ winkelgeschwindigkeit~ beschleunigung~ orientierung~ stellung posición posiciones coordenadas velocidad~ aceleración orientación rotación posizione coordinate velocità accelerazione orientamento rotazione posição velocidade aceleração orientação rotação matrice~ matrix matriz
 OF of for du de d' des del della dell' dello der do da
-SKIPPED the a an la le l' les el il lo das die den dem un une uno una its his this that unit~ linear angular linéaire angulaire geometric géométrique geometrischen velocity vector vecteur vektor point punkt punto planar spatial whole
+SKIPPED the a an o la le l' les el il lo das die den dem un une uno una its his this that unit~ linear angular linéaire angulaire geometric géométrique geometrischen velocity vector vecteur vektor point punkt punto planar spatial whole
 TOOL tip tool~ tcp effector end-effector end endpoint hand gripper~ robot~ arm arms manipulator~ mechanism~ chain flange pen outil~ effecteur organe extrémité bout bras pince main bras manipulateur~ endeffektor~ effektor~ werkzeug~ greifer~ roboter~ arms ende spitze extremo efector herramienta pinza brazo manipulador~ organo utensile estremo estremità braccio effettore ferramenta efetuador~ garra braço origin origine ursprung origen position pose
 OTHER knee knie rodilla ginocchio genou hip ankle elbow~ joint shoulder~ base camera~ load payload~ motor~ mass masses gravity centroid~ articulation giunto gelenk gelenks articulación midpoint~ mid-point~ upper-arm counterweight~ sensor~ obstacle~ ground crank~ carriage~ coude épaule~ base caméra charge moteur~ gravité barycentre~ inertie ellbogen~ ellenbogen~ schulter~ basis kamera~ motors schwerpunkt~ masse massenmittelpunkt~ codo hombro cámara carga gravedad masas gomito spalla baricentro massa carico cotovelo ombro
 WRIST forearm avant-bras unterarm~ antebrazo avambraccio antebraço wrist~ poignet~ handgelenk~ muñeca polso pulso
@@ -57,12 +57,13 @@ _LETTERS = {"jacobi": "J", "rotation": "R", "orientat": "R", "pose": "THA", "tra
 _POINT = re.compile(r"\s*(?:\\(?:mathbf|boldsymbol|vec)\s*)?\{?[OPCAp]\}?_\{?(\d)\}?\s*")
 _NUMBER = re.compile(r"¤?\s*(?:\\?[A-Za-z]+\s*_\s*)?\{?\s*(?:\\?[A-Za-z]+_)?(\d)\s*\}?\s*")  # 2, $2$, $R_2$, $\{2\}$
 _OF_FRAME = re.compile(r"¤\s*(?:\\mathcal\s*)?\{?[RF]\}?_\{?([1-9])\}?\s*|¤\s*\\\{([1-9])\\\}\s*")
+_OF_JOINT = re.compile(r"¤\s*(?:\\(?:var)?(?:theta|phi|alpha|beta)|q)(?![A-Za-z])")
 _ENDS = frozenset(",:.;!?")
 
 
 def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
     """Yield of what a sentence, with its words and formulas, says the display to be that it leads to."""
-    said = words.lower().replace("upper arm", "upper-arm").split()
+    said = words.lower().replace("upper arm", "upper-arm").replace("how far", "how-far").split()
     numbers = iter(formulas)
     said = [f"¤{next(numbers, '')}" if each == "¤" else each for each in said]
     for place, word in enumerate(said):
@@ -120,7 +121,8 @@ def _of_thing(phrase: Sequence[str]) -> Iterator[str]:
     noun, behind = (*phrase, "", "")[:2]
     is_place = (_is(noun, "OTHER") and not _is(noun, "BASE")) or _is(noun, "WRIST")
     if is_place and "-" not in noun and noun != "joint" and behind not in ("up", "down"):
-        yield from _of_place(phrase[:1] if _is(behind, "OF") else phrase[:2])
+        of_part = _is(noun, "WRIST") and _is(behind, "OTHER")  # the wrist camera
+        yield from _of_place(phrase[1:2] if of_part else phrase[:1] if _is(behind, "OF") else phrase[:2])
 
 
 def _along(behind: Sequence[str]) -> Iterator[str]:
@@ -202,6 +204,8 @@ def _number(phrase: Sequence[str]) -> str:
 
 def _seen_from(said: Sequence[str], place: int) -> Iterator[str]:
     """Yield that something is seen from another thing than the base, or that it is a relative velocity."""
+    if _OF_JOINT.match(said[0]):  # an angle is relative to the link before
+        return
     is_first = not any(_is(each, "QUANTITY") for each in said[: max(0, place - 1)])
     if is_first and any(
         _is(each, "QUANTITY") for each in (*said[max(0, place - 1) : place], *said[place + 1 : place + 2])
