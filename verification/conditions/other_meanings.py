@@ -10,7 +10,7 @@ from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.quantity import COMPONENTS
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document.other_meanings import ALL, BEHIND, JACOBIAN, OMEGA_FIRST, TURNS
-from armproof.verification.document.named_quantities import ABSCISSA, DISTANCE, NAMED, ORDINATE, VELOCITY
+from armproof.verification.document.named_quantities import ABSCISSA, DISTANCE, NAMED, ORDINATE, ORIENTATION, VELOCITY
 from armproof.verification.document.other_arms import OF_ARM, is_other_arm
 from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.equations.chain import ChainChecker
@@ -24,7 +24,7 @@ from armproof.verification.latex.nodes import bare, bare_key
 _VELOCITIES = ("v", "V")
 _MOVING = (*_VELOCITIES, *"xyzpPXYZ")  # what has an acceleration
 _TWIST = (6, 1)
-_OTHERS = {ABSCISSA: "yz", ORDINATE: "x", DISTANCE: "xyz"}  # coordinates that are not what is named
+_OTHERS = {ABSCISSA: "yz", ORDINATE: "x", DISTANCE: "xyz", ORIENTATION: "xyz"}  # coordinates that are not what is named
 
 
 class OtherMeanings:

@@ -18,6 +18,7 @@ SUBJECTS = ("this", "display", "part", "letter", "person", "writer", "arm", "for
 _POLITE = re.compile(r"^(?:(?:please|bitte|veuillez|prière de|por favor|per favore|si prega di) (?:, )?)+")
 _WEIGHED = frozenset("part person must only general given neutral use counted claim".split())
 _IT_IS = frozenset("es son è sono é são".split())  # what begins a sentence without a subject is of what stands before it
+_OF_NO_CLAIM = ("not", "if", "neutral", "same", "change", "would")  # "It would be the velocity", "The other equation gives the ordinate"
 OF_DISPLAY = ("this", "display", "part")
 _SHORT = 8  # words of what says little else than when the display above it holds
 _MOST_KNOWN = 4096  # words, and sentences, so that each is looked up once
@@ -94,15 +95,16 @@ def is_of_display(words: str) -> bool:
         return False
     begin = found[0]
     if begin.words[0] in _IT_IS:
-        return not begin.has("not", "if", "neutral", "same", "change")
+        return not begin.has(*_OF_NO_CLAIM)
     is_this = begin.subject == "this" or (begin.subject == "display" and (begin.has("this") or begin.begins("article")))
-    return is_this and not begin.has("not", "if", "neutral", "same", "change")
+    return is_this and not begin.has(*_OF_NO_CLAIM)
 
 
 def mentions_only(words: str) -> bool:
-    """Whether a sentence says that what it is of has no part in what is at hand: "The centre of mass is not needed before Chapter 6"."""
+    """Whether a sentence says that what it is of has no part in what is at hand: "The centre of mass is not needed", "In the tool frame it would be longer"."""
     found = clauses(words)
-    return bool(found) and not found[0].is_of_display and found[0].has("not") and found[0].has("neutral")
+    is_without = bool(found) and not found[0].is_of_display and found[0].has("not") and found[0].has("neutral")
+    return is_without or any(each.has("would") for each in found)
 
 
 def is_weighed(word: str) -> bool:

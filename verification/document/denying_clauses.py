@@ -14,6 +14,7 @@ from armproof.verification.document.clauses import OF_DISPLAY, Clause, clauses, 
 _FAR = 14  # words from a denial to the display that its sentence leads to
 _LAST = 3  # words of a clause that lead to a display
 _PARTICIPLES = ("ing", "ando", "endo", "ant", "ed")  # "changing the frame" is no order
+_HERE = frozenset("here ici hier aquí qui aqui".split())
 _LEADS = frozenset(
     ["claim", "have", "use", "that", "think", "good"]
 )  # kinds of a word that a display follows: "we do not have"
@@ -101,7 +102,7 @@ def _denies_above(clause: Clause) -> bool:
     if finds_fault_in(clause) or _is_quoted(clause) or _is_to_be_changed(clause) or _tells_what_is_right(clause):
         return True
     is_of_it = clause.is_of_display or (clause.subject == "person" and clause.has(*OF_DISPLAY))
-    if clause.has("turned") and clause.subject == "part" and clause.ends("this", "display"):
+    if clause.has("turned") and clause.has("part") and (clause.ends("this", "display") or _HERE & {*clause.words}):
         return True  # "The sign is flipped in this line"
     is_mended = clause.has("differs") and is_of_it and not clause.has("if", "where")
     return is_mended or (clause.has("not") and _is_denied(clause))

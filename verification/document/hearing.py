@@ -69,7 +69,8 @@ def hears_denied(name: str, words: str) -> bool:
     if found is None:
         return False
     before = words[: found.start()].split()[-4:]
-    return hears("NOT", f"{' '.join([*before, found.group()])} ") is not None
+    phrase = found.group().removeprefix("no ")  # "no referencial da garra"
+    return hears("NOT", f"{' '.join([*before, phrase])} ") is not None
 
 
 def says(name: str, words: str) -> bool:

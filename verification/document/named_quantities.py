@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from functools import cache
 
 NAMED = "named"  # with what is named
-VELOCITY, DISTANCE, ABSCISSA, ORDINATE = "velocity", "distance", "abscissa", "ordinate"
+VELOCITY, DISTANCE, ABSCISSA, ORDINATE, ORIENTATION = "velocity", "distance", "abscissa", "ordinate", "orientation"
 _OTHER = "other"
 
 # A line is a class and its words; ~ ends a stem.
@@ -18,7 +18,8 @@ velocity velocity velocities speed speeds vitesse vitesses geschwindigkeit gesch
 distance how-far distance distances abstand abstände entfernung distancia distanza distância
 abscissa abscissa abscisse abszisse abscisa ascissa x-coordinate x-koordinate
 ordinate ordinate ordonnée ordenada ordinata y-coordinate y-koordinate height hauteur höhe altura altezza
-other position~ posición posizione posição location~ situation lage acceleration~ accélération~ beschleunigung~ aceleración accelerazione aceleração orientation~ orientierung~ orientación orientamento orientação jacobi~ pose poses lengths~ torque~ force~ angle angles rotation~ determinant~ rate rates
+orientation orientation orientierung orientación orientamento orientação attitude
+other position~ posición posizione posição location~ situation lage acceleration~ accélération~ beschleunigung~ aceleración accelerazione aceleração jacobi~ pose poses lengths~ torque~ force~ angle angles rotation~ determinant~ rate rates
 COORDINATE coordinate coordonnée koordinate coordenada coordinata position component composante komponente componente posición posizione posição
 UP vertical verticale vertikale vertikalen senkrechte vertical
 LEVEL horizontal horizontale horizontalen waagrechte waagerechte orizzontale
@@ -48,7 +49,7 @@ def _kind(said: Sequence[str], place: int) -> str:
     if _is(word, "COORDINATE"):
         turned = ((ORDINATE, "UP"), (ABSCISSA, "LEVEL"))
         return next((kind for kind, way in turned if any(_is(each, way) for each in beside)), _OTHER)
-    return next((kind for kind in (VELOCITY, DISTANCE, ABSCISSA, ORDINATE, _OTHER) if _is(word, kind)), "")
+    return next((kind for kind in (VELOCITY, DISTANCE, ABSCISSA, ORDINATE, ORIENTATION, _OTHER) if _is(word, kind)), "")
 
 
 def _is_told(said: Sequence[str], place: int) -> bool:

@@ -29,11 +29,11 @@ _NUMBERS = {
 _NUMBER = rf"({'|'.join(_NUMBERS)})"
 _TYPE = r"(scara|cartesian|cartésien|cartesiano|kartesischen?|gantry|cylindrical|cylindrique|cilíndrico|cilindrico|delta|stanford)"
 _ARM = r"(?:arm|robot|manipulator|bras|manipulateur|roboter|brazo|manipulador|braccio|manipolatore|braço|robô)"
-_JOINTS = r"(?:segments|axes|liaisons|articulations|eslabones|ejes|articulaciones|bracci|assi|giunti|elos|eixos|juntas|gelenken|achsen)"
+_JOINTS = r"(?:links|joints|segments|axes|liaisons|articulations|eslabones|ejes|articulaciones|bracci|assi|giunti|elos|eixos|juntas|gelenken|achsen)"
 _PLAIN = r"(?:planar |plan |spatial |serial )?"
 _ARMS = re.compile(
     rf"(?<!\S)(?:{_NUMBER}[ -](?:link|joint|axis|dof|bar) {_PLAIN}{_ARM}|{_NUMBER}r {_PLAIN}{_ARM}|{_ARM} {_PLAIN}{_NUMBER}r"
-    rf"|{_ARM} {_PLAIN}(?:à|a|con|com|de|mit) {_NUMBER} {_JOINTS}|{_TYPE}[ -]{_ARM}|{_ARM} {_TYPE}) ",
+    rf"|{_ARM} {_PLAIN}(?:with|of|à|a|con|com|de|mit) {_NUMBER} {_JOINTS}|{_TYPE}[ -]{_ARM}|{_ARM} {_TYPE}) ",
     re.IGNORECASE,
 )
 _OF = re.compile(  # what stands before an arm of which a sentence is

@@ -51,6 +51,8 @@ not surprisingly
 not/no/never/cannot (…) wrong/wrongly/false/incorrect/mistake/mistaken/impossible/absurd
 pas/nicht/kein/no (…) faux/fausse/falsch/falscher/falso/incorrecto/inexact
 avoid~/prevent~/remedy/without/éviter/évite~/sans/vermeide~/evitar (…) mistake~/error~/misconception~/erreur~/wrong/fehler
+if/when/whenever/falls/si (something/anything/it/etwas/quelque) (chose/algo) goes/go/schiefgeht/va wrong/mal
+^ a/any/one (wrong/false/single) sign/mistake/error/slip here would
 false/wrong position/ground/side/way/hand
 right inverse/angle/angles/side/hand/triangle
 error metric/norm/signal/measure/model/bound/function
@@ -303,10 +305,10 @@ en el sistema/marco 1/2/3/4/5/6/7/8/9
 repère mobile
 dans (le/un/la) repère/base (lié/liée/attaché) (au/à/du/de/d') (l'/la/le) (premier/dernier/second/deuxième) avant-bras/outil/effecteur/pince/main/organe/corps/segment/poignet/solide
 im/in werkzeugkoordinatensystem/effektorkoordinatensystem/endeffektorkoordinatensystem/greiferkoordinatensystem/tcp-koordinatensystem/werkzeugsystem/effektorsystem/endeffektorsystem/tcp-system/körperfesten
-im/in koordinatensystem/system/bezugssystem des/vom werkzeugs/endeffektors/effektors/greifers/handgelenks/tcp
-en/al (el) sistema/marco/referencial (de) (coordenadas/referencia) (ligado/fijo) (de/del/a/al) (la) herramienta/efector/pinza/mano/muñeca
-nella/nel/alla/al/in terna/sistema/riferimento (di) (riferimento) (solidale) (dell'/della/del/al/all'/alla/di) utensile/pinza/organo/end-effector/effettore/mano/polso
-no/ao referencial/sistema/quadro (de) (coordenadas) (da/do) ferramenta/efetuador/garra/punho/mão
+im/in koordinatensystem/system/bezugssystem des/vom (ersten/zweiten/dritten/letzten) unterarms/oberarms/gliedes/glieds/werkzeugs/endeffektors/effektors/greifers/handgelenks/tcp
+en/al (el) sistema/marco/referencial (de) (coordenadas/referencia) (ligado/fijo/unido/solidario) (de/del/a/al) (la/el) (primer/segundo/tercer/último) eslabón/antebrazo/herramienta/efector/pinza/mano/muñeca
+nella/nel/alla/al/in terna/sistema/riferimento (di) (riferimento) (solidale) (dell'/della/del/al/all'/alla/di) (primo/secondo/terzo/ultimo) braccio/membro/link/avambraccio/utensile/pinza/organo/end-effector/effettore/mano/polso
+no/ao referencial/sistema/quadro (de) (coordenadas) (da/do) (primeiro/segundo/último) elo/antebraço/ferramenta/efetuador/garra/punho/mão
 seen * from/on the tool/gripper/hand
 frame/system/axes/repère/système/koordinatensystem/bezugssystem/sistema/marco/terna (,) (that) (which) (qui) (das) (que) (che) (is) turns/turning/moves/moving/rotates/rotating/carried/travels/tourne/bouge/dreht/bewegt/gira/mueve/ruota/muove (sich) (along) with/by/avec/mit/con/com
 koordinatensystem/bezugssystem/system , das sich mit
@@ -317,6 +319,8 @@ OTHER_ORIGIN = """
 origin (of) (the) (base) (frame) (is/lies/sits/stands) (placed/taken/put/chosen) at/in/into/to (the) elbow
 (seen/viewed/looked) (at) from the other/opposite/back side
 (seen/viewed/looked) from behind/below/underneath
+as/comme/als/como/come (the) origin/origine/ursprung/origen/origem (the/le/der/den/el/il/o) elbow/coude/ellbogen/codo/gomito/cotovelo/wrist/poignet
+elbow/coude/codo/gomito/ellbogen/cotovelo (is/est/wird/es/è) (taken/chosen/pris/choisi) as/comme/als/como/come (the) origin/origine/ursprung/origen/origem
 origin * at joint 2/3/4
 origin lies ¤ below/above
 counted/measured/relative/seen from/to the elbow
@@ -370,6 +374,7 @@ measured/counted/taken/mesuré~/compté~/pris … par/à/respecto/rispetto (rapp
 measured/counted/taken clockwise
 ¤ … means/corresponds/signifies/signifie/correspond/bedeutet/entspricht/significa/corresponde … folded/replié~/gefaltet~/eingeklappt/plegado/ripiegato/hanging/upright/pendant
 angle * with/between/and/avec/et (the/la) vertical/verticale/y-axis
+miden/mide/misst/messen/gemessen/mesure/mesurent/misurano/misura/medem … desde/ab/von/depuis/dalla/da (la/der/a) vertical~/senkrechten/y-axis
 clockwise
 sens horaire
 sens des aiguilles

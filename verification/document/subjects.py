@@ -47,6 +47,7 @@ MOVES moves move sits lies travels has have stands rests déplace trouve bewegt 
 FIXED fixed attached mounted fixée fixé montée monté attachée attaché befestigt montiert fijada fijado montada montado fissata fissato montata
 TRANSPOSED transpose~ inverse inversed inverted pseudo-inverse~ pseudoinverse~ negative transposée~ opposé~ transponierte~ inverse~ inversa trasposta traspuesta~ transpuesta~ transposta pseudoinversa
 SCALED scaled normali~ weighted dimensionless normiert~ normé~ pondéré~ escalad~ ponderad~
+VECTOR vector vecteur vektor vettore vetor
 THOSE those that celles celle ceux celui diejenigen die jene las los aquellas quelle quelli quelli as os aquelas
 FOR for pour für para per
 ACTS describes concerns regards décrit concerne beschreibt betrifft describe concierne descrive riguarda descreve
@@ -66,8 +67,9 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
     said = words.lower().replace("upper arm", "upper-arm").replace("how far", "how-far").split()
     numbers = iter(formulas)
     said = [f"¤{next(numbers, '')}" if each == "¤" else each for each in said]
+    of_tool = _for_the_tool(said)
     for place, word in enumerate(said):
-        if _is(word, "QUANTITY") and any(_is(each, "OF") for each in said[place + 1 : place + 3]):
+        if place >= of_tool and _is(word, "QUANTITY") and any(_is(each, "OF") for each in said[place + 1 : place + 3]):
             behind = next(k for k in (place + 1, place + 2) if _is(said[k], "OF")) + 1
             yield from _of_place(_phrase(said[behind:]))
         if _is(word, "AXES") and any(_is(each, "ALONG") for each in said[max(0, place - 3) : place]):
@@ -82,6 +84,8 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
             yield from _seen_from(said, place)
         if _is(word, "ACTS") or (place == 0 and _is(word, "FOR")):
             yield from _of_thing(_phrase(said[place + 1 :]))
+        if _is(word, "VECTOR") and _is((*said[place + 1 :], "")[0], "FROM"):
+            yield from _of_thing(_phrase(said[place + 2 :])[:1])
     yield from _of_those(said)
     label = [each for each in _unskipped(said) if each not in _ENDS]
     if (
@@ -104,6 +108,14 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
     yield from (f"{OF_ARM} {each}" for each in arms_named(words))
 
 
+def _for_the_tool(said: Sequence[str]) -> int:
+    """Return the place where a sentence says that it is for the tool, 0 where it does not: "Knowing that of the elbow we find for the tip"."""
+    for place in range(len(said) - 1, 0, -1):
+        if _is(said[place], "FOR") and (phrase := _phrase(said[place + 1 : place + 4])) and _is(phrase[0], "TOOL"):
+            return place if not _number(_phrase(said[place + 1 :])) else 0
+    return 0
+
+
 def places_of_those(words: str) -> Iterator[str]:
     """Yield of what place something near a sentence is said to be, wherever the sentence stands: "The coordinates are those of the elbow."."""
     yield from _of_those(words.lower().split())
@@ -113,7 +125,7 @@ def _of_those(said: Sequence[str]) -> Iterator[str]:
     for place, word in enumerate(said):
         is_told = any(_is(each, "BE") for each in said[max(0, place - 2) : place])
         if is_told and _is(word, "THOSE") and _is((*said[place + 1 :], "")[0], "OF"):
-            yield from _of_place(_phrase(said[place + 2 :]))
+            yield from _of_thing(_phrase(said[place + 2 :]))
 
 
 def _of_thing(phrase: Sequence[str]) -> Iterator[str]:
@@ -204,8 +216,8 @@ def _number(phrase: Sequence[str]) -> str:
 
 def _seen_from(said: Sequence[str], place: int) -> Iterator[str]:
     """Yield that something is seen from another thing than the base, or that it is a relative velocity."""
-    if _OF_JOINT.match(said[0]):  # an angle is relative to the link before
-        return
+    if any(map(_OF_JOINT.match, said[:place])) and any(_is(each, "BE") for each in said[:place]):
+        return  # an angle is relative to the link before
     is_first = not any(_is(each, "QUANTITY") for each in said[: max(0, place - 1)])
     if is_first and any(
         _is(each, "QUANTITY") for each in (*said[max(0, place - 1) : place], *said[place + 1 : place + 2])

@@ -135,7 +135,7 @@ verify version vertical very via vice video videos view virtual viscous visible 
 waist wait waiting walk walker walking walkthrough wall wall-mounted want warehouse warm warm-up was watch watching way waypoint ways we web wednesday
 week weekly weeks weight weighted weighting weights welcome welded welding well were what wheel wheeled wheels when whence whenever where whereas
 wherein wherever which while white whiteboard whole whom whose why wide widely width will window winter with within wonder word words work workflow
-workpiece works worksheet workshop workspace workstation world worth wrap wrapped wrench wrenches wrist write writes writing written wrt xy try tries corridor yaw yawing
+workpiece works worksheet workshop workspace workstation world worth wrap wrapped wrench wrenches wrist write writes writing written wrt xy try tries corridor mail asked something spoil spoils yaw yawing
 yellow yesterday yet yield yielding yields yoshikawa you young your zero zeros zoom zyx zyz
 """
 FRENCH = """
@@ -214,7 +214,7 @@ vérification vérin vérins week-end y zone zéro à à-dire écart écarts éc
 être
 """
 GERMAN = """
-genauso ab abbildung abend abends aber abgabetermin abgeleitet abgeschlossen ablauf ableiten ablesen absatz abschließen abschnitt absolut abstand abszisse
+hierhin bislang dorthin genauso ab abbildung abend abends aber abgabetermin abgeleitet abgeschlossen ablauf ableiten ablesen absatz abschließen abschnitt absolut abstand abszisse
 absätze abtastung achse achsen addieren addition agenda aktualisiert aktuell alle allem allen aller alles allgemein allmählich als also am an analog
 andere anfang angegeben angenehm angenommen angewendet anhalten anhand anhang ankündigung anleitung anmelden annahme annehmen anordnung ansatz
 anschauen anschließend ansehen anteil antrieb antwort anwenden april arbeit arccos archiv arctan arkustangens arm armes artikel auch auf aufbau

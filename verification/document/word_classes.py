@@ -47,7 +47,7 @@ fault wrong~ false~ incorrect~ mistake~ mistaken typo typos misprint~ blunder~ f
   disagree~ withdraw~ withdrawn reject~ refuse~ invalid~ untrue erroneous~ flaw~ nonsense defect~ outdated obsolete superseded disprove~ refuted
   mistyped miscopied misread~ miscount~ overlook~ faulty inaccurate~ fallac~ misconception~ bogus spurious inconsistent inconsistenc~ incompatible
   unjustified untenable meaningless absurd corrupt~ slipped tempt~ trap traps careless~ too_many too_few once_too twice doubtful unsure unverified
-  needs_a_correction to-do todo fixme should_have_been should_read should_be_read must_read bug bugs buggy slip_of_the_pen slips_of_the_pen by_mistake by_accident accidentally inadvertently not_so the_opposite_is the_contrary_is no_sense
+  needs_a_correction to-do todo fixme should_have_been should_read should_be_read must_read fails_the fail_the failed_the bug bugs buggy rules_out ruled_out slip_of_the_pen slips_of_the_pen by_mistake by_accident accidentally inadvertently not_so the_opposite_is the_contrary_is no_sense
   sign_error far_from_true far_from_right far_from_correct senseless nonsensical errs erred uncertain retract~ abandon~ mixed_up mixes_up mixing_up
   oversight is_off are_off had_to_take lost_an_angle lost_a_sign lost_a_term lost_a_factor not_verified under_no_circumstances
 good right correct~ true valid hold holds exact exactly accurate~ apply applies applicable agree agrees match matches fit fits works acceptable
