@@ -9,9 +9,9 @@ from itertools import combinations
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.quantity import COMPONENTS
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.document.other_meanings import ALL, BEHIND, JACOBIAN, OMEGA_FIRST, TURNS
 from armproof.verification.document.named_quantities import ABSCISSA, DISTANCE, NAMED, ORDINATE, ORIENTATION, VELOCITY
 from armproof.verification.document.other_arms import OF_ARM, is_other_arm
+from armproof.verification.document.other_meanings import ALL, BEHIND, JACOBIAN, OMEGA_FIRST, TURNS
 from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.given_values import GivenValues

@@ -17,8 +17,17 @@ _ONLY = re.compile(r"(?<!\S)((?:ne|n') \S+ (?:(?!pas|jamais|plus)\S+ )?)qu(?:e|'
 SUBJECTS = ("this", "display", "part", "letter", "person", "writer", "arm", "formula")
 _POLITE = re.compile(r"^(?:(?:please|bitte|veuillez|prière de|por favor|per favore|si prega di) (?:, )?)+")
 _WEIGHED = frozenset("part person must only general given neutral use counted claim".split())
-_IT_IS = frozenset("es son è sono é são".split())  # what begins a sentence without a subject is of what stands before it
-_OF_NO_CLAIM = ("not", "if", "neutral", "same", "change", "would")  # "It would be the velocity", "The other equation gives the ordinate"
+_IT_IS = frozenset(
+    "es son è sono é são".split()
+)  # what begins a sentence without a subject is of what stands before it
+_OF_NO_CLAIM = (
+    "not",
+    "if",
+    "neutral",
+    "same",
+    "change",
+    "would",
+)  # "It would be the velocity", "The other equation gives the ordinate"
 OF_DISPLAY = ("this", "display", "part")
 _SHORT = 8  # words of what says little else than when the display above it holds
 _MOST_KNOWN = 4096  # words, and sentences, so that each is looked up once
@@ -58,7 +67,9 @@ class Clause:
 @lru_cache(maxsize=_MOST_KNOWN)
 def clauses(words: str) -> tuple[Clause, ...]:
     """Return the clauses of a sentence whose words `hearing.words_of` returns; one without a subject has that of the one before it."""
-    small = _NO_LONGER.sub(r"\1jamais ", _ONLY.sub(r"\1seulement ", _POLITE.sub("", words.lower()).replace("n' t ", " not ")))
+    small = _NO_LONGER.sub(
+        r"\1jamais ", _ONLY.sub(r"\1seulement ", _POLITE.sub("", words.lower()).replace("n' t ", " not "))
+    )
     spoken = _spoken(small)
     found: list[Clause] = []
     for part, is_led_to in _parts(_joined(spoken, small).split(), spoken):

@@ -144,7 +144,9 @@ def _with_what_is_said(document: Document) -> Document:
             displays.append(_with_what_is_before(display, between[-1], display.section in marked))
             between.append([])
         elif display.latex.startswith(OF_ABOVE):
-            displays[-1:] = [each if each.erratum else _with_what_is_above(each, display.latex) for each in displays[-1:]]
+            displays[-1:] = [
+                each if each.erratum else _with_what_is_above(each, display.latex) for each in displays[-1:]
+            ]
         elif _SAYS.search(display.latex):
             between[-1].append(display)
     told = tuple(_with_what_is_behind(displays, between[1:]))

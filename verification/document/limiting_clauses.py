@@ -11,7 +11,6 @@ from itertools import pairwise
 
 from armproof.verification.document.clauses import OF_DISPLAY, Clause, clauses, goes_on
 
-
 _SHORT = 4  # words of "Discuss it.", with its stop
 
 

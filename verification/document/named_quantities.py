@@ -54,9 +54,7 @@ def _kind(said: Sequence[str], place: int) -> str:
 
 def _is_told(said: Sequence[str], place: int) -> bool:
     """Whether the sentence is of the noun at a place, finds it, or begins with "for" it."""
-    before = [
-        word for word in said[:place] if not any(_is(word, kind) for kind in ("SKIPPED", "UP", "LEVEL"))
-    ]
+    before = [word for word in said[:place] if not any(_is(word, kind) for kind in ("SKIPPED", "UP", "LEVEL"))]
     if "," in said[place:-1] and not (before and _is(before[-1], "FOR")):
         return False
     is_purpose = before[-2:-1] == ["to"]  # "to find the velocity"

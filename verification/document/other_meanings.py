@@ -48,10 +48,14 @@ _TELLS = re.compile(  # what a sentence begins with that is of the display besid
     r" (?:is|are|denotes|gives|est|sont|désigne|donne|ist|sind|es|son|è|sono|é)\b",
     re.IGNORECASE,
 )
-_BASE_AT = re.compile(r"(?<!\S)(?:base|shoulder|pedestal|first joint|basis|sockel|socle|embase|épaule|hombro|spalla) (?:is|stands|sits|lies|(?:is |stands )?(?:mounted|placed|located|fixed)|est|se trouve|steht|liegt|está|sta|è) (?:placed |located |placée |située )?(?:at|in|en|bei|a|au point|at the point) ¤ ")
+_BASE_AT = re.compile(
+    r"(?<!\S)(?:base|shoulder|pedestal|first joint|basis|sockel|socle|embase|épaule|hombro|spalla) (?:is|stands|sits|lies|(?:is |stands )?(?:mounted|placed|located|fixed)|est|se trouve|steht|liegt|está|sta|è) (?:placed |located |placée |située )?(?:at|in|en|bei|a|au point|at the point) ¤ "
+)
 _NOUGHT = re.compile(r"\(\s*0(?:\s*[,;]\s*0)*\s*\)")
 _TUPLE = re.compile(r"\(\s*[^(),;]+(?:[,;]\s*[^(),;]+)+\)(?:\^\{?(?:T|\\top)\}?)?")
-_UNIT = re.compile(r"(?<!\S)(?:in|en|into) (inch|feet|foot|pouce|zoll|pulgada|pollici|mm|millim|cm|centim|zentim|decim|met|mèt|m )")
+_UNIT = re.compile(
+    r"(?<!\S)(?:in|en|into) (inch|feet|foot|pouce|zoll|pulgada|pollici|mm|millim|cm|centim|zentim|decim|met|mèt|m )"
+)
 _PLURAL = re.compile(
     r"\b(?:angles|(?:second|third|last|elbow|other) angle|both|all|each|every|chaque|rotations?|turns|positi[fv]e?|winkel|ángulos|deux|number(?:ed)?|roles)\b",
     re.IGNORECASE,
