@@ -42,6 +42,7 @@ class WordsAround:
             outcome = outcome.left_open(say(Kind.OF_OTHER_POINT))
         if display.meant and not display.erratum and outcome.verdict in DECIDED:
             outcome = self.meanings.of_quantity(self.meanings.judge(outcome, display.meant), display.meant)
+            outcome = self.meanings.of_arm(outcome, display.meant)
         if display.meant and not display.erratum:
             outcome = self.meanings.in_order(outcome, display.meant)
         if display.denied and outcome.verdict is not Verdict.UNCHECKED:

@@ -7,7 +7,10 @@ from dataclasses import replace
 from itertools import combinations
 
 from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.quantity import COMPONENTS
 from armproof.verification.algebra.ring import Scalar
+from armproof.verification.document.named_quantities import ABSCISSA, DISTANCE, NAMED, ORDINATE, ORIENTATION, VELOCITY
+from armproof.verification.document.other_arms import OF_ARM, is_other_arm
 from armproof.verification.document.other_meanings import ALL, ANEW, BEHIND, JACOBIAN, OMEGA_FIRST, TURNS
 from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.equations.chain import ChainChecker
@@ -21,6 +24,7 @@ from armproof.verification.latex.nodes import bare, bare_key
 _VELOCITIES = ("v", "V")
 _MOVING = (*_VELOCITIES, *"xyzpPXYZ")  # what has an acceleration
 _TWIST = (6, 1)
+_OTHERS = {ABSCISSA: "yz", ORDINATE: "x", DISTANCE: "xyz", ORIENTATION: "xyz"}  # coordinates that are not what is named
 
 
 class OtherMeanings:
@@ -62,15 +66,26 @@ class OtherMeanings:
         return outcome
 
     def of_quantity(self, outcome: Outcome, meant: Sequence[str]) -> Outcome:
-        """Leave open what prints a quantity where the text speaks of its transpose, inverse or derivative, or of the acceleration."""
+        """Leave open what prints a quantity where the text names another one, or its transpose, inverse or derivative, or the acceleration."""
         sides = [bare(node) for node in outcome.nodes]
         alone = [side for side in sides if isinstance(side, n.Name) and not (side.pre_sup or side.pre_sub)]
         letters = "".join(each.removeprefix(OPERATED).strip() for each in meant if each.startswith(OPERATED))
         is_itself = any(side.base in letters and not side.dots and side.sup == "" for side in alone)
         orders = [side.dots + (side.base in _VELOCITIES) for side in alone if side.base in _MOVING]
         is_of_lower_order = ACCELERATION in meant and orders and max(orders) == 1
-        if is_itself or is_of_lower_order:
+        named = {each.removeprefix(NAMED).strip() for each in meant if each.startswith(NAMED)}
+        is_of_lower_order |= VELOCITY in named and bool(orders) and not max(orders)
+        others = {letter for each in named for letter in _OTHERS.get(each, "")}
+        is_other = not others.isdisjoint(_coordinate(side) for side in alone if not side.dots)
+        if is_itself or is_of_lower_order or is_other:
             return outcome.left_open(say(Kind.OF_OTHER_QUANTITY))
+        return outcome
+
+    def of_arm(self, outcome: Outcome, meant: Sequence[str]) -> Outcome:
+        """Leave open what is decided where the text speaks of an arm that has not the joints of this one."""
+        named = [each.removeprefix(OF_ARM).strip() for each in meant if each.startswith(OF_ARM)]
+        if self.names.arm is not None and any(is_other_arm(each, self.names.arm) for each in named):
+            return outcome.left_open(say(Kind.OF_OTHER_ARM))
         return outcome
 
     def _key(self, latex: str) -> str:
@@ -107,6 +122,13 @@ class OtherMeanings:
             if all((a - b).is_zero() for a, b in pairs) or all((a + b).is_zero() for a, b in pairs):
                 found.add(joint.symbol)
         return found
+
+
+def _coordinate(name: n.Name) -> str:
+    """Return which coordinate a name is, x, y or z, by its letter or its index: x, y_e, p_x; "" of none."""
+    if name.base.lower() in COMPONENTS:
+        return name.base.lower()
+    return next((letter for letter in COMPONENTS if name.base in "pP" and letter in name.sub), "")
 
 
 def _products_of_rotations(node: n.Node) -> Iterator[list[tuple[str, str]]]:

@@ -15,7 +15,19 @@ LANGUAGES = ("ENGLISH", "FRENCH", "GERMAN", "SPANISH", "ITALIAN", "PORTUGUESE")
 _NO_LONGER = re.compile(r"(?<!\S)((?:ne|n') \S+ )plus ")  # "ne vaut plus" denies, "plus" does not
 _ONLY = re.compile(r"(?<!\S)((?:ne|n') \S+ (?:(?!pas|jamais|plus)\S+ )?)qu(?:e|') ")
 SUBJECTS = ("this", "display", "part", "letter", "person", "writer", "arm", "formula")
+_POLITE = re.compile(r"^(?:(?:please|bitte|veuillez|prière de|por favor|per favore|si prega di) (?:, )?)+")
 _WEIGHED = frozenset("part person must only general given neutral use counted claim".split())
+_IT_IS = frozenset(
+    "es son è sono é são".split()
+)  # what begins a sentence without a subject is of what stands before it
+_OF_NO_CLAIM = (
+    "not",
+    "if",
+    "neutral",
+    "same",
+    "change",
+    "would",
+)  # "It would be the velocity", "The other equation gives the ordinate"
 OF_DISPLAY = ("this", "display", "part")
 _SHORT = 8  # words of what says little else than when the display above it holds
 _MOST_KNOWN = 4096  # words, and sentences, so that each is looked up once
@@ -55,7 +67,9 @@ class Clause:
 @lru_cache(maxsize=_MOST_KNOWN)
 def clauses(words: str) -> tuple[Clause, ...]:
     """Return the clauses of a sentence whose words `hearing.words_of` returns; one without a subject has that of the one before it."""
-    small = _NO_LONGER.sub(r"\1jamais ", _ONLY.sub(r"\1seulement ", words.lower().replace("n' t ", " not ")))
+    small = _NO_LONGER.sub(
+        r"\1jamais ", _ONLY.sub(r"\1seulement ", _POLITE.sub("", words.lower()).replace("n' t ", " not "))
+    )
     spoken = _spoken(small)
     found: list[Clause] = []
     for part, is_led_to in _parts(_joined(spoken, small).split(), spoken):
@@ -83,6 +97,25 @@ def _of_predicate(kinds: Sequence[Kinds]) -> tuple[Kinds, ...]:
 def goes_on(words: str) -> bool:
     """Whether a sentence goes on from the display that it stands behind: "if the arm is straight.", or is short."""
     return words[:1].islower() or words.count(" ") <= _SHORT
+
+
+def is_of_display(words: str) -> bool:
+    """Whether a sentence, with its words, is of the display that it stands behind: "It describes the elbow"."""
+    found = clauses(words)
+    if not found or words.endswith(": "):
+        return False
+    begin = found[0]
+    if begin.words[0] in _IT_IS:
+        return not begin.has(*_OF_NO_CLAIM)
+    is_this = begin.subject == "this" or (begin.subject == "display" and (begin.has("this") or begin.begins("article")))
+    return is_this and not begin.has(*_OF_NO_CLAIM)
+
+
+def mentions_only(words: str) -> bool:
+    """Whether a sentence says that what it is of has no part in what is at hand: "The centre of mass is not needed", "In the tool frame it would be longer"."""
+    found = clauses(words)
+    is_without = bool(found) and not found[0].is_of_display and found[0].has("not") and found[0].has("neutral")
+    return is_without or any(each.has("would") for each in found)
 
 
 def is_weighed(word: str) -> bool:

@@ -14,6 +14,7 @@ from armproof.verification.document.clauses import OF_DISPLAY, Clause, clauses, 
 _FAR = 14  # words from a denial to the display that its sentence leads to
 _LAST = 3  # words of a clause that lead to a display
 _PARTICIPLES = ("ing", "ando", "endo", "ant", "ed")  # "changing the frame" is no order
+_HERE = frozenset("here ici hier aquí qui aqui".split())
 _LEADS = frozenset(
     ["claim", "have", "use", "that", "think", "good"]
 )  # kinds of a word that a display follows: "we do not have"
@@ -43,7 +44,7 @@ def denies_what_is_below(words: str) -> bool:
     is_wrong = any(finds_fault_in(each) or _is_of_old_edition(each) or _is_quoted(each) for each in near)
     if is_wrong and not found[-1].has("remedy"):
         return True
-    is_only = found[0].begins("only") and _is_exclusive(found[0])
+    is_only = (found[0].begins("only") or found[-1].ends("only")) and _is_exclusive(found[0])
     return is_only or any(_denies_below(each) or _is_to_be_changed(each) for each in _leading(found))
 
 
@@ -73,7 +74,13 @@ def finds_fault_in(clause: Clause) -> bool:
     place = min(clause.at("fault"), clause.at("error"))
     is_lost = clause.has("lost") and clause.has("letter", "part")
     has_fault = clause.has("fault") or is_lost or (clause.has("error") and _is_slip(clause))
-    return has_fault and clause.at("not") >= min(place, clause.at("lost"))
+    return has_fault and _not_in(clause) >= min(place, clause.at("lost"))
+
+
+def _not_in(clause: Clause) -> int:
+    """Return the place of "not" in a clause, in French that of the "ne" before its "pas"."""
+    place = clause.at("not")
+    return next((at for at, word in enumerate(clause.words[:place]) if word in ("ne", "n'")), place)
 
 
 def _is_slip(clause: Clause) -> bool:
@@ -95,6 +102,8 @@ def _denies_above(clause: Clause) -> bool:
     if finds_fault_in(clause) or _is_quoted(clause) or _is_to_be_changed(clause) or _tells_what_is_right(clause):
         return True
     is_of_it = clause.is_of_display or (clause.subject == "person" and clause.has(*OF_DISPLAY))
+    if clause.has("turned") and clause.has("part") and (clause.ends("this", "display") or _HERE & {*clause.words}):
+        return True  # "The sign is flipped in this line"
     is_mended = clause.has("differs") and is_of_it and not clause.has("if", "where")
     return is_mended or (clause.has("not") and _is_denied(clause))
 
@@ -132,7 +141,8 @@ def _is_of_old_edition(clause: Clause) -> bool:
 
 def _is_to_be_changed(clause: Clause) -> bool:
     """Whether a clause says, or orders, that the display or a part of it is replaced."""
-    if not clause.has("change"):
+    is_too = clause.has("same") and not clause.has("this", "part", "letter")  # "Other versions should work, too"
+    if not clause.has("change") or is_too:
         return False
     if not clause.has("must"):
         is_order = clause.begins("change") and not clause.words[0].endswith(_PARTICIPLES)

@@ -25,10 +25,12 @@ from armproof.verification.document.notebook import read_notebook, read_percent
 from armproof.verification.document.other_meanings import MAY_MEAN, with_other_meanings
 from armproof.verification.document.rst import read_rst
 from armproof.verification.document.sentences import (
+    ABOVE,
     DENIED,
     DENIED_ABOVE,
     LIMITED_ABOVE,
     MEANT,
+    OF_ABOVE,
     OF_NEXT,
     OTHER_FRAME,
     OTHER_POINT,
@@ -141,8 +143,10 @@ def _with_what_is_said(document: Document) -> Document:
         if display.opening != INLINE:
             displays.append(_with_what_is_before(display, between[-1], display.section in marked))
             between.append([])
-        elif said := _said_of_above(display.latex):
-            displays[-1:] = [each if each.erratum else replace(each, **said) for each in displays[-1:]]
+        elif display.latex.startswith(OF_ABOVE):
+            displays[-1:] = [
+                each if each.erratum else _with_what_is_above(each, display.latex) for each in displays[-1:]
+            ]
         elif _SAYS.search(display.latex):
             between[-1].append(display)
     told = tuple(_with_what_is_behind(displays, between[1:]))
@@ -153,11 +157,19 @@ def _with_what_is_said(document: Document) -> Document:
     return replace(document, displays=told, in_code=tuple(code_tables(code)) if code else ())
 
 
-def _said_of_above(latex: str) -> dict[str, Any]:
-    """Return what is known of the display above, by what its text is heard to say of it; nothing of any other text."""
+def _with_what_is_above(display: Display, latex: str) -> Display:
+    """Return a display with what the text behind it is heard to say of it."""
     if latex.startswith(STRANGE_ABOVE):
-        return {"strange": latex.removeprefix(STRANGE_ABOVE)}
-    return {DENIED_ABOVE: {"denied": True}, LIMITED_ABOVE: {"supposed": True}}.get(latex, {})
+        return replace(display, strange=latex.removeprefix(STRANGE_ABOVE))
+    if latex.startswith(ABOVE + MEANT):
+        return replace(display, meant=(*display.meant, latex.removeprefix(ABOVE + MEANT)))
+    said: dict[str, Any] = {
+        DENIED_ABOVE: {"denied": True},
+        LIMITED_ABOVE: {"supposed": True},
+        ABOVE + OTHER_POINT: {"of_other_point": True},
+        ABOVE + OTHER_FRAME: {"in_other_frame": True},
+    }
+    return replace(display, **said[latex])
 
 
 def _listings(document: Document) -> Iterator[Listing]:

@@ -12,7 +12,7 @@ import armproof.verification.document.phrases as phrases
 
 FORMULA = re.compile(r"\$\$?[^$]*\$\$?|\\\(.*?\\\)|:math:`[^`]*`")
 AXIS = re.compile(
-    r"\$\s*([xyz])(?:_0)?\s*\$[ -]?(?:axis|achse|direction|coordinate)|\b([xyz])[ -](?:axis|achse|direction)|\b(?:axe|eje) \$\s*([xyz])(?:_0)?\s*\$"
+    r"\$\s*([xyz])(?:_0)?\s*\$[ -]?(?:axis|achse|direction|coordinate)|\b([xyz])[ -](?:axis|achse|direction)|\b(?:axe|eje|asse|eixo)(?: des| de las| delle| dos)? \$\s*([xyz])(?:_0)?\s*\$"
     r"|(?<=with )\$\s*(y)\s*\$",
     re.IGNORECASE,
 )
@@ -69,7 +69,8 @@ def hears_denied(name: str, words: str) -> bool:
     if found is None:
         return False
     before = words[: found.start()].split()[-4:]
-    return hears("NOT", f"{' '.join([*before, found.group()])} ") is not None
+    phrase = found.group().removeprefix("no ")  # "no referencial da garra"
+    return hears("NOT", f"{' '.join([*before, phrase])} ") is not None
 
 
 def says(name: str, words: str) -> bool:

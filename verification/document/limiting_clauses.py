@@ -11,6 +11,8 @@ from itertools import pairwise
 
 from armproof.verification.document.clauses import OF_DISPLAY, Clause, clauses, goes_on
 
+_SHORT = 4  # words of "Discuss it.", with its stop
+
 
 def limits_what_is_above(words: str) -> bool:
     """Whether a sentence says of the display that it stands behind when, or how nearly, that holds, or asks for it."""
@@ -42,7 +44,8 @@ def limits_what_is_below(words: str) -> bool:
 def limits_what_is_near(words: str) -> bool:
     """Whether a sentence that leads to no display limits those near it."""
     found = clauses(words)
-    return _is_supposed(found) or any(map(_limits_near, found))
+    is_asked = bool(found) and found[0].begins("ask") and words.count(" ") <= _SHORT and found[0].has("this")
+    return is_asked or _is_supposed(found) or any(map(_limits_near, found))
 
 
 def _is_supposed(found: Sequence[Clause]) -> bool:
@@ -88,7 +91,7 @@ def _limits_below(clause: Clause) -> bool:
     if clause.has("general"):
         return False
     if (clause.begins("only") and not clause.has("neutral") and not clause.ends("if")) or (
-        clause.begins("of") and clause.has("case")
+        clause.begins("of") and (clause.has("case") or clause.ends("only"))
     ):
         return True
     if "¤" in clause.words or clause.has("given"):

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import inf
 
+from armproof.verification.document.clauses import mentions_only
 from armproof.verification.document.heading import is_ruled
 from armproof.verification.document.hearing import MOST_CHARACTERS, hears, hears_denied, says, with_axes, words_of
 from armproof.verification.document.letters_anew import MAY_RENAME, letters_anew
@@ -19,7 +20,7 @@ from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, sub
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
     r"horizontal|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
-    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|transpos|invers|masse?\b|gravit|bar[iy]c|schwerp|acc[eé]l|beschl|jacobi|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from"
+    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|transpos|invers|masse?\b|gravit|bar[iy]c|schwerp|acc[eé]l|beschl|jacobi|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from|convention|mirror|miroir|spiegel|espejo|repli|gefalt|plegad|ripieg|eingeklappt|left and right|inches|feet|pouces|zoll|pulgadas|pollici"
 )
 _SENTENCE = re.compile(r"(?:\$[^$\n]+\$|\\[;!]|[^.;!?\n]|[.;!?](?!\s)|\n(?![^\S\n]*\n))+[.;!?]?")
 _SHOWN = re.compile(  # what is no sentence
@@ -47,6 +48,14 @@ _TELLS = re.compile(  # what a sentence begins with that is of the display besid
     r"(?:where |here |où |wobei |donde |dove |onde )?(?:this|these|that|which|it|¤|ce|c'|cela|ceci|das|dies|esto|questo|isto)"
     r" (?:is|are|denotes|gives|est|sont|désigne|donne|ist|sind|es|son|è|sono|é)\b",
     re.IGNORECASE,
+)
+_BASE_AT = re.compile(
+    r"(?<!\S)(?:base|shoulder|pedestal|first joint|basis|sockel|socle|embase|épaule|hombro|spalla) (?:is|stands|sits|lies|(?:is |stands )?(?:mounted|placed|located|fixed)|est|se trouve|steht|liegt|está|sta|è) (?:placed |located |placée |située )?(?:at|in|en|bei|a|au point|at the point) ¤ "
+)
+_NOUGHT = re.compile(r"\(\s*0(?:\s*[,;]\s*0)*\s*\)")
+_TUPLE = re.compile(r"\(\s*[^(),;]+(?:[,;]\s*[^(),;]+)+\)(?:\^\{?(?:T|\\top)\}?)?")
+_UNIT = re.compile(
+    r"(?<!\S)(?:in|en|into) (inch|feet|foot|pouce|zoll|pulgada|pollici|mm|millim|cm|centim|zentim|decim|met|mèt|m )"
 )
 _PLURAL = re.compile(
     r"\b(?:angles|(?:second|third|last|elbow|other) angle|both|all|each|every|chaque|rotations?|turns|positi[fv]e?|winkel|ángulos|deux|number(?:ed)?|roles)\b",
@@ -161,10 +170,12 @@ def _meanings(text: str) -> Iterator[Meaning]:
             for heard in subjects(words, formulas):
                 of_place = heard in (OTHER_PLACE, OTHER_BASE)
                 yield Meaning(line, is_place=True) if of_place else Meaning(line, beside=heard)
-        is_over = words.rstrip()[-1:] in ".!"
+        is_over = words.rstrip()[-1:] in ".!" and not mentions_only(words)
         if is_over and any(says(each, words) for each in ("OTHER_POINT", "OTHER_FRAME")):
             yield Meaning(line, is_place=True)
-        if says("OTHER_ORIGIN", words):
+        if len({*_UNIT.findall(words.lower())}) > 1:  # lengths in inches, and what is printed in millimetres
+            yield Meaning(line, is_place=True)
+        if says("OTHER_ORIGIN", words) or _has_base_elsewhere(words.lower(), formulas):
             yield Meaning(line, is_origin=True)
 
 
@@ -173,11 +184,19 @@ def _that_stand_in(text: str, letters: Sequence[str]) -> Iterator[str]:
     displays = [found.group() for found in _SHOWN.finditer(text)]
     formulas = " ".join([*displays, *(found.group() for found in _FORMULA.finditer(_SHOWN.sub(" ", text)))])
     for letter in letters:
-        index = letter[-1] if letter.startswith(("\\theta", "q")) else "-"
-        if re.search(
-            rf"(?<![\\A-Za-z]){re.escape(letter)}(?![A-Za-z])|(?<![A-Za-z])[cCsS]_?\{{?\d*{index}", formulas
-        ):  # θ_2 stands in c_{12}
+        index = re.fullmatch(r"(?:\\theta|q)\s*_\s*\{?\s*(\d)\s*\}?", letter)
+        in_sine = rf"|(?<![A-Za-z])[cCsS]_?\{{?\d*{index[1]}" if index else ""  # θ_2 stands in c_{12}
+        if re.search(rf"(?<![\\A-Za-z]){re.escape(letter)}(?![A-Za-z]){in_sine}", formulas):
             yield f"{ANEW} {letter}"
+
+
+def _has_base_elsewhere(words: str, formulas: Sequence[str]) -> bool:
+    """Whether a sentence puts the base at a point whose coordinates are not all zero: "The base stands at $(0.2, 0)$"."""
+    found = _BASE_AT.search(words)
+    if found is None:
+        return False
+    point = formulas[words.count("¤", 0, found.end()) - 1].strip()
+    return _TUPLE.fullmatch(point) is not None and _NOUGHT.match(point) is None
 
 
 def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:

@@ -23,9 +23,23 @@ pas sorcier
 étonn~/surprendra/doutera pas (de)
 without/sans/sin/senza/sem/ohne (any/a/further/aucune) (the) loss/perte/pérdida/perdita/perda/doubt/duda/doute/dubbio/dúvida/ado/zweifel
 unless/sauf otherwise/mention/indication (stated/noted/specified/mentioned) (contraire)
-does/do/did/is not/n' depend/matter/involve/change/affect/enter/appear/contain
-ne dépend/change/contient/intervient pas
+does/do/did/is not/n' depend/matter/involve/change/affect/enter/appear/contain/assume/presuppose/suppose/require
+is/are not restricted/limited/confined/bound/tied to
+ne dépend/change/contient/intervient/suppose/présuppose/exige/requiert/nécessite pas
+n' est/sont pas limité~/restreint~/réservé~
+no supone/requiere/exige
+non suppone/presuppone/richiede
+não supõe/requer/exige
+same formula/formulas/equation/equations/expression/relation/result (is/are/can) (also) (be) found/used/given/derived/printed/appears/appear/stands in (many/most/several/all) (other) books/textbooks/texts/courses/sources/papers/articles/chapters
+même formule/relation/équation/expression/résultat (se/est) (trouve/figure/trouvée/donnée) dans (beaucoup/la/tous/plusieurs) (plupart) (d'/de/des/les) (autres) ouvrages/livres/manuels/cours/textes/articles
+gleiche/dieselbe/selbe formel/gleichung/beziehung (steht/findet) (sich) in (vielen/den/allen/mehreren) (meisten) (anderen) büchern/lehrbüchern/texten/vorlesungen
+misma fórmula/ecuación/expresión/relación (se/está) (encuentra/aparece) en (muchos/varios/todos) (los) (otros) libros/textos/cursos/apuntes
+stessa formula/equazione/espressione/relazione (si) (trova/ritrova) in (molti/altri/tutti) (i/altri) libri/testi/corsi
 no need
+no hace/hará falta
+no/non/não es/è/é necesario/necessario/necessário/preciso
+non serve/occorre
+nicht/n'/nul nötig/notwendig/besoin
 what we wanted/expected/sought
 wrong/incorrect to think/believe that % matters/depends/matter/depend
 often/sometimes printed/written with a/the wrong sign
@@ -37,6 +51,8 @@ not surprisingly
 not/no/never/cannot (…) wrong/wrongly/false/incorrect/mistake/mistaken/impossible/absurd
 pas/nicht/kein/no (…) faux/fausse/falsch/falscher/falso/incorrecto/inexact
 avoid~/prevent~/remedy/without/éviter/évite~/sans/vermeide~/evitar (…) mistake~/error~/misconception~/erreur~/wrong/fehler
+if/when/whenever/falls/si (something/anything/it/etwas/quelque) (chose/algo) goes/go/schiefgeht/va wrong/mal
+^ a/any/one (wrong/false/single) sign/mistake/error/slip here would
 false/wrong position/ground/side/way/hand
 right inverse/angle/angles/side/hand/triangle
 error metric/norm/signal/measure/model/bound/function
@@ -78,6 +94,11 @@ no/zero/without/sans/aucun/keine/sin (obtenir/any) (de/receiving/getting) marks/
 ^ (but) (please) avoid/éviter/évitez/évitons (:) (writing) $
 """
 POINTS_BELOW = """
+formula/line/equation/expression/relation/result that/which follows
+what follows
+ce/formule/ligne/relation/équation qui suit
+was/formel/gleichung/zeile (,) die folgt
+lo/fórmula/ecuación que sigue
 following/below/underneath/suivante/suivant/ci-dessous/ci-après/folgende/folgenden/nachstehende/nachstehenden/siguiente
 """
 THEN = """
@@ -151,6 +172,7 @@ absolute/absolus/absoluten/absolutos (link/joint) angles/angle/winkel
 base line
 approché~/approchée~/angenähert~/aproximad~
 point/place (here/considered/in) (question) (considered) is (not) (the)
+convention/conventions of/du/des/de (the) (la) manufacturer/vendor/constructeur/fabricant/herstellers/fabricante/costruttore
 conventions/convention … those/that/celles/celle of/de/d' (the) (another/second/other/un/une)
 another/other/different/autre/anderen/anderer/otro/otra/altro/outro point/quantity/body/frame/joint/link/punkt/punktes/grandeur/größe/punto/magnitud
 ^ (…) find/determine/give/compute/state/trouver/trouvez/déterminer/déterminez/donner/donnez/bestimmen/finde/bestimme/hallar/determinar/encontrar … for/pour/für/para which/lesquelles/lesquels/laquelle/lequel/quelles/welche/los/las/qué
@@ -182,6 +204,10 @@ replace/remplacez/remplacer/ersetze
 cross out
 ^ where * has $
 leaflet/rumour/web
+^ option/choice/candidate/choix/candidat/opción/opzione/opção (¤/a/b/c/d/e/i/ii/iii/iv/1/2/3/4/5) : $
+(proposed/possible/candidate/first) answer/solution/proposition/propuesta/proposta/vorschlag (de/d'/di) (réponse/solution/respuesta/solución/risposta/lösung) (¤/a/b/c/d/1/2/3/4) : $
+proposition/propuesta/proposta/proposal (de/d'/di) (réponse/solution/respuesta/solución/risposta)
+lösungsvorschlag/antwortvorschlag
 counterexample/counter-example/contre-exemple
 dire/vérifiez/vérifier si
 """
@@ -202,6 +228,9 @@ OPEN_QUESTION = """
 ^ (and/but/so/et/mais/und/aber/y/e) what/how/where/when/who/whose/which/comment/que/qu'/quel/quelle/quels/quelles/où/quand/qui/wie/was/wo/wer/welche/welcher/welches/cómo/qué/dónde/cuál/cuáles/quién/come/che/cosa/dove/quale/quali/chi/como/onde/qual/quais/quem
 """
 SAYS_LIMITS = """
+^ * counterexample/counter-example/contre-exemple/gegenbeispiel/contraejemplo/controesempio/contraexemplo
+^ whether/if/si/ob (or) (not) (this/it/that/cela/c'/das/es/esto) (…) true/right/so/correct/holds/valid/exact/vrai/richtig/stimmt/cierto
+^ * remains/remain/reste/bleibt/queda/resta/is/est/ist/es (yet/still/noch) (to/à/zu/por/da) (be/bewiesen) verified/proved/proven/checked/tested/seen/shown/vérifier/prouver/démontrer/voir/prüfen/zeigen/beweisen/comprobar/demostrar/verificare
 ^ * válida/válido/vale/vrai/vraie/valable/valida/valido (que) (solo/sólo/solamente/seulement/apenas/somente/nur) (para/pour/per/en/em)
 """
 LIMITED_BEHIND = """
@@ -252,6 +281,9 @@ vecteur unitaire
 einheitsvektor
 vector unitario
 average/mean velocity/speed
+prismatic/revolute (joint) instead/rather (of) (than)
+prismatique/rotoïde au/plutôt (lieu) (que) (d') (de)
+(to/for/of/pour/du/für/para/del/per) (an/the/un/l'/den/el/l') other/another/different/autre/anderen/otro/altro/outro arm/robot/manipulator/bras/roboter/brazo/braccio/braço
 """
 OTHER_FRAME = """
 in/from/dans/relative/respect (to) (the/le) frame/repère 1/2/3/4/5/6/7/8/9
@@ -260,7 +292,7 @@ expressed/resolved/written/given/computed/measured/represented/described/compone
 expressed/resolved/written/given/computed/measured/represented/described/components/coordinates/vectors/quantities/everything … in/along/to (respect) (to) (the/a/its/their) tool/tool'/body/moving/gripper/end-effector/effector'/hand/wrist (s) frame/coordinates/axes
 ^ in/into/dans/im/en (the) frame of the (end) tool/gripper/hand/effector/end-effector
 repère (de/du) (l'/la) (lié) (à) (l') outil/effecteur/pince/main
-in/into/along (the/a/its) frame/axes/coordinates/basis (that) (is) (fixed/attached/bound) (of/to/on) (the) (last/moving/end/second/third) tool/tip/hand/gripper/end-effector/effector/body/flange/wrist/link
+in/into/along (the/a/its) frame/axes/coordinates/basis (that) (is) (fixed/attached/bound/tied) (of/to/on/with) (the) (first/last/moving/end/second/third/upper) forearm/arm/tool/tip/hand/gripper/end-effector/effector/body/flange/wrist/link
 body/spatial/body-frame/tool-frame/end-effector-frame (manipulator/geometric) jacobian/velocity/twist
 in/into (the/a) moving/rotating/local frame/coordinates/axes
 in/into (its/their) own frame/coordinates/axes
@@ -271,16 +303,24 @@ nella/alla terna 1/2/3/4/5/6/7/8/9
 im/in koordinatensystem/system 1/2/3/4/5/6/7/8/9
 en el sistema/marco 1/2/3/4/5/6/7/8/9
 repère mobile
-dans (le/un/la) repère/base (lié/liée/attaché) (au/à/du/de/d') (l'/la/le) (dernier/second/deuxième) outil/effecteur/pince/main/organe/corps/segment/poignet/solide
+dans (le/un/la) repère/base (lié/liée/attaché) (au/à/du/de/d') (l'/la/le) (premier/dernier/second/deuxième) avant-bras/outil/effecteur/pince/main/organe/corps/segment/poignet/solide
 im/in werkzeugkoordinatensystem/effektorkoordinatensystem/endeffektorkoordinatensystem/greiferkoordinatensystem/tcp-koordinatensystem/werkzeugsystem/effektorsystem/endeffektorsystem/tcp-system/körperfesten
-im/in koordinatensystem/system/bezugssystem des/vom werkzeugs/endeffektors/effektors/greifers/handgelenks/tcp
-en/al (el) sistema/marco/referencial (de) (coordenadas/referencia) (ligado/fijo) (de/del/a/al) (la) herramienta/efector/pinza/mano/muñeca
-nella/nel/alla/al/in terna/sistema/riferimento (di) (riferimento) (solidale) (dell'/della/del/al/all'/alla/di) utensile/pinza/organo/end-effector/effettore/mano/polso
-no/ao referencial/sistema/quadro (de) (coordenadas) (da/do) ferramenta/efetuador/garra/punho/mão
+im/in koordinatensystem/system/bezugssystem des/vom (ersten/zweiten/dritten/letzten) unterarms/oberarms/gliedes/glieds/werkzeugs/endeffektors/effektors/greifers/handgelenks/tcp
+en/al (el) sistema/marco/referencial (de) (coordenadas/referencia) (ligado/fijo/unido/solidario) (de/del/a/al) (la/el) (primer/segundo/tercer/último) eslabón/antebrazo/herramienta/efector/pinza/mano/muñeca
+nella/nel/alla/al/in terna/sistema/riferimento (di) (riferimento) (solidale) (dell'/della/del/al/all'/alla/di) (primo/secondo/terzo/ultimo) braccio/membro/link/avambraccio/utensile/pinza/organo/end-effector/effettore/mano/polso
+no/ao referencial/sistema/quadro (de) (coordenadas) (da/do) (primeiro/segundo/último) elo/antebraço/ferramenta/efetuador/garra/punho/mão
 seen * from/on the tool/gripper/hand
+frame/system/axes/repère/système/koordinatensystem/bezugssystem/sistema/marco/terna (,) (that) (which) (qui) (das) (que) (che) (is) turns/turning/moves/moving/rotates/rotating/carried/travels/tourne/bouge/dreht/bewegt/gira/mueve/ruota/muove (sich) (along) with/by/avec/mit/con/com
+koordinatensystem/bezugssystem/system , das sich mit
+^ & for/in/with/pour/dans/für/in/para/en (a/an/the/un/une/le/ein/einem/einen/das/el) frame/system/axes/repère/système/koordinatensystem/bezugssystem/sistema/marco (that) (which) (is) (das) (um) (¤) turned/rotated/tilted/shifted/tourné/incliné/décalé/gedreht~/gedrehtes/girado/rotado/ruotato
+(a/another/other/different/second/autre/anderes/anderen/otro/altro) (coordinate) frame/system/repère/koordinatensystem/sistema turned/rotated/tilted/tourné/gedreht/girado/ruotato (by/through/de/um/di) (¤)
 """
 OTHER_ORIGIN = """
-origin (of) (the) (base) (frame) (is/lies) (placed) at/in (the) elbow
+origin (of) (the) (base) (frame) (is/lies/sits/stands) (placed/taken/put/chosen) at/in/into/to (the) elbow
+(seen/viewed/looked) (at) from the other/opposite/back side
+(seen/viewed/looked) from behind/below/underneath
+as/comme/als/como/come (the) origin/origine/ursprung/origen/origem (the/le/der/den/el/il/o) elbow/coude/ellbogen/codo/gomito/cotovelo/wrist/poignet
+elbow/coude/codo/gomito/ellbogen/cotovelo (is/est/wird/es/è) (taken/chosen/pris/choisi) as/comme/als/como/come (the) origin/origine/ursprung/origen/origem
 origin * at joint 2/3/4
 origin lies ¤ below/above
 counted/measured/relative/seen from/to the elbow
@@ -300,6 +340,15 @@ origin is/lies (placed/taken) at/in the tip/end of
 base/shoulder is/stands/lies/sits (placed/located) at (a/the) height
 base/shoulder (is) displaced/shifted/offset (by)
 after (a) (the) reflection
+seen/viewed/looked in/through (a/the) mirror
+mirrored/mirror-image/mirror image/version/arm
+vu/vue/dans un miroir
+en miroir
+spiegelbildlich~/gespiegelt~
+im spiegel
+reflejado/especular/espejo
+left and right (are) exchanged/swapped/interchanged
+x-axis … vers la gauche
 """
 
 # -- angles that are not those of the arm
@@ -309,6 +358,8 @@ angle/angles/winkel/ángulo/ángulos/both/all/each/¤ * to/from/with/against/of/
 respect to (the) horizontal/ground/floor/x-axis
 ¤ * direction/orientation/inclination of * in the base frame
 absolute (joint) angles/coordinates
+angles/angle … as/comme/als/como/come (absolute/absolus/absolue/absolues/absoluten/absolutos) orientations/directions/inclinations/orientation/direction/inclinations (of/des/de/der) (the/los/les) links/segments/glieder/eslabones
+angles/angle … as/comme/als/como/come absolute/absolus/absoluten/absolutos
 angle/angles/ángulo/ángulos/winkel (¤) (and/et/y/und) (¤) (are/is/est/sont/son/sind) (all) absolu/absolus/absolute/absolut/absoluto/absolutos
 ¤ (and/et) (¤) (are/is/est/sont) (the) (an) (l') absolute/absolus/absolu
 ¤ est l' angle absolu
@@ -318,8 +369,12 @@ NOT_RELATIVE = """
 is/are not relative/measured (to/from) the first/previous link
 """
 TURNED = """
-measured/counted/mesuré~/compté~/gemessen/taken from/depuis/desde/gegen/with (respect) (to) (the/la/die) vertical~/y-axis
+measured/counted/mesuré~/compté~/gemessen/taken … from/depuis/desde/gegen/with (respect) (to) (the/la/die) vertical~/y-axis
+measured/counted/taken/mesuré~/compté~/pris … par/à/respecto/rispetto (rapport/partir) (à/de) (a/alla) (la) vertical~/y-axis
+measured/counted/taken clockwise
+¤ … means/corresponds/signifies/signifie/correspond/bedeutet/entspricht/significa/corresponde … folded/replié~/gefaltet~/eingeklappt/plegado/ripiegato/hanging/upright/pendant
 angle * with/between/and/avec/et (the/la) vertical/verticale/y-axis
+miden/mide/misst/messen/gemessen/mesure/mesurent/misurano/misura/medem … desde/ab/von/depuis/dalla/da (la/der/a) vertical~/senkrechten/y-axis
 clockwise
 sens horaire
 sens des aiguilles

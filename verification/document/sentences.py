@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterator
 from functools import lru_cache
 
+from armproof.verification.document.clauses import is_of_display
 from armproof.verification.document.denials import denies_before, denies_behind, denies_later
 from armproof.verification.document.hearing import (
     FORMULA,
@@ -28,9 +29,10 @@ from armproof.verification.document.limiting_clauses import (
     limits_what_is_near,
 )
 from armproof.verification.document.model import INLINE, Display
+from armproof.verification.document.named_quantities import NAMED
 from armproof.verification.document.postures import SINGULAR, is_of_singularities
 from armproof.verification.document.strange import is_strange_before, is_strange_behind, strange_words
-from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, subjects
+from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, places_of_those, subjects
 
 DENIED_ABOVE, LIMITED_ABOVE = r"\text{denies above}", r"\text{limits above}"  # what a text says of the display above it
 DENIED = r"\text{denies below}"  # and of the one that it leads to
@@ -41,7 +43,9 @@ OTHER_POINT = r"\text{of another point}"  # what is no coordinate of the tool in
 OTHER_FRAME = r"\text{in another frame}"  # what is none of anything in the base
 # what is not understood of the display above it, or of the one below; the sentence follows
 STRANGE_ABOVE, STRANGE = r"\text{strange above}", r"\text{strange}"
-MEANT = r"\text{meant}"  # of which link it is, or what is done to the quantity; that follows
+MEANT = r"\text{meant}"  # of which link it is, which quantity, or what is done to it; that follows
+ABOVE = r"\text{above}"  # before a place or a quantity that is said of the display above
+OF_ABOVE = (DENIED_ABOVE, LIMITED_ABOVE, STRANGE_ABOVE, ABOVE)
 OF_NEXT = (
     DENIED,
     SUPPOSED,
@@ -65,6 +69,7 @@ _ARGUMENTS = re.compile(  # \begin{frame}<2->[fragile]{Title}, \section{Inverse}
     r"\\begin\s*\{\w+\*?\}(?:<[^<>]*>|\[[^\[\]]*\]|\{[^{}]*\})*|\\(?:(?:sub)*section|chapter|paragraph|label|\w*ref|cite|includegraphics|caption|[vh]space|setcounter)\*?"
     r"(?:\[[^\[\]]*\])?\{[^{}]*\}|!\[[^\[\]]*\]\([^()]*\)|<[^<>\s][^<>]{0,200}>"
 )
+_FOR = re.compile(r"(?<!\S)(?:for|pour|für|para|per) ")  # "The formula for the ordinate follows"
 _MOST_OF_LABEL = 4  # words with their stop: "The elbow."
 MOST_KNOWN = 4096  # sentences, so that those of a text that is read again are heard once
 _LONGEST_QUOTED = 40  # characters of a formula in one that is quoted
@@ -83,6 +88,8 @@ def _heard_behind(sentence: str) -> tuple[str, ...]:
     heard = [DENIED_ABOVE] if denies_behind(words) else []
     if _limits(words):
         heard.append(LIMITED_ABOVE)
+    if is_of_display(words):
+        heard += (ABOVE + each for each in _subjects(sentence, words) if not (_FOR.search(words) and NAMED in each))
     if DENIED_ABOVE not in heard and is_strange_behind(_plain(sentence)):
         heard.append(STRANGE_ABOVE + sentence)
     return tuple(heard)
@@ -130,6 +137,7 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
     is_label = words.count(" ") <= _MOST_OF_LABEL
     if is_label or IS_OVER.search(sentence) is None or hears("ASKED_FOR", words_of(_ARGUMENTS.sub(" ", sentence))):
         heard += _subjects(sentence, words)
+    heard += (OTHER_POINT for each in places_of_those(words) if each == OTHER_PLACE)
     if DENIED not in heard and is_strange_before(_plain(sentence)):
         heard.append(STRANGE + sentence)
     if hears("AT_VALUES", words) or (hears("AT_WORDS", words) and any(joint_values(sentence))):

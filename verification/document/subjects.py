@@ -9,6 +9,9 @@ import re
 from collections.abc import Iterator, Sequence
 from functools import cache
 
+from armproof.verification.document.named_quantities import NAMED, named_quantity
+from armproof.verification.document.other_arms import OF_ARM, arms_named
+
 OTHER_PLACE = "other place"  # neither the tool, nor a link or frame with a number
 LINK = "link"  # with its number: the frame at its far end
 WRIST = "wrist"  # a link where the arm has a hand behind it
@@ -22,7 +25,7 @@ MOST_OF_LABEL = 2  # words of one that stands alone before a display: "Elbow:"
 _CLASSES = """
 QUANTITY position~ coordinate~ location~ velocit~ speed~ acceleration~ jacobi~ pose poses orientation~ rotation~ attitude~ twist~ transform~ coordonnée~ vitesse~ accélération~ situation lage koordinaten geschwindigkeit~ winkelgeschwindigkeit~ beschleunigung~ orientierung~ stellung posición posiciones coordenadas velocidad~ aceleración orientación rotación posizione coordinate velocità accelerazione orientamento rotazione posição velocidade aceleração orientação rotação matrice~ matrix matriz
 OF of for du de d' des del della dell' dello der do da
-SKIPPED the a an la le l' les el il lo das die den dem un une uno una its his this that unit~ linear angular linéaire angulaire geometric géométrique geometrischen velocity vector vecteur vektor point punkt punto planar spatial whole
+SKIPPED the a an o la le l' les el il lo das die den dem un une uno una its his this that unit~ linear angular linéaire angulaire geometric géométrique geometrischen velocity vector vecteur vektor point punkt punto planar spatial whole
 TOOL tip tool~ tcp effector end-effector end endpoint hand gripper~ robot~ arm arms manipulator~ mechanism~ chain flange pen outil~ effecteur organe extrémité bout bras pince main bras manipulateur~ endeffektor~ effektor~ werkzeug~ greifer~ roboter~ arms ende spitze extremo efector herramienta pinza brazo manipulador~ organo utensile estremo estremità braccio effettore ferramenta efetuador~ garra braço origin origine ursprung origen position pose
 OTHER knee knie rodilla ginocchio genou hip ankle elbow~ joint shoulder~ base camera~ load payload~ motor~ mass masses gravity centroid~ articulation giunto gelenk gelenks articulación midpoint~ mid-point~ upper-arm counterweight~ sensor~ obstacle~ ground crank~ carriage~ coude épaule~ base caméra charge moteur~ gravité barycentre~ inertie ellbogen~ ellenbogen~ schulter~ basis kamera~ motors schwerpunkt~ masse massenmittelpunkt~ codo hombro cámara carga gravedad masas gomito spalla baricentro massa carico cotovelo ombro
 WRIST forearm avant-bras unterarm~ antebrazo avambraccio antebraço wrist~ poignet~ handgelenk~ muñeca polso pulso
@@ -44,6 +47,10 @@ MOVES moves move sits lies travels has have stands rests déplace trouve bewegt 
 FIXED fixed attached mounted fixée fixé montée monté attachée attaché befestigt montiert fijada fijado montada montado fissata fissato montata
 TRANSPOSED transpose~ inverse inversed inverted pseudo-inverse~ pseudoinverse~ negative transposée~ opposé~ transponierte~ inverse~ inversa trasposta traspuesta~ transpuesta~ transposta pseudoinversa
 SCALED scaled normali~ weighted dimensionless normiert~ normé~ pondéré~ escalad~ ponderad~
+VECTOR vector vecteur vektor vettore vetor
+THOSE those that celles celle ceux celui diejenigen die jene las los aquellas quelle quelli quelli as os aquelas
+FOR for pour für para per
+ACTS describes concerns regards décrit concerne beschreibt betrifft describe concierne descrive riguarda descreve
 DERIVATIVE derivative~ dérivée~ ableitung~ zeitableitung derivada~ derivata
 """
 _ORDINALS = {"first": 1, "second": 2, "third": 3, "fourth": 4, "premier": 1, "première": 1, "deuxième": 2, "seconde": 2, "troisième": 3, "ersten": 1, "zweiten": 2, "dritten": 3, "primer": 1, "primero": 1, "segundo": 2, "tercer": 3, "primo": 1, "secondo": 2, "terzo": 3, "primeiro": 1, "terceiro": 3}  # fmt: skip
@@ -51,16 +58,18 @@ _LETTERS = {"jacobi": "J", "rotation": "R", "orientat": "R", "pose": "THA", "tra
 _POINT = re.compile(r"\s*(?:\\(?:mathbf|boldsymbol|vec)\s*)?\{?[OPCAp]\}?_\{?(\d)\}?\s*")
 _NUMBER = re.compile(r"¤?\s*(?:\\?[A-Za-z]+\s*_\s*)?\{?\s*(?:\\?[A-Za-z]+_)?(\d)\s*\}?\s*")  # 2, $2$, $R_2$, $\{2\}$
 _OF_FRAME = re.compile(r"¤\s*(?:\\mathcal\s*)?\{?[RF]\}?_\{?([1-9])\}?\s*|¤\s*\\\{([1-9])\\\}\s*")
+_OF_JOINT = re.compile(r"¤\s*(?:\\(?:var)?(?:theta|phi|alpha|beta)|q)(?![A-Za-z])")
 _ENDS = frozenset(",:.;!?")
 
 
 def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
     """Yield of what a sentence, with its words and formulas, says the display to be that it leads to."""
-    said = words.lower().replace("upper arm", "upper-arm").split()
+    said = words.lower().replace("upper arm", "upper-arm").replace("how far", "how-far").split()
     numbers = iter(formulas)
     said = [f"¤{next(numbers, '')}" if each == "¤" else each for each in said]
+    of_tool = _for_the_tool(said)
     for place, word in enumerate(said):
-        if _is(word, "QUANTITY") and any(_is(each, "OF") for each in said[place + 1 : place + 3]):
+        if place >= of_tool and _is(word, "QUANTITY") and any(_is(each, "OF") for each in said[place + 1 : place + 3]):
             behind = next(k for k in (place + 1, place + 2) if _is(said[k], "OF")) + 1
             yield from _of_place(_phrase(said[behind:]))
         if _is(word, "AXES") and any(_is(each, "ALONG") for each in said[max(0, place - 3) : place]):
@@ -73,6 +82,11 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
             yield OTHER_PLACE
         if _is(word, "RELATIVE"):
             yield from _seen_from(said, place)
+        if _is(word, "ACTS") or (place == 0 and _is(word, "FOR")):
+            yield from _of_thing(_phrase(said[place + 1 :]))
+        if _is(word, "VECTOR") and _is((*said[place + 1 :], "")[0], "FROM"):
+            yield from _of_thing(_phrase(said[place + 2 :])[:1])
+    yield from _of_those(said)
     label = [each for each in _unskipped(said) if each not in _ENDS]
     if (
         0 < len(label) <= MOST_OF_LABEL
@@ -89,6 +103,38 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
     elif _moves(_unskipped(said)) and not any(_is(each, "TOOL") for each in said):
         yield OTHER_PLACE
     yield from _quantity(said)
+    if named := named_quantity(said):
+        yield f"{NAMED} {named}"
+    yield from (f"{OF_ARM} {each}" for each in arms_named(words))
+
+
+def _for_the_tool(said: Sequence[str]) -> int:
+    """Return the place where a sentence says that it is for the tool, 0 where it does not: "Knowing that of the elbow we find for the tip"."""
+    for place in range(len(said) - 1, 0, -1):
+        if _is(said[place], "FOR") and (phrase := _phrase(said[place + 1 : place + 4])) and _is(phrase[0], "TOOL"):
+            return place if not _number(_phrase(said[place + 1 :])) else 0
+    return 0
+
+
+def places_of_those(words: str) -> Iterator[str]:
+    """Yield of what place something near a sentence is said to be, wherever the sentence stands: "The coordinates are those of the elbow."."""
+    yield from _of_those(words.lower().split())
+
+
+def _of_those(said: Sequence[str]) -> Iterator[str]:
+    for place, word in enumerate(said):
+        is_told = any(_is(each, "BE") for each in said[max(0, place - 2) : place])
+        if is_told and _is(word, "THOSE") and _is((*said[place + 1 :], "")[0], "OF"):
+            yield from _of_thing(_phrase(said[place + 2 :]))
+
+
+def _of_thing(phrase: Sequence[str]) -> Iterator[str]:
+    """Yield of what place a phrase is that begins with its noun: "the elbow", but not "the elbow-up branch", nor "the joint angles"."""
+    noun, behind = (*phrase, "", "")[:2]
+    is_place = (_is(noun, "OTHER") and not _is(noun, "BASE")) or _is(noun, "WRIST")
+    if is_place and "-" not in noun and noun != "joint" and behind not in ("up", "down"):
+        of_part = _is(noun, "WRIST") and _is(behind, "OTHER")  # the wrist camera
+        yield from _of_place(phrase[1:2] if of_part else phrase[:1] if _is(behind, "OF") else phrase[:2])
 
 
 def _along(behind: Sequence[str]) -> Iterator[str]:
@@ -170,6 +216,8 @@ def _number(phrase: Sequence[str]) -> str:
 
 def _seen_from(said: Sequence[str], place: int) -> Iterator[str]:
     """Yield that something is seen from another thing than the base, or that it is a relative velocity."""
+    if any(map(_OF_JOINT.match, said[:place])) and any(_is(each, "BE") for each in said[:place]):
+        return  # an angle is relative to the link before
     is_first = not any(_is(each, "QUANTITY") for each in said[: max(0, place - 1)])
     if is_first and any(
         _is(each, "QUANTITY") for each in (*said[max(0, place - 1) : place], *said[place + 1 : place + 2])

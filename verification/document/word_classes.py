@@ -11,7 +11,7 @@ The classes are closed, function words and few stems, and no list of sentences.
     if, of, near, inside          lead to a condition, a circumstance, a place, a frame; `with` and `where` to what goes with it
     there, must, would            "there is", what has to be, what would be
     good, fault, error, lost      tell that something is right, wrong, an error, left behind; `differs`, `contains` go with these
-    change, remedy                what is done to what is wrong, and what is right instead
+    change, remedy                what is done to what is wrong, and what is right instead; `turned` is what a sign in it is, `same` goes with what others have, too
     neglect, suppose, held        tell that something is left out, supposed, or held
     case, frame, level, absolute  words of one case, of frames, of directions in space, of angles that are not those between links
     claim, have, think, use       what people do who make a claim, `edition` and `old` where old claims stand
@@ -30,7 +30,7 @@ part sign signs term terms factor factors index indices subscript~ superscript~ 
   columns bracket~ parenthes~ coefficient~
 letter angle angles length lengths coordinate~ component~ sum unit units dimension~ sides letters symbol symbols
 person student~ pupil~ candidate~ beginner~ reader~ author~ colleague~ classmate~ neighbour~ someone somebody people many book books textbook~
-  participant~ group groups lecturer~ teacher~ class student teacher pupils colleague classmate manufacturer~ chatgpt web rumour leaflet some pupil
+  participant~ group groups lecturer~ teacher~ class student teacher pupils colleague classmate manufacturer~ chatgpt web rumour leaflet manual manuals data_sheet datasheet some pupil
   exam
 writer we i one you
 arm arm arms robot~ manipulator~ link links joint joints motor~ elbow~ shoulder~ wrist~ tool~ hand gripper~ base forearm~ controller~ encoder~ sensor~
@@ -47,12 +47,12 @@ fault wrong~ false~ incorrect~ mistake~ mistaken typo typos misprint~ blunder~ f
   disagree~ withdraw~ withdrawn reject~ refuse~ invalid~ untrue erroneous~ flaw~ nonsense defect~ outdated obsolete superseded disprove~ refuted
   mistyped miscopied misread~ miscount~ overlook~ faulty inaccurate~ fallac~ misconception~ bogus spurious inconsistent inconsistenc~ incompatible
   unjustified untenable meaningless absurd corrupt~ slipped tempt~ trap traps careless~ too_many too_few once_too twice doubtful unsure unverified
-  needs_a_correction to-do todo fixme should_have_been should_read should_be_read must_read by_mistake not_so the_opposite_is the_contrary_is no_sense
+  needs_a_correction to-do todo fixme should_have_been should_read should_be_read must_read fails_the fail_the failed_the bug bugs buggy rules_out ruled_out slip_of_the_pen slips_of_the_pen by_mistake by_accident accidentally inadvertently not_so the_opposite_is the_contrary_is no_sense
   sign_error far_from_true far_from_right far_from_correct senseless nonsensical errs erred uncertain retract~ abandon~ mixed_up mixes_up mixing_up
   oversight is_off are_off had_to_take lost_an_angle lost_a_sign lost_a_term lost_a_factor not_verified under_no_circumstances
 good right correct~ true valid hold holds exact exactly accurate~ apply applies applicable agree agrees match matches fit fits works acceptable
   satisf~ usable appropriate what_we_want the_case so
-change replace~ exchang~ swap~ interchang~ revers~ correct correcting corrected remov~ delet~ cancel~ negat~ subtract~ strike struck different
+change replace~ exchang~ swap~ interchang~ revers~ correct correcting corrected remov~ delet~ cancel~ negat~ subtract~ strike struck cross crossed ignore disregard different
   opposite other chang~ added differ flip~ revis~ amend~ rectif~ repair~ mend~ rewritten squared multiplied divided raised transposed doubled halved
   read reads checked verified rechecked confirmed withdrawn preceded_by another plus_sign minus_sign
 must should must needs need has_to have_to had_to would_have is_to are_to need_to should_have ought_to_be
@@ -64,15 +64,15 @@ neglect neglect~ ignor~ disregard~ dropped dropping approximat~ roughly linearis
 suppose suppos~ assum~ imagine~ pretend~ hypothes~ presum~ conjectur~ guess guesses claims_that allegedly supposedly hypothesis
 held lock~ blocked blocking clamp~ frozen freeze~ brake~ weld~ held immobil~ at_rest stopped standstill motionless stationary same_length equally_long
   equal_length equal_lengths unit_length unity
-claim wrote writes write written claim~ said says answer~ hand_in handed submitted think~ thought believ~ obtain~ got gets get conclude~ print~ found
+claim states stated wrote writes write written claim~ said says answer~ hand_in handed submitted think~ thought believ~ obtain~ got gets get conclude~ print~ found
   finds asserts gives hands equal answered read
-ask check verify decide discuss test judge examine justify disprove refute correct find_the spot criticise criticize comment_on determine_whether
+ask check verify decide discuss test judge examine justify tick disprove refute correct find_the spot criticise criticize comment_on determine_whether
   find_out
 case special particular degenerate limiting posture~ boundary edge limit parallel approximation~ simplified another other different middle centre
   center midpoint local moving body coupled uncoupled contact gravity-free equal unit in_the_case home rest_position zero_position initial_position
   reference_position special_case limiting_case the_case_where the_case_of the_case_that
-neutral tool_at_rest gripper_at_rest hand_at_rest end-effector_at_rest nonzero zeros if_and_only_if iff depend~ contain~ involve~ matter~ change~ affect~ appear~ enter need~ necessary difficult hard easy surpris~ trivial obvious doubt~ forget
-  vanish~ move~ moves turn~ rotate~ unique~ require~ influence~ exceed~ include~ help~ explain prove discuss~ repeat~ deriv~ mention~ constant linear
+neutral dropped_out drops_out tool_at_rest gripper_at_rest hand_at_rest end-effector_at_rest nonzero zeros if_and_only_if iff depend~ contain~ involve~ matter~ change~ affect~ appear~ enter need~ necessary difficult hard easy surpris~ trivial obvious doubt~ forget
+  vanish~ vary varies move~ moves turn~ rotate~ unique~ require~ influence~ exceed~ include~ help~ explain prove discuss~ repeat~ deriv~ mention~ constant linear
   singular zero new distinguish~ invertible square possible reachable expected wanted coincidence~ accident~ determin~ simplif~ simple simply similar
   analogous easily studied allow~ permit~ shown exist~ solv~
 counted added counted taken considered included subtracted multiplied
@@ -96,8 +96,10 @@ with with
 inside in into relative_to with_respect_to refer_to refers_to referred_to
 given known given measured computed rigid ideal frictionless massless positive
 think think believe imagine suspect expect
-lost forgotten missing omitted twice left_out overlooked
+lost forgotten missing omitted dropped twice left_out overlooked
 contains make~ made contain~ there commit~
+turned flipped reversed inverted
+same same too also likewise
 avoid avoid
 there there there's
 differs corrected differs fails failed impossible lacks lacking replaced superseded
@@ -130,11 +132,11 @@ general tout toute tous toutes chaque quelconque~ quel_que quelle_que quels_que 
 error erreur erreurs
 fault faux fausse fausses faussement erron~ incorrect~ inexact~ faute~ coquille~ manque~ oubli~ échang~ interverti~ permut~ confond~ confus~ contredi~
   contradiction~ réfut~ rejet~ refus~ invalid~ absurd~ retir~ démenti~ périmé~ tort mauvais mauvaise~ impossible incohéren~ incompatible~ aberrant~
-  bévue~ piège~ gardez-vous gardera garder_d' tenté~ en_trop par_erreur par_mégarde le_contraire_est erreur_de_signe loin_d'_être contresens douteu~
+  bévue~ piège~ gardez-vous gardera garder_d' tenté~ en_trop par_erreur par_accident par_mégarde le_contraire_est erreur_de_signe loin_d'_être contresens douteu~
   infirm~ mégarde inadvertance abandonn~ faudrait aurait_fallu
 good juste exact exacte correct correcte vrai vraie valable~ valide~ vaut tient applicable~ s'_applique convient concorde~ bon bonne le_cas
 change remplac~ échang~ corrig~ invers~ supprim~ retir~ chang~ interverti~ intervertir permut~ soustrai~ ajouter ajouté~ différent~ opposé~ autre
-  barre~ rayer rayez rectifi~ modifi~ revoir reprendre lire vérifier prouver démontrer précédé
+  barre~ rayer rayez ignorez ignorer rectifi~ modifi~ revoir reprendre lire vérifier prouver démontrer précédé
 must doit doivent devrait devraient faut fallait faudrait il_reste aurait auraient est_à sont_à ne_faut
 would serait seraient pourrait obtiendrait trouverait donnerait
 neglect néglig~ approxim~ approch~ linéaris~ petits ignor~ grossièr~ petites_variations au_signe_près à_un_facteur_près omis omise omet simplifié
@@ -142,10 +144,10 @@ neglect néglig~ approxim~ approch~ linéaris~ petits ignor~ grossièr~ petites_
 suppose suppos~ admet~ imagin~ hypothèse~ conjectur~ présum~ admis si_l'_on_avait si_on_avait
 held bloqu~ fixe fixé~ figé~ immobil~ verrouill~ arrêt arrêté~ soud~ maintenu~ repos nul nulle freiné~ à_l'_arrêt même_longueur longueurs_égales
 claim écri~ prétend~ affirm~ répond~ dit disent lit obtien~ trouv~ conclu~ croi~ pens~ donn~ rendu rendent soutien~ poser égal~
-ask vérifi~ décid~ discut~ justifi~ réfut~ corrig~ trouvez_l' test~ commentez jugez examin~
+ask coch~ vérifi~ décid~ discut~ justifi~ réfut~ corrig~ trouvez_l' test~ commentez jugez examin~
 case particulier~ spécial~ limite~ bord posture~ milieu centre précédent autre autres voisinage parallèle~ simplifié~ contact dégénér~ frontière
   égales unitaires position_de_repos position_initiale position_zéro cas_particulier cas_limite cas_où cas_d' cas_de
-neutral outil_au_repos pince_au_repos effecteur_au_repos outil_immobile pince_immobile nul nulle nuls nulles zéro zéros si_et_seulement_si ssi dépend~ contien~ intervien~ import~ chang~ affect~ besoin nécessaire~ difficil~ étonn~ surpren~ évident~ trivial~ doute~ oubli~ annul~ boug~
+neutral outil_au_repos pince_au_repos effecteur_au_repos outil_immobile pince_immobile nul nulle nuls nulles zéro zéros si_et_seulement_si ssi dépend~ contien~ intervien~ import~ chang~ affect~ besoin nécessaire~ difficil~ étonn~ surpren~ évident~ trivial~ doute~ oubli~ annul~ vari~ boug~
   tourn~ unique~ exig~ influ~ dépass~ suffi~ aide~ hasard constant~ linéaire~ surprise peine nouveau démontr~ détermin~ simplifi~ simple semblable~
   analogue~ étudi~ intéress~ possèd~ permet~ exist~ résou~ résol~
 counted ajouté~ compté~ pris prise considéré~ tenu inclus~ soustrait~
@@ -168,6 +170,8 @@ inside dans par_rapport rapporté~ se_rapportent
 given connu~ donné~ mesuré~ rigid~ idéa~ positi~
 think croi~ pens~ imagin~
 lost oublié~ omis omise manque
+turned inversé~ retourné~
+same même mêmes aussi également
 contains contien~ comporte~ y_a commet~ fait font
 avoid éviter évitez évitons
 there il_n'_y_a il_y_a
@@ -204,7 +208,7 @@ fault falsch~ fehlerhaft~ tippfehler~ schreibfehler~ druckfehler~ vorzeichenfehl
   versehentlich unzutreffend~ denkfehler~ trugschluss~ verkehrt~ mangelhaft~ irrig~ versuchung zu_viel zu_wenig das_gegenteil aus_versehen zweifelhaft
   fraglich versehen müsste_hier müsste_es sollte_hier
 good richtig~ korrekt~ wahr exakt~ gilt gelten gültig~ stimmt stimmen passt zutreffend~ trifft zulässig~ brauchbar~
-change ersetz~ vertausch~ korrigier~ geändert ändern umgekehrt umkehren streich~ gestrichen entfern~ berichtig~ verbesser~ anders andere~
+change ignorier~ ersetz~ vertausch~ korrigier~ geändert ändern umgekehrt umkehren streich~ gestrichen entfern~ berichtig~ verbesser~ anders andere~
   entgegengesetzt~ negativ~ addiert abgezogen lauten heißen stehen
 must muss müssen müsste~ soll sollte~ gehört gehören wäre_zu ist_zu sind_zu
 would würde würden wäre wären könnte~ hätte
@@ -213,10 +217,10 @@ neglect vernachlässig~ näherung~ angenähert~ ungefähr~ linearis~ kleine_wink
 suppose angenommen annahme~ annehm~ voraussetz~ vermut~ hypothes~ nehmen_wir gesetzt
 held fest~ blockier~ gesperrt~ verriegel~ arretier~ steht still~ ruh~ gehalten eingefroren gebremst~ null gleich_lang gleiche_länge gleich_lange
 claim schreib~ schrieb~ behaupt~ sagt sagen antwort~ glaub~ denk~ meint meinen erhielt~ abgegeben folgert~ liest setzen
-ask prüf~ entscheid~ überprüf~ untersuch~ begründ~ widerleg~ korrigier~ diskutier~ beurteil~ finde_den finden_sie_den kontrollier~
+ask kreuze~ ankreuzen prüf~ entscheid~ überprüf~ untersuch~ begründ~ widerleg~ korrigier~ diskutier~ beurteil~ finde_den finden_sie_den kontrollier~
 case fall falle sonderfall~ spezialfall~ grenzfall~ gestreckt~ strecklage~ mitte anderen anderer anderes rand parallel~ vereinfacht~ näherung~
   grundstellung~ nullstellung~ nulllage~ ruhelage~ ruhestellung~ ausgangsstellung~ referenzstellung~
-neutral null nullen dann_und_nur_dann genau_dann hängt abhäng~ enthäl~ spielt rolle ändert nötig notwendig~ schwer schwierig~ überrasch~ trivial~ zweifel~ vergessen verschwind~ beweg~ dreh~
+neutral null nullen dann_und_nur_dann genau_dann hängt abhäng~ enthäl~ spielt rolle ändert nötig notwendig~ schwer schwierig~ überrasch~ trivial~ zweifel~ vergessen verschwind~ variier~ veränder~ beweg~ dreh~
   eindeutig~ erforder~ braucht brauchen benötig~ wunder~ schlimm vorkomm~ kommt auftret~ beeinfluss~ neu einfach leicht bestimm~ ähnlich~ analog~
   erlaub~ betracht~ existier~ gelöst auflös~ lösen löst
 counted addiert gezählt berücksichtigt genommen subtrahiert multipliziert
@@ -238,6 +242,8 @@ inside im in bezogen
 given bekannt gegeben gemessen starr~ ideal~ positiv~
 think glaub~ denk~ mein~
 lost vergessen fehlt fehlen doppelt weggelassen
+turned umgekehrt~ umgedreht~
+same gleiche gleichen dieselbe~ denselben selbe auch ebenso
 contains enthäl~ es_gibt steckt liegt mach~
 avoid vermeiden vermeide
 there es_gibt
@@ -272,7 +278,7 @@ fault falso falsa falsos falsas incorrect~ erróne~ equivoc~ errata~ falta falta
   absurd~ mal retir~ imposible desment~ refut~ permut~ fallo~ incoherent~ inexact~ tentación sobra por_error lo_contrario por_descuido error_de_signo
   dudos~ descuido disparate
 good correct~ cierto cierta verdad verdader~ exact~ válid~ vale valen cumple sirve coincide concuerda aplica así
-change cambi~ sustitu~ reemplaz~ corrig~ correg~ invert~ intercambi~ quit~ suprim~ elimin~ restar sumar otro otra distint~ opuest~ negativ~
+change tach~ ignore ignoren cambi~ sustitu~ reemplaz~ corrig~ correg~ invert~ intercambi~ quit~ suprim~ elimin~ restar sumar otro otra distint~ opuest~ negativ~
 must debe deben debería~ tiene_que tienen_que que_cambiar que_corregir debería_haber hay_que
 would sería~ podría~ obtendría~ daría
 neglect despreci~ aproxim~ lineali~ pequeños_ángulos ángulos_pequeños ignor~ casi omit~ simplificado a_primer_orden de_segundo_orden restringid~
@@ -280,10 +286,10 @@ neglect despreci~ aproxim~ lineali~ pequeños_ángulos ángulos_pequeños ignor~
 suppose supon~ supong~ supuest~ admit~ imagin~ hipótesis conjetur~ asum~
 held bloque~ fija fijo fijas fijos fijad~ inmóvil~ quiet~ parad~ frenad~ cero reposo misma_longitud
 claim escrib~ afirm~ dice dicen respond~ obtien~ cree~ piens~ concluy~ entreg~ sostien~ poner
-ask comprueb~ verifi~ verifiq~ decid~ discut~ justifi~ refut~ corrij~ encuentre_el busque_el compruebe examin~
+ask marqu~ comprueb~ verifi~ verifiq~ decid~ discut~ justifi~ refut~ corrij~ encuentre_el busque_el compruebe examin~
 case caso casos particular~ especial~ límite~ extendid~ estirad~ plegad~ centro mitad otro otra borde parale~ simplific~ posición_extendida
   posición_de_reposo posición_inicial
-neutral nulo nula nulos nulas cero ceros si_y_solo_si si_y_sólo_si depend~ contien~ intervien~ import~ cambi~ afect~ hace_falta necesari~ difícil~ sorprend~ trivial~ duda~ olvid~ anul~ muev~ gir~ únic~
+neutral nulo nula nulos nulas cero ceros si_y_solo_si si_y_sólo_si depend~ contien~ intervien~ import~ cambi~ afect~ hace_falta necesari~ difícil~ sorprend~ trivial~ duda~ olvid~ anul~ varía~ muev~ gir~ únic~
   requier~ influy~ aparec~ extrañ~ nuev~ determin~ simplific~ simple similar análog~ estudi~ permit~ exist~ resolv~ resuelv~
 counted sumado~ contado~ tenido considerad~ incluid~ restad~
 remedy correct~ sino corregid~ correctamente
@@ -304,6 +310,8 @@ given conocid~ dad~ medid~ rígid~ ideal~ positiv~
 think cree~ creer pens~
 lost olvid~ falta
 query es_cierto es_verdad es_correcto es_válid~ será_cierto será_verdad
+turned invertid~ cambiad~
+same misma mismo mismas mismos también
 contains contien~ hay tien~ comet~ comete~
 avoid evite evitar evítese
 there
@@ -337,7 +345,7 @@ error errore errori
 fault falso falsa sbaglia~ errat~ scorrett~ refus~ manca mancano dimentic~ scambia~ confond~ contraddi~ inesatt~ assurd~ impossibil~ rifiut~ ritir~
   errone~ smentit~ invalid~ svist~ per_errore il_contrario errore_di_segno dubbi~ svista
 good corrett~ giust~ vero vera esatt~ valid~ vale valgono applica coincide concorda
-change cambi~ sostitu~ corregg~ corrett~ invert~ scambi~ toglie~ elimin~ sottra~ aggiun~ diverso diversa opposto opposta altro negativ~
+change ignorate ignorare barrate cambi~ sostitu~ corregg~ corrett~ invert~ scambi~ toglie~ elimin~ sottra~ aggiun~ diverso diversa opposto opposta altro negativ~
 must deve devono dovrebbe~ bisogna occorre va vanno andrebbe
 would sarebbe~ potrebbe~ otterrebbe darebbe
 neglect trascura~ approssim~ lineariz~ piccoli_angoli angoli_piccoli ignor~ omess~ omett~ semplificato al_primo_ordine del_secondo_ordine ristrett~
@@ -345,10 +353,10 @@ neglect trascura~ approssim~ lineariz~ piccoli_angoli angoli_piccoli ignor~ omes
 suppose suppon~ ipotesi ammett~ immagin~ assum~ congettur~ si_supponga
 held fermo ferma fermi bloccat~ fisso fissa fissat~ immobil~ frenat~ nullo nulla_angolo riposo zero stessa_lunghezza
 claim scriv~ scritt~ afferm~ dice dicono rispond~ ottien~ cred~ pens~ conclud~ consegn~ sostien~
-ask verific~ controll~ decid~ discut~ giustific~ confut~ corregg~ trova_l' trovare_l' esamin~
+ask barr~ verific~ controll~ decid~ discut~ giustific~ confut~ corregg~ trova_l' trovare_l' esamin~
 case caso casi particolar~ special~ limit~ distes~ ripiegat~ centro metà altro bordo parallel~ semplificat~ esteso posizione_di_riposo
   posizione_iniziale
-neutral nullo nulla nulli nulle zero se_e_solo_se dipend~ contien~ compare import~ cambi~ influen~ serve necessari~ difficil~ sorprend~ banal~ dubbi~ dimentic~ annull~ muov~ ruot~ unic~
+neutral nullo nulla nulli nulle zero se_e_solo_se dipend~ contien~ compare import~ cambi~ influen~ serve necessari~ difficil~ sorprend~ banal~ dubbi~ dimentic~ annull~ varia~ muov~ ruot~ unic~
   richied~ bisogno nuov~ determin~ semplific~ semplice simile~ analog~ studi~ permett~ esist~ risol~
 counted sommat~ contat~ considerat~ inclus~ tenut~ sottratt~
 remedy corrett~ giust~ invece piuttosto bensì
@@ -369,6 +377,8 @@ given not~ dat~ misurat~ rigid~ ideal~ positiv~
 think cred~ pens~
 lost dimenticat~ manca
 query è_vero è_corretto è_giusto sarà_vero
+turned invertit~ cambiat~
+same stessa stesso stesse stessi anche
 contains contien~ c' commett~ fa fanno
 avoid evitare evitate
 there non_c'_è c'_è
@@ -401,17 +411,17 @@ error erro erros
 fault falso falsa errad~ incorret~ equivoc~ falta faltam faltou esquec~ troc~ confund~ contradi~ rejeit~ inválid~ absurd~ impossível desment~ refut~
   gralha~ erroneament~ inexat~ por_erro o_contrário erro_de_sinal duvidos~ descuido
 good certo certa corret~ verdadeir~ verdade exat~ válid~ vale valem aplica coincide concorda
-change troc~ substitu~ corrig~ invert~ mudar mudad~ retir~ elimin~ subtra~ somar outro outra diferente~ oposto oposta negativ~
+change ignore ignorem risque risquem troc~ substitu~ corrig~ invert~ mudar mudad~ retir~ elimin~ subtra~ somar outro outra diferente~ oposto oposta negativ~
 must deve devem deveria~ precisa~ tem_de tem_que é_preciso
 would seria~ poderia~ obteria daria
 neglect desprez~ aproxim~ lineariz~ pequenos_ângulos ângulos_pequenos ignor~ omit~ simplificado em_primeira_ordem de_segunda_ordem restrit~ limitad~
 suppose supon~ supo~ suposto hipótese~ admit~ imagin~ assum~ conjetur~ conjectur~
 held travad~ bloquead~ fixa fixo fixad~ imóvel parad~ fread~ nulo nula zero repouso mesmo_comprimento
 claim escrev~ afirm~ diz dizem respond~ obtém obtiver~ acredit~ pens~ conclu~ entreg~
-ask verifi~ decid~ discut~ justifi~ refut~ corrij~ encontre_o confira examin~
+ask assinal~ marqu~ verifi~ decid~ discut~ justifi~ refut~ corrij~ encontre_o confira examin~
 case caso casos particular~ especia~ limite~ estendid~ esticad~ dobrad~ centro meio outro outra borda paralel~ simplificad~ posição_de_repouso
   posição_inicial
-neutral nulo nula nulos nulas zero se_e_somente_se se_e_só_se depend~ contém contêm aparec~ import~ mud~ afet~ necessári~ difícil~ surpreend~ trivial~ dúvida~ esquec~ anul~ mov~ gir~ únic~ requer~ precisa
+neutral nulo nula nulos nulas zero se_e_somente_se se_e_só_se depend~ contém contêm aparec~ import~ mud~ afet~ necessári~ difícil~ surpreend~ trivial~ dúvida~ esquec~ anul~ varia~ mov~ gir~ únic~ requer~ precisa
   influ~ nov~ determin~ simplific~ simples semelhante~ análog~ estud~ permit~ exist~ resolv~
 counted somad~ contad~ considerad~ incluíd~ subtraíd~ levad~
 remedy corret~ certo invés
@@ -432,6 +442,8 @@ given conhecid~ dad~ medid~ rígid~ idea~ positiv~
 think acredit~ pens~
 lost esquecid~ falta
 query é_verdade é_certo é_correto é_válid~ será_verdade será_certo
+turned invertid~ trocad~
+same mesma mesmo mesmas mesmos também
 contains contém contêm há comet~ faz fazem tem
 avoid evite evitar
 there há não_há

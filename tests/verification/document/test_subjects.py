@@ -9,6 +9,7 @@ import pytest
 from armproof.verification.check import check_document, verify_text
 from armproof.verification.document import parse_document
 from armproof.verification.document.hearing import FORMULA, words_of
+from armproof.verification.document.named_quantities import NAMED
 from armproof.verification.document.subjects import ACCELERATION, LINK, OPERATED, OTHER_BASE, OTHER_PLACE, subjects
 
 HEARD = [
@@ -43,7 +44,7 @@ HEARD = [
 @pytest.mark.parametrize(("sentence", "heard"), HEARD)
 def test_a_sentence_tells_of_what_it_is(sentence: str, heard: list[str]) -> None:
     formulas = [found.group().strip("$") for found in FORMULA.finditer(sentence)]
-    assert [*subjects(words_of(sentence), formulas)] == heard
+    assert [each for each in subjects(words_of(sentence), formulas) if not each.startswith(NAMED)] == heard
 
 
 J2 = r"J = \begin{bmatrix} -l_1 s_1 - l_2 s_{12} & -l_2 s_{12} \\ l_1 c_1 + l_2 c_{12} & l_2 c_{12} \end{bmatrix}"
