@@ -17,7 +17,7 @@ from tests.labelled.judging import judge, said_of_document, verify_text
 from tests.labelled.pages import Page, load_pages
 from tests.labelled.record import differences, is_kept, read_record, read_record_of_pages
 from tests.mutation.source.reach import LABELLED
-from tests.reached import documents
+from tests.reached import derived, documents, heard
 
 
 class Labelled(pytest.Item):
@@ -41,7 +41,10 @@ def labelled() -> Iterator[tuple[str, Callable[[], bool]]]:
     yield from ((case.key, partial(_case, case)) for case in load_cases())
     yield from ((page.title, partial(_page, page)) for page in load_pages())
     yield from ((document.path.name, partial(_bare, document)) for document in bare.load())
-    yield from ((document.name, partial(_reached, document)) for document in documents.load())
+    yield from (
+        (document.name, partial(_reached, document)) for document in (*documents.load(), *derived.load().values())
+    )
+    yield from ((sentence, partial(heard.is_heard_as_ever, sentence)) for sentence in heard.read_record())
 
 
 def _case(case: Case) -> bool:

@@ -1,0 +1,97 @@
+"""Documents made of what stands elsewhere, each with what we say of it: few mutants make all of them come out as ever.
+
+Sentences at each of their places, bare documents with each of their mistakes, labelled displays with a slip, everyday names,
+and the documents that stand as texts in the tests, of which these ask one thing each. Each is made of its source alone, so that
+a new source moves no other. What takes long is not on record: the clock may cut it short.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Mapping
+from concurrent.futures import ProcessPoolExecutor
+from functools import lru_cache
+from pathlib import Path
+from random import Random
+
+from tests.labelled import bare
+from tests.labelled.cases import Case, load_cases
+from tests.labelled.pages import HEAD
+from tests.reached import documents
+from tests.reached.documents import MARKDOWN, Reached, Text
+from tests.reached.search import SECONDS, of_tests, slip
+from tests.sweeps import sentences
+from tests.sweeps.mutants_of_displays import mutate
+
+RECORD = Path(__file__).parent / "derived.txt"
+HEADER = "# What we say of each document that derived.py makes. Written by `python -m tests.reached --update`.\n"
+
+
+def derived() -> Iterator[Text]:
+    """Yield the documents, each once, but for those that were found by search."""
+    found = [*of_sentences(), *of_mistakes(), *of_slips(), *of_spellings(), *of_tests()]
+    known = {each.document for each in documents.load()}
+    yield from dict.fromkeys(document for document in found if document.can_stand and document not in known)
+
+
+def of_sentences() -> Iterator[Text]:
+    """Yield each sentence at each of its places beside some display."""
+    for trial in sentences.each_at_its_places():
+        yield Text(sentences.document(trial, sentences.placed(trial)), trial.format)
+
+
+def of_mistakes() -> Iterator[Text]:
+    """Yield the documents without front matter with each of their mistakes."""
+    for document in bare.load():
+        for number, *_ in document.mistakes:
+            yield Text(document.text(number), document.path.suffix.removeprefix(".") or MARKDOWN)
+
+
+def of_slips() -> Iterator[Text]:
+    """Yield the labelled displays, each with a slip or a damage of its own."""
+    for case in load_cases("displays.yaml"):
+        yield Text(with_a_slip(case))
+
+
+def with_a_slip(case: Case) -> str:
+    """Return the document of a display with what its name lets happen to it."""
+    rng = Random(case.key)
+    changed = slip(case.latex, rng) if rng.random() < 0.5 else mutate(case.latex, case.latex, rng)
+    before, _, behind = case.text.rpartition(case.latex)
+    return f"{before}{changed}{behind}"
+
+
+def of_spellings() -> Iterator[Text]:
+    """Yield everyday names of quantities, of which the verdict alone is on the list of the labelled."""
+    yield from (Text(case.text) for case in load_cases("spellings.yaml"))
+
+
+@lru_cache
+def load() -> Mapping[str, Reached]:
+    """Return the documents that are on record, with what it says, by their names."""
+    record = read_record()
+    named = {Reached(document, "").name: document for document in derived()}
+    return {name: Reached(named[name], said) for name, said in record.items() if name in named}
+
+
+@lru_cache
+def read_record() -> Mapping[str, str]:
+    """Return what is said of each document, by its name."""
+    _, *parts = HEAD.split(RECORD.read_text("utf-8"))
+    return dict(zip(parts[::2], parts[1::2], strict=True))
+
+
+def write_record(jobs: int | None = None) -> None:
+    """Write the record anew."""
+    with ProcessPoolExecutor(jobs) as pool:
+        said = pool.map(_said_in_time, derived(), chunksize=20)
+        lines = "".join(f"===== {each.name}\n{each.said}" for each in said if each is not None)
+    RECORD.write_text(HEADER + lines, "utf-8")
+    read_record.cache_clear()
+    load.cache_clear()
+
+
+def _said_in_time(document: Text) -> Reached | None:
+    began = time.process_time()
+    said = document.said()
+    return Reached(document, said) if time.process_time() - began < SECONDS else None
