@@ -96,6 +96,7 @@ def test_what_can_vanish_is_never_called_nonzero(bench: Any, latex: str) -> None
     value = bench.exact.ring.symbol("r") ** 2 if latex == "r" else bench.value(latex)
     half = half_of(value)
     assert not never_zero(half, half.polynomial(value), LENGTHS)
+    assert not never_zero(half, half.polynomial(value - value), LENGTHS)
 
 
 def test_a_product_is_written_only_where_it_is_one(bench: Any) -> None:
