@@ -37,7 +37,7 @@ def search(seed: int, minutes: float) -> int:
 
 def compare(update: bool) -> int:
     """Print the documents of which another thing is said than is on record; write the record anew if asked."""
-    from tests.reached import derived, heard
+    from tests.reached import derived, heard, kinds
     from tests.reached.documents import Reached, load, write
 
     known = (*load(), *derived.load().values())
@@ -48,11 +48,14 @@ def compare(update: bool) -> int:
     print(f"of {len(changed)} of {len(known)} documents another thing is said than is on record")
     for sentence in otherwise:
         print(f"heard otherwise: {sentence}\n    {heard.heard(sentence)}\n    {heard.read_record().get(sentence)}")
+    of_kinds = [kind for kind in kinds.words() if not kinds.is_heard_as_ever(kind)]
+    print("".join(f"heard otherwise beside a word of the class {kind}\n" for kind in of_kinds), end="")
     if update:
         heard.write_record()
+        kinds.write_record()
         write([Reached(each.document, each.document.said()) for each in load()])
         derived.write_record()
-    return 1 if (changed or otherwise) and not update else 0
+    return 1 if (changed or otherwise or of_kinds) and not update else 0
 
 
 if __name__ == "__main__":

@@ -1,12 +1,13 @@
 """Documents made of what stands elsewhere, each with what we say of it: few mutants make all of them come out as ever.
 
-Sentences at each of their places, bare documents with each of their mistakes, labelled displays with a slip, everyday names,
+Sentences at each of their places, bare documents with each of their mistakes or with other data, labelled displays with a slip, everyday names,
 and the documents that stand as texts in the tests, of which these ask one thing each. Each is made of its source alone, so that
 a new source moves no other. What takes long is not on record: the clock may cut it short.
 """
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Iterator, Mapping
 from concurrent.futures import ProcessPoolExecutor
@@ -16,10 +17,10 @@ from random import Random
 
 from tests.labelled import bare
 from tests.labelled.cases import Case, load_cases
-from tests.labelled.pages import HEAD
+from tests.labelled.pages import HEAD, load_pages
 from tests.reached import documents
 from tests.reached.documents import MARKDOWN, Reached, Text
-from tests.reached.search import SECONDS, of_tests, slip
+from tests.reached.search import SECONDS, SLIPS, of_tests, slip
 from tests.sweeps import sentences
 from tests.sweeps.mutants_of_displays import mutate
 
@@ -29,7 +30,7 @@ HEADER = "# What we say of each document that derived.py makes. Written by `pyth
 
 def derived() -> Iterator[Text]:
     """Yield the documents, each once, but for those that were found by search."""
-    found = [*of_sentences(), *of_mistakes(), *of_slips(), *of_spellings(), *of_tests()]
+    found = [*of_sentences(), *of_mistakes(), *of_other_data(), *of_slips(), *of_spellings(), *of_tests()]
     known = {each.document for each in documents.load()}
     yield from dict.fromkeys(document for document in found if document.can_stand and document not in known)
 
@@ -45,6 +46,37 @@ def of_mistakes() -> Iterator[Text]:
     for document in bare.load():
         for number, *_ in document.mistakes:
             yield Text(document.text(number), document.path.suffix.removeprefix(".") or MARKDOWN)
+
+
+def of_other_data() -> Iterator[Text]:
+    """Yield the documents without front matter and the pages with a slip in a table, with one part less, and with two in the other order."""
+    known = [Text(each.text(), each.path.suffix.removeprefix(".") or MARKDOWN) for each in bare.load()]
+    for document in (*known, *(Text(page.text) for page in load_pages() if page.kind != "attack")):
+        parts, rng = document.text.split("\n\n"), Random(Reached(document, "").name)
+        for changed in (_with_a_slip_in_a_table, _with_a_part_less, _in_another_order):
+            if (other := changed(parts, rng)) != parts:
+                yield Text("\n\n".join(other).rstrip("\n") + "\n", document.format)
+
+
+def _with_a_slip_in_a_table(parts: list[str], rng: Random) -> list[str]:
+    """Return the parts with a slip in the last row of a table, or in some part where there is none."""
+    tables = [k for k, part in enumerate(parts) if part.count("|") > 8 or "tabular" in part]
+    at = rng.choice(tables or range(len(parts)))
+    before, line, behind = parts[at].rstrip("\n").rpartition("\n") if tables else ("", "", parts[at])
+    right, wrong = next(each for each in [*rng.sample(SLIPS, len(SLIPS)), ("", "")] if each[0] in behind)
+    place = rng.choice([found.start() for found in re.finditer(re.escape(right), behind)])
+    changed = behind[:place] + wrong + behind[place + len(right) :]
+    return [*parts[:at], f"{before}{line}{changed}", *parts[at + 1 :]]
+
+
+def _with_a_part_less(parts: list[str], rng: Random) -> list[str]:
+    at = rng.randrange(1, max(2, len(parts) - 1))
+    return [*parts[:at], *parts[at + 1 :]]
+
+
+def _in_another_order(parts: list[str], rng: Random) -> list[str]:
+    at = rng.randrange(1, max(2, len(parts) - 2))
+    return [*parts[:at], *reversed(parts[at : at + 2]), *parts[at + 2 :]]
 
 
 def of_slips() -> Iterator[Text]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.reached import derived, documents, heard
+from tests.reached import derived, documents, heard, kinds
 
 GROUP = 50
 NAMES = [*derived.read_record()]
@@ -22,6 +22,11 @@ def test_what_is_heard_is_what_is_on_record():
     changed = [sentence for sentence in heard.known_sentences() if not heard.is_heard_as_ever(sentence)]
     assert not changed, "\n".join(["look at each, then: python -m tests.reached --update", *changed])
     assert {*heard.known_sentences()} == {*heard.read_record()}
+
+
+@pytest.mark.parametrize("kind", kinds.words())
+def test_what_is_heard_beside_a_word_of_a_class_is_what_is_on_record(kind: str):
+    assert kinds.heard_with(kind) == kinds.read_record()[kind]
 
 
 def test_nothing_is_on_record_that_is_not_made_and_little_is_left_out():
