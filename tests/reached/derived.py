@@ -25,6 +25,27 @@ from tests.sweeps import sentences
 from tests.sweeps.mutants_of_displays import mutate
 
 RECORD = Path(__file__).parent / "derived.txt"
+INDEX = re.compile(r"_(?:\d|\{[^{}]*\})")
+OTHER_LETTERS = [
+    (r"\theta", "q"),
+    ("q_", r"\theta_"),
+    ("c_", r"\cos\theta_"),
+    ("d_", "a_"),
+    ("a_", "l_"),
+    ("l_", "L_"),
+    ("L_", "d_"),
+]
+OTHER_LETTERS += [
+    ("T", "A"),
+    ("A", "T"),
+    ("{}^0", "{}^1"),
+    ("^0", "^1"),
+    ("R", "Q"),
+    ("J", "J_v"),
+    ("p", "P"),
+    ("x", "y"),
+    ("z", "x"),
+]
 HEADER = "# What we say of each document that derived.py makes. Written by `python -m tests.reached --update`.\n"
 
 
@@ -49,11 +70,17 @@ def of_mistakes() -> Iterator[Text]:
 
 
 def of_other_data() -> Iterator[Text]:
-    """Yield the documents without front matter and the pages with a slip in a table, with one part less, and with two in the other order."""
+    """Yield the documents without front matter and the pages otherwise: a table, a part less, two in the other order, an index or a letter in one display."""
     known = [Text(each.text(), each.path.suffix.removeprefix(".") or MARKDOWN) for each in bare.load()]
     for document in (*known, *(Text(page.text) for page in load_pages() if page.kind != "attack")):
         parts, rng = document.text.split("\n\n"), Random(Reached(document, "").name)
-        for changed in (_with_a_slip_in_a_table, _with_a_part_less, _in_another_order):
+        for changed in (
+            _with_a_slip_in_a_table,
+            _with_a_part_less,
+            _in_another_order,
+            _with_another_index,
+            _with_another_letter,
+        ):
             if (other := changed(parts, rng)) != parts:
                 yield Text("\n\n".join(other).rstrip("\n") + "\n", document.format)
 
@@ -77,6 +104,26 @@ def _with_a_part_less(parts: list[str], rng: Random) -> list[str]:
 def _in_another_order(parts: list[str], rng: Random) -> list[str]:
     at = rng.randrange(1, max(2, len(parts) - 2))
     return [*parts[:at], *reversed(parts[at : at + 2]), *parts[at + 2 :]]
+
+
+def _with_another_index(parts: list[str], rng: Random) -> list[str]:
+    """Return the parts with another digit for one in all the indices of a display, as where two joints are confused."""
+    at = _of_a_display(parts, rng)
+    digits = sorted({digit for index in INDEX.findall(parts[at]) for digit in index if digit.isdigit()})
+    old, new = (rng.choice(digits), rng.choice("0123")) if digits else ("", "")
+    changed = INDEX.sub(lambda found: found[0].replace(old, new) if old else found[0], parts[at])
+    return [*parts[:at], changed, *parts[at + 1 :]]
+
+
+def _with_another_letter(parts: list[str], rng: Random) -> list[str]:
+    """Return the parts with another letter for one everywhere in a display."""
+    at = _of_a_display(parts, rng)
+    old, new = rng.choice([pair for pair in OTHER_LETTERS if pair[0] in parts[at]] or [("", "")])
+    return [*parts[:at], parts[at].replace(old, new) if old else parts[at], *parts[at + 1 :]]
+
+
+def _of_a_display(parts: list[str], rng: Random) -> int:
+    return rng.choice([k for k, part in enumerate(parts) if INDEX.search(part)] or range(len(parts)))
 
 
 def of_slips() -> Iterator[Text]:
