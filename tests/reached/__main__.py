@@ -37,15 +37,25 @@ def search(seed: int, minutes: float) -> int:
 
 def compare(update: bool) -> int:
     """Print the documents of which another thing is said than is on record; write the record anew if asked."""
+    from tests.reached import derived, heard, kinds
     from tests.reached.documents import Reached, load, write
 
-    changed = [each for each in load() if not each.is_said_as_ever]
+    known = (*load(), *derived.load().values())
+    changed = [each for each in known if not each.is_said_as_ever]
+    otherwise = [sentence for sentence in heard.known_sentences() if not heard.is_heard_as_ever(sentence)]
     for each in changed:
         print(f"===== {each.name}\n{each.document.text}said: {each.document.said()}on record: {each.said}")
-    print(f"of {len(changed)} of {len(load())} documents another thing is said than is on record")
+    print(f"of {len(changed)} of {len(known)} documents another thing is said than is on record")
+    for sentence in otherwise:
+        print(f"heard otherwise: {sentence}\n    {heard.heard(sentence)}\n    {heard.read_record().get(sentence)}")
+    of_kinds = [kind for kind in kinds.words() if not kinds.is_heard_as_ever(kind)]
+    print("".join(f"heard otherwise beside a word of the class {kind}\n" for kind in of_kinds), end="")
     if update:
+        heard.write_record()
+        kinds.write_record()
         write([Reached(each.document, each.document.said()) for each in load()])
-    return 1 if changed and not update else 0
+        derived.write_record()
+    return 1 if (changed or otherwise or of_kinds) and not update else 0
 
 
 if __name__ == "__main__":

@@ -18,6 +18,7 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
 from functools import cache
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -90,7 +91,7 @@ class Trial:
 def trials(seed: int, count: int) -> Iterator[Trial]:
     """Yield documents drawn at random, each sentence about as often, one of each effect first."""
     rng = random.Random(seed)
-    drawn = [(group, words) for group in _groups() for words in group["sentences"]]
+    drawn = [(group, words) for group in all_groups() for words in group["sentences"]]
     rng.shuffle(drawn)
     drawn = [*{group["effect"]: (group, words) for group, words in drawn}.values(), *drawn]
     for number in range(count):
@@ -98,25 +99,33 @@ def trials(seed: int, count: int) -> Iterator[Trial]:
         yield _trial(rng, group, words)
 
 
+def each_at_its_places() -> Iterator[Trial]:
+    """Yield each sentence at each of its places, beside what these two let be drawn."""
+    for group in all_groups():
+        for words, place in product(group["sentences"], group["places"]):
+            yield _trial(random.Random(f"{words} {place}"), {**group, "places": [place]}, words)
+
+
 def _trial(rng: random.Random, group: dict[str, Any], words: str) -> Trial:
     name, place = rng.choice(group.get("of", [*FORMULAS])), rng.choice(group["places"])
     world, where = group.get("world", "usual"), group.get("where", "")
-    there = [each for each in FORMULAS[name] if _holds(name, each, world, where)]
+    there = [each for each in FORMULAS[name] if _holds(name, tuple(each), world, where)]
     shown = rng.choice([FORMULAS[name][0], rng.choice(FORMULAS[name]), *(rng.sample(there, 1) if there else ())])
     arms = ["front", "table"] + ["closed"] * (name not in ("x", "y") and group["effect"] != "world")
     latex = _formula(name, shown, rng.choice([LETTERS, SPELT]) if "c_{12}" not in words else LETTERS)
-    is_right, is_true = _holds(name, shown, "usual", ""), _holds(name, shown, world, where)
+    is_right, is_true = _holds(name, tuple(shown), "usual", ""), _holds(name, tuple(shown), world, where)
     return Trial(group["effect"], words, place, rng.choice(["md", "tex"]), rng.choice(arms), latex, is_right, is_true)
 
 
 def judged(trial: Trial) -> Trial:
     """Return a trial with the verdicts on its display: beside its sentence, and without it."""
     alone = "" if trial.effect != "nothing" else _verdict(trial, f"We have\n\n{_shown(trial, trial.latex)}")
-    return replace(trial, verdict=_verdict(trial, _placed(trial)), alone=alone)
+    return replace(trial, verdict=_verdict(trial, placed(trial)), alone=alone)
 
 
 @cache
-def _groups() -> tuple[dict[str, Any], ...]:
+def all_groups() -> tuple[dict[str, Any], ...]:
+    """Return the sentences by what they do to a display."""
     return tuple(yaml.safe_load(Path(__file__).with_name("sentences.yaml").read_text(encoding="utf-8")))
 
 
@@ -158,7 +167,7 @@ def _shown(trial: Trial, latex: str) -> str:
     return f"\\[ {latex} \\]" if trial.format == "tex" else f"$$ {latex} $$"
 
 
-def _placed(trial: Trial) -> str:
+def placed(trial: Trial) -> str:
     """Return the display with the sentence at its place."""
     words, latex, is_tex = trial.words, trial.latex, trial.format == "tex"
     shown = _shown(trial, latex)
@@ -220,7 +229,8 @@ def _jacobian(world: str, at: Point) -> Any:
     return np.array(columns).T
 
 
-def _holds(name: str, entries: Sequence[str], world: str, where: str) -> bool:
+@cache
+def _holds(name: str, entries: tuple[str, ...], world: str, where: str) -> bool:
     """Whether a formula is true in a world, at a condition."""
     for seed in range(4):
         rng = random.Random(seed)

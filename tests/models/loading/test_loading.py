@@ -1,6 +1,8 @@
 """Model files without a card, and what is not an arm."""
 
+import logging
 from collections.abc import Callable
+from logging.handlers import BufferingHandler
 from math import inf
 from pathlib import Path
 
@@ -90,10 +92,15 @@ def test_missing_meshes_do_not_matter(write_urdf: Write) -> None:
     assert load_arm(write_urdf(body)).warnings == ()
 
 
-def test_warnings_of_the_parser_are_kept_with_file_and_line(write_urdf: Write) -> None:
+def test_warnings_of_the_parser_are_kept_with_file_and_line_and_not_told_twice(
+    write_urdf: Write, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told = BufferingHandler(capacity=1000)
+    monkeypatch.setattr(logging.getLogger(), "handlers", [told])
     path = write_urdf(TWO + '\n<transmission name="t"><type>odd</type></transmission>')
     (warning,) = load_arm(path).warnings
     assert warning.startswith(f"{path}:3: warning: A <transmission>")
+    assert not told.buffer
 
 
 def test_an_angle_that_is_nearly_right_is_warned_of(write_urdf: Write) -> None:

@@ -16,8 +16,8 @@ from tests.labelled.faults import read_not_yet
 from tests.labelled.judging import judge, said_of_document, verify_text
 from tests.labelled.pages import Page, load_pages
 from tests.labelled.record import differences, is_kept, read_record, read_record_of_pages
-from tests.mutation.source.reach import LABELLED
-from tests.reached import documents
+from tests.mutation.source.reach import DERIVED, LABELLED
+from tests.reached import derived, documents, heard, kinds
 
 
 class Labelled(pytest.Item):
@@ -37,11 +37,14 @@ def pytest_collection_modifyitems(session: pytest.Session, items: list[pytest.It
 
 
 def labelled() -> Iterator[tuple[str, Callable[[], bool]]]:
-    """Yield each labelled display, page and document: its name, and whether the same is said of it as ever."""
+    """Yield each labelled display, page and document, and sentences: a name, and whether the same is said of it as ever."""
     yield from ((case.key, partial(_case, case)) for case in load_cases())
     yield from ((page.title, partial(_page, page)) for page in load_pages())
     yield from ((document.path.name, partial(_bare, document)) for document in bare.load())
     yield from ((document.name, partial(_reached, document)) for document in documents.load())
+    yield from ((f"{DERIVED}{name}", partial(_reached, document)) for name, document in derived.load().items())
+    yield from ((sentence, partial(heard.is_heard_as_ever, sentence)) for sentence in heard.read_record())
+    yield from ((f"kinds {kind}", partial(kinds.is_heard_as_ever, kind)) for kind in kinds.words())
 
 
 def _case(case: Case) -> bool:

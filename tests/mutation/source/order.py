@@ -7,10 +7,13 @@ from collections.abc import Iterable, Set
 from random import Random
 
 from tests.mutation.source.mutants import Mutant
-from tests.mutation.source.reach import LABELLED, reaching, seconds
+from tests.mutation.source.reach import DERIVED, LABELLED, reaching, seconds
 from tests.mutation.source.trusted import selection
 
 QUICK = 1  # seconds
+MOST_DERIVED = (
+    400  # documents made of others that reach a line which most of them do: it is seen by some of these, or by none
+)
 DRAWN = 50  # labelled displays that are judged although they do not reach a line: what was cached when they were recorded hides it
 
 
@@ -20,6 +23,8 @@ def tests_of(file: str, mutant: Mutant, collected: Iterable[str]) -> list[str]:
     tests = Random(1).sample(there, len(there))  # another kind of display each time: what is wrong shows early
     met = reaching(file, mutant.line)
     if met is not None:
+        of_others = [test for test in tests if test in met and test.startswith(f"{LABELLED}::{DERIVED}")]
+        met = met - {*of_others[MOST_DERIVED:]}
         drawn = {test for test in tests if test.startswith(LABELLED)}
         about = {test for test in tests if _file(test) in own or test not in took}
         met = met | about | set(sorted(drawn)[:: max(1, len(drawn) // DRAWN)])

@@ -21,6 +21,7 @@ RECORD = ROOT / "build" / "reach.coverage"
 SECONDS = ROOT / "build" / "reach.json"
 TESTS = ("tests/models", "tests/verification", "course/handouts")  # and all that is labelled
 LABELLED = "tests/labelled/displays"  # where the names of those begin
+DERIVED = "derived "  # and behind it, those of documents that are made of others
 OPTIONS = "-q -p no:cacheprovider -p tests.mutation.source.labels".split()
 # pages in a browser, clusters and what watches files decide nothing, and each copy of a process would begin them anew
 OPTIONS += [f"--ignore=tests/verification/{room}" for room in ("report", "running")]

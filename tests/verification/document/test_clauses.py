@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from armproof.verification.document.clauses import clauses
+from armproof.verification.document.clauses import clauses, goes_on
 from armproof.verification.document.denials import heading_denies
 from armproof.verification.document.denying_clauses import denies_what_is_above, denies_what_is_below
 from armproof.verification.document.hearing import words_of
@@ -100,3 +100,9 @@ def test_a_heading_denies_by_what_it_calls_wrong(denies: str, says_nothing: str)
 def test_if_and_only_if_denies_nothing(said: str) -> None:
     assert not denies_what_is_above(words_of(said))
     assert not denies_what_is_below(words_of(said))
+
+
+@pytest.mark.parametrize("sentence", ["if the arm is straight and nothing else is in its way.", "d'où le reste."])
+def test_a_sentence_goes_on_that_begins_with_a_small_letter_or_is_short(sentence: str) -> None:
+    assert goes_on(words_of(sentence))
+    assert not goes_on(f"(if the {'very ' * 20}long arm is straight) ")

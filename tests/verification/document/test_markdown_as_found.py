@@ -7,6 +7,7 @@ import pytest
 
 from armproof.verification.check import verify_text
 from armproof.verification.document import parse_document
+from armproof.verification.document.formula_links import formulas_in_html
 from armproof.verification.document.markdown import read_markdown
 
 FRONT = r"""---
@@ -100,6 +101,12 @@ PICTURES = [
 @pytest.mark.parametrize(("text", "told"), PICTURES)
 def test_pictures_of_equations_are_counted(text: str, told: list[str]):
     assert [str(remark).split(":")[0] for remark in parse_document(Path("page.md"), text).remarks] == told
+
+
+def test_a_picture_stands_on_its_line():
+    picture = '<img src="https://latex.codecogs.com/svg.image?x=1">'
+    assert [*formulas_in_html(f"\n<p>\n{picture}")] == [(2, "x=1", True)]
+    assert [*formulas_in_html(f"\nwords {picture}")] == [(1, "x=1", False)]
 
 
 ADDRESSES = {

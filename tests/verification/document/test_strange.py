@@ -8,6 +8,7 @@ import pytest
 
 from armproof.verification.check import check_document
 from armproof.verification.document.formats import parse_document
+from armproof.verification.document.strange import is_strange_before
 from armproof.verification.findings import Kind
 from armproof.verification.verdict import Verdict
 
@@ -140,3 +141,15 @@ def test_a_comment_is_no_sentence() -> None:
     ):
         (found,) = check_document(parse_document(Path(path), text)).equations
         assert found.verdict is Verdict.PROVED, path
+
+
+@pytest.mark.parametrize(
+    ("words", "strange", "least"), [("the", 2, 18), ("the", 3, 27), ("the robot", 3, 15), ("the robot", 4, 20)]
+)
+def test_one_strange_word_in_nine_is_too_many_and_in_a_sentence_of_the_arm_one_in_five(
+    words: str, strange: int, least: int
+) -> None:
+    known = [*words.split(), *["the"] * least]
+    odd = ["zorple", "blixen", "quamble", "frotzen"][:strange]
+    said, longer = (" ".join([*known[: count - strange], *odd]) + " " for count in (least, least + 1))
+    assert is_strange_before(said) and not is_strange_before(longer)

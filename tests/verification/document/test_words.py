@@ -174,3 +174,12 @@ def test_what_a_letter_or_a_place_is_otherwise_is_heard_where_the_text_says_it(s
 def test_what_is_struck_out_or_in_a_box_that_says_so_is_denied(text: str, name: str, denied: bool) -> None:
     (display,) = displays(text, name)
     assert display.denied is denied
+
+
+@pytest.mark.parametrize(
+    ("heading", "is_below"),
+    [("# Tool", False), ("## Tool", True), ("Tool\n====", False), ("Tool\n----", False)],
+)
+def test_what_a_sentence_says_of_a_point_holds_below_its_heading_alone(heading: str, is_below: bool) -> None:
+    [display] = displays(f"# Elbow\n\nLet $P$ be the midpoint of the second link.\n\n{heading}\n\n$$ x = l_1 c_1 $$\n")
+    assert display.of_other_point is is_below

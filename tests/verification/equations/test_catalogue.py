@@ -19,6 +19,27 @@ def test_a_name_whose_value_is_a_quantity_is_defined_and_said_to_be_it(judge: Ju
     assert judge(f"Q = {POINT % '+'}", "Q = p_2", arm="planar_2r").verdict is Verdict.PROVED
 
 
+X, Y = r"-l_1 s_1 - l_2 s_{12} & -l_2 s_{12}", r"l_1 c_1 + l_2 c_{12} & l_2 c_{12}"
+
+
+@pytest.mark.parametrize(
+    ("rows", "part"),
+    [
+        ([X, Y], "rows 1, 2 of "),
+        ([X, Y, "0 & 0"], "rows 1, 2, 3 of "),
+        ([X, Y, "1 & 1"], "rows 1, 2, 6 of "),
+        ([X, Y, "0 & 0", "0 & 0", "0 & 0", "1 & 1"], ""),
+    ],
+)
+def test_each_usual_part_of_a_jacobian_is_known_as_it(judge: Judge, rows: list[str], part: str) -> None:
+    right, turned = (
+        judge(r"B = \begin{bmatrix} " + r" \\ ".join(lines) + r" \end{bmatrix}", arm="planar_2r")
+        for lines in (rows, [rows[0].replace("& -l_2", "& l_2"), *rows[1:]])
+    )
+    assert right.outcomes[0].read_as == f"{part}the Jacobian of frame 2 in frame 0"
+    assert turned.verdict is Verdict.UNCHECKED and not turned.outcomes[0].read_as
+
+
 @pytest.mark.parametrize(
     ("display", "where", "line"),
     [

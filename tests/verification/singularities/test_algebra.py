@@ -13,6 +13,7 @@ from armproof.models.catalogue import load_arm
 from armproof.verification.algebra.budget import Budget
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
+from armproof.verification.conditions.drawn_points import DrawnPoints
 from armproof.verification.singularities.decomposition import Decomposer, Lengths
 from armproof.verification.singularities.elimination import BeyondReach, Relation, pseudo_remainder
 from armproof.verification.singularities.existence import existence
@@ -96,6 +97,7 @@ def test_what_can_vanish_is_never_called_nonzero(bench: Any, latex: str) -> None
     value = bench.exact.ring.symbol("r") ** 2 if latex == "r" else bench.value(latex)
     half = half_of(value)
     assert not never_zero(half, half.polynomial(value), LENGTHS)
+    assert not never_zero(half, half.polynomial(value - value), LENGTHS)
 
 
 def test_a_product_is_written_only_where_it_is_one(bench: Any) -> None:
@@ -257,3 +259,23 @@ def test_a_condition_is_solved_for_a_joint(bench: Any) -> None:
     assert found.condition == ""
     assert existence(factor_of(bench, "a_3 + d_3 C_2"), joints).condition == r"a_3 \le d_3"
     assert existence(factor_of(bench, "d_3 + a_3 C_2 + a_3 S_2"), joints).condition == r"d_3 \le \sqrt{2} a_3"
+
+
+# -- points that are drawn -----------------------------------------------------------------------------------------------------
+
+
+def test_a_point_that_is_drawn_is_none_that_is_left_out_and_none_at_which_the_conclusion_holds(bench: Any) -> None:
+    where, other = bench.value("a_3 C_2 - d_3 S_{23}"), bench.value("S_2")
+    half = half_of(where, other)
+    drawn = DrawnPoints(half, load_arm("rx90"), LENGTHS, (set(half.angles), set(LENGTHS)))
+    (variety,) = Decomposer(half, LENGTHS, lengths=Lengths.LINEAR).decompose([half.polynomial(where)])
+    on, off = (half.polynomial(where),), (half.polynomial(other),)
+    assert drawn.point(variety, (), [(off, ())], 1.0)
+    assert drawn.point(variety, [off], [(off, ())], 1.0)
+    assert drawn.point(variety, [on], [(off, ())], 1.0) is None
+    assert drawn.point(variety, [off, on], [(off, ())], 1.0) is None
+    assert drawn.point(variety, (), [(on, ())], 1.0) is None
+    assert drawn.point(variety, (), [(on, [off])], 1.0) is None
+    assert drawn.point(variety, (), [(on, [on])], 1.0)
+    at_scale = {scale: drawn.point(variety, (), [(off, ())], scale) or {} for scale in (1.0, 4.0)}
+    assert not LENGTHS & {*at_scale[1.0]} and LENGTHS <= {*at_scale[4.0]}  # lengths of the arm are not told

@@ -36,3 +36,24 @@ def test_a_table_that_its_only_link_matrix_contradicts_does_not_pass() -> None:
     found = verify_text(f"{head}{rows}$$ {{}}^0_1T = {first} $$\n\n$$ {{}}^1_2T = {second} $$\n")
     [table] = found.tables
     assert table.verdict == "unchecked" and "refuted" not in {record.verdict.value for record in found.equations}
+
+
+POSES = (
+    r"{}^0T_1 = \begin{bmatrix} c_1 & 0 & s_1 & 0 \\ s_1 & 0 & -c_1 & 0 \\ 0 & 1 & 0 & d_1 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+    r"{}^0T_2 = \begin{bmatrix} c_1 c_2 & -c_1 s_2 & s_1 & a_2 c_1 c_2 \\ s_1 c_2 & -s_1 s_2 & -c_1 & a_2 s_1 c_2 \\ s_2 & c_2 & 0 & d_1 + a_2 s_2 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+    r"{}^0T_3 = \begin{bmatrix} c_1 c_{23} & -c_1 s_{23} & s_1 & c_1 (a_2 c_2 + a_3 c_{23}) \\ s_1 c_{23} & -s_1 s_{23} & -c_1 & s_1 (a_2 c_2 + a_3 c_{23}) \\ s_{23} & c_{23} & 0 & d_1 + a_2 s_2 + a_3 s_{23} \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+)
+
+
+@pytest.mark.parametrize(("angle", "table_verdict"), [("$\\theta_1$", "defined"), ("0", "unchecked")])
+def test_a_row_that_turns_although_its_table_has_no_angle_is_named(angle: str, table_verdict: str) -> None:
+    rows = f"| 1 | {angle} | $d_1$ | 0 | $\\pi/2$ |\n| 2 | $\\theta_2$ | 0 | $a_2$ | 0 |\n| 3 | $\\theta_3$ | 0 | $a_3$ | 0 |\n\n"
+    found = verify_text(HEAD + rows + "\n\n".join(f"$$ {pose} $$" for pose in POSES) + "\n")
+    [table] = found.tables
+    assert table.verdict == table_verdict
+    if table_verdict == "unchecked":
+        [finding] = table.findings
+        assert finding.kind == "link_disputed" and finding.terms["correct"] == "theta_1"
+        assert [each.verdict.value for each in found.equations] == ["unchecked"] * 3
+    else:
+        assert [each.verdict.value for each in found.equations] == ["proved"] * 3

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from armproof import verify_text
+from armproof.verification.tables.arms.frame_names import end_effectors
 
 FRONT = """---
 arm:
@@ -104,6 +105,13 @@ def test_of_two_end_effectors_the_arm_has_the_first_and_the_second_follows_no_ot
     assert verdict(table + TWO) == "proved"
     assert verdict(table + TWO + TWO.replace("l_2 s_{12}", "l_2 c_{12}")) == "refuted"
     assert "b_2" not in verify_text(table + TWO).arms[0].front_matter
+
+
+@pytest.mark.parametrize("label", ["plate", "offset"])
+def test_two_fixed_rows_of_one_name_are_no_end_effectors(label: str) -> None:
+    joints = ["theta_1", "theta_2", "", ""]
+    assert end_effectors(["1", "2", "tool 1", "tool 2"], joints) == (2, "E")
+    assert end_effectors(["1", "2", f"{label} 1", f"{label} 2"], joints) is None
 
 
 def test_end_effectors_at_a_joint_of_their_own_share_it() -> None:
