@@ -471,7 +471,7 @@ kinematic dynamics static model model velocity velocities force forces torque to
 obtain obtained get gives give given yields yield find found follows follow holds hold means know known write written using used use uses define defined
 called call denote denotes denoted choose chosen set take taken have compute computed substitute substituting consider recall get result results
 fully stretched folded extended straight aligned parallel perpendicular horizontal vertical height tool's elbow's arm's possible exists exist there
-true correct right valid fixed
+true correct right valid fixed trivial obvious
 le la les l un une des du de d au aux ce cette ces cet il elle on nous vous ils elles en dans sur par pour avec et ou où mais donc alors ainsi car comme
 si sinon soit sont est être ont avons a ayant peut tout tous toute toutes chaque autre autres aussi encore ici enfin toujours c'est-à-dire
 voir équation équations figure définition exemple remarque preuve ci-dessus ci-dessous précédent précédente suivant suivante premier première deuxième second seconde troisième

@@ -293,8 +293,15 @@ def problem_of_arguments(value: Value, node: n.Call, names: Names) -> Finding | 
         return None
     cells = [cell for cell in (value.cells if isinstance(value, Matrix) else (value,)) if isinstance(cell, Scalar)]
     own = symbols_in(cells)
+    if not isinstance(name, n.Name):
+        return None
+    for symbol, letter in given.items():
+        base = symbol.partition("_")[0]
+        instead = sorted(each for each in own - given.keys() if symbol not in own and each.partition("_")[0] == base)
+        if instead:  # of θ_3, where it depends on θ_2; or of a_3
+            return say(Kind.OTHER_ARGUMENT, name=name.key, own=instead[0], given=letter)
     missing = sorted((own & names.joints.keys()) - given.keys())
-    if not missing or not isinstance(name, n.Name):
+    if not missing:
         return None
     others = [letter for symbol, letter in given.items() if symbol not in own]
     if others:
