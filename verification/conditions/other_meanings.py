@@ -72,7 +72,7 @@ class OtherMeanings:
         letters = "".join(each.removeprefix(OPERATED).strip() for each in meant if each.startswith(OPERATED))
         is_itself = any(side.base in letters and not side.dots and side.sup == "" for side in alone)
         orders = [side.dots + (side.base in _VELOCITIES) for side in alone if side.base in _MOVING]
-        is_of_lower_order = ACCELERATION in meant and orders and max(orders) == 1
+        is_of_lower_order = ACCELERATION in meant and bool(orders) and max(orders) == 1
         named = {each.removeprefix(NAMED).strip() for each in meant if each.startswith(NAMED)}
         is_of_lower_order |= VELOCITY in named and bool(orders) and not max(orders)
         others = {letter for each in named for letter in _OTHERS.get(each, "")}

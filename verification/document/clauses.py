@@ -28,6 +28,9 @@ _OF_NO_CLAIM = (
     "change",
     "would",
 )  # "It would be the velocity", "The other equation gives the ordinate"
+_PARTS_OF_MORE = frozenset(
+    "basis sum start beginning part consequence key somme début partie grundlage summe anfang teil folge suma inicio somma inizio soma início".split()
+)  # "It is the basis of"
 OF_DISPLAY = ("this", "display", "part")
 _SHORT = 8  # words of what says little else than when the display above it holds
 _MOST_KNOWN = 4096  # words, and sentences, so that each is looked up once
@@ -100,15 +103,18 @@ def goes_on(words: str) -> bool:
 
 
 def is_of_display(words: str) -> bool:
-    """Whether a sentence, with its words, is of the display that it stands behind: "It describes the elbow"."""
+    """Whether a sentence, with its words, tells what the display is that it stands behind: "It describes the elbow"."""
     found = clauses(words)
-    if not found or words.endswith(": "):
+    if (
+        not found
+        or words.endswith(": ")
+        or found[0].has(*_OF_NO_CLAIM)
+        or not _PARTS_OF_MORE.isdisjoint(found[0].words)
+    ):
         return False
     begin = found[0]
-    if begin.words[0] in _IT_IS:
-        return not begin.has(*_OF_NO_CLAIM)
-    is_this = begin.subject == "this" or (begin.subject == "display" and (begin.has("this") or begin.begins("article")))
-    return is_this and not begin.has(*_OF_NO_CLAIM)
+    is_named = begin.subject == "display" and (begin.has("this") or begin.begins("article"))
+    return begin.words[0] in _IT_IS or begin.subject == "this" or is_named
 
 
 def mentions_only(words: str) -> bool:

@@ -313,7 +313,7 @@ seen * from/on the tool/gripper/hand
 frame/system/axes/repère/système/koordinatensystem/bezugssystem/sistema/marco/terna (,) (that) (which) (qui) (das) (que) (che) (is) turns/turning/moves/moving/rotates/rotating/carried/travels/tourne/bouge/dreht/bewegt/gira/mueve/ruota/muove (sich) (along) with/by/avec/mit/con/com
 koordinatensystem/bezugssystem/system , das sich mit
 ^ & for/in/with/pour/dans/für/in/para/en (a/an/the/un/une/le/ein/einem/einen/das/el) frame/system/axes/repère/système/koordinatensystem/bezugssystem/sistema/marco (that) (which) (is) (das) (um) (¤) turned/rotated/tilted/shifted/tourné/incliné/décalé/gedreht~/gedrehtes/girado/rotado/ruotato
-(a/another/other/different/second/autre/anderes/anderen/otro/altro) (coordinate) frame/system/repère/koordinatensystem/sistema turned/rotated/tilted/tourné/gedreht/girado/ruotato (by/through/de/um/di) (¤)
+another/different/second/autre/anderes/anderen/otro/altro (coordinate) frame/system/repère/koordinatensystem/sistema turned/rotated/tilted/tourné/gedreht/girado/ruotato (by/through/de/um/di) (¤)
 """
 OTHER_ORIGIN = """
 origin (of) (the) (base) (frame) (is/lies/sits/stands) (placed/taken/put/chosen) at/in/into/to (the) elbow
