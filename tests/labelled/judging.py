@@ -59,7 +59,7 @@ def _said_of_entry(entry: WrongEntry) -> str:
 
 
 def _said_of_equation(result: EquationResult) -> str:
-    findings = ", ".join(map(_said_of_finding, result.findings))
+    findings = ", ".join(map(said_of_finding, result.findings))
     return (
         f"{result.role.value} {result.verdict.value}"
         + f" [{findings}]" * bool(findings)
@@ -67,7 +67,7 @@ def _said_of_equation(result: EquationResult) -> str:
     )
 
 
-def _said_of_finding(finding: Finding) -> str:
+def said_of_finding(finding: Finding) -> str:
     """Return the kind of a finding and its terms, in no language: its sentence may be written anew."""
     terms = "; ".join(map(_said_of_term, finding.terms.values()))
     return finding.kind.value + f"({terms})" * bool(terms)
@@ -75,7 +75,7 @@ def _said_of_finding(finding: Finding) -> str:
 
 def _said_of_term(term: object) -> str:
     if isinstance(term, Finding):
-        return _said_of_finding(term)
+        return said_of_finding(term)
     if isinstance(term, list | tuple):
         return ", ".join(map(_said_of_term, term))
     return f"{term:.4g}" if isinstance(term, float) else str(term)
@@ -85,7 +85,7 @@ def said_of_document(result: DocumentResult) -> str:
     """Return what is said of a document, a line each: the arms that were taken, remarks, displays and tables with their lines."""
     taken = [arm for arm in result.arms if arm.source != "front matter"]
     arms = [f"{arm}: {dict(arm.front, transforms=arm.transforms)}" for arm in taken]
-    remarks = map(_said_of_finding, result.remarks)
+    remarks = map(said_of_finding, result.remarks)
     records = (f"{record.line} {said_of(record)}" for record in result.records)
     return "".join(f"{line}\n" for line in (*arms, *remarks, *records))
 

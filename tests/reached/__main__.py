@@ -37,7 +37,7 @@ def search(seed: int, minutes: float) -> int:
 
 def compare(update: bool) -> int:
     """Print the documents of which another thing is said than is on record; write the record anew if asked."""
-    from tests.reached import derived, heard, kinds
+    from tests.reached import derived, heard, in_full, kinds
     from tests.reached.documents import Reached, load, write
 
     known = (*load(), *derived.load().values())
@@ -50,12 +50,18 @@ def compare(update: bool) -> int:
         print(f"heard otherwise: {sentence}\n    {heard.heard(sentence)}\n    {heard.read_record().get(sentence)}")
     of_kinds = [kind for kind in kinds.words() if not kinds.is_heard_as_ever(kind)]
     print("".join(f"heard otherwise beside a word of the class {kind}\n" for kind in of_kinds), end="")
+    fully = [name for name in in_full.load() if not in_full.is_said_as_ever(name)]
+    for name in fully:
+        print(
+            f"===== in full {name}\n{in_full.said_in_full(in_full.load()[name])}on record: {in_full.read_record().get(name)}"
+        )
     if update:
+        in_full.write_record()
         heard.write_record()
         kinds.write_record()
         write([Reached(each.document, each.document.said()) for each in load()])
         derived.write_record()
-    return 1 if (changed or otherwise or of_kinds) and not update else 0
+    return 1 if (changed or otherwise or of_kinds or fully) and not update else 0
 
 
 if __name__ == "__main__":

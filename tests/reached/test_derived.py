@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from tests.reached import derived, documents, heard, kinds
+from tests.reached import derived, documents, heard, in_full, kinds
 
 GROUP = 50
+IN_FULL = [*in_full.read_record()]
 NAMES = [*derived.read_record()]
 
 
@@ -15,6 +16,13 @@ def test_what_is_said_is_what_is_on_record(first: str):
     begin = NAMES.index(first)
     documents = [derived.load()[name] for name in NAMES[begin : begin + GROUP]]
     changed = [each.document.text for each in documents if not each.is_said_as_ever]
+    assert not changed, "\n".join(["look at each, then: python -m tests.reached --update", *changed])
+
+
+@pytest.mark.parametrize("first", IN_FULL[::GROUP])
+def test_what_is_said_in_full_is_what_is_on_record(first: str):
+    begin = IN_FULL.index(first)
+    changed = [name for name in IN_FULL[begin : begin + GROUP] if not in_full.is_said_as_ever(name)]
     assert not changed, "\n".join(["look at each, then: python -m tests.reached --update", *changed])
 
 
@@ -33,6 +41,7 @@ def test_nothing_is_on_record_that_is_not_made_and_little_is_left_out():
     made = [documents.Reached(document, "").name for document in derived.derived()]
     assert len({*made}) == len(made) and {*derived.read_record()} <= {*made}
     assert len(derived.load()) > 0.98 * len(made)
+    assert [*in_full.load()] == IN_FULL
 
 
 def test_a_sentence_heard_otherwise_is_noticed(monkeypatch: pytest.MonkeyPatch):

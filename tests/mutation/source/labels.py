@@ -17,7 +17,7 @@ from tests.labelled.judging import judge, said_of_document, verify_text
 from tests.labelled.pages import Page, load_pages
 from tests.labelled.record import differences, is_kept, read_record, read_record_of_pages
 from tests.mutation.source.reach import DERIVED, LABELLED
-from tests.reached import derived, documents, heard, kinds
+from tests.reached import derived, documents, heard, in_full, kinds
 
 
 class Labelled(pytest.Item):
@@ -30,6 +30,7 @@ class Labelled(pytest.Item):
 
 
 def pytest_collection_modifyitems(session: pytest.Session, items: list[pytest.Item]) -> None:
+    in_full.load()  # once, before any copy of this process
     for name, said_as_ever in labelled():
         item = Labelled.from_parent(session, name=name, nodeid=f"{LABELLED}::{name}")
         item.said_as_ever = said_as_ever
@@ -43,6 +44,7 @@ def labelled() -> Iterator[tuple[str, Callable[[], bool]]]:
     yield from ((document.path.name, partial(_bare, document)) for document in bare.load())
     yield from ((document.name, partial(_reached, document)) for document in documents.load())
     yield from ((f"{DERIVED}{name}", partial(_reached, document)) for name, document in derived.load().items())
+    yield from ((f"in full {name}", partial(in_full.is_said_as_ever, name)) for name in in_full.read_record())
     yield from ((sentence, partial(heard.is_heard_as_ever, sentence)) for sentence in heard.read_record())
     yield from ((f"kinds {kind}", partial(kinds.is_heard_as_ever, kind)) for kind in kinds.words())
 

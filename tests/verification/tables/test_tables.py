@@ -644,3 +644,15 @@ def test_an_empty_entry_among_others_is_a_zero() -> None:
     text = f"---\narm: planar_2r\n---\n| i | $a_i$ | $\\alpha_i$ | $d_i$ | $\\theta_i$ |\n|---|---|---|---|---|\n{rows}"
     assert verify_text(text).tables[0].verdict == Verdict.REFUTED
     assert verify_text(text.replace("|2||", "|2|$l_2$|")).tables[0].verdict == Verdict.PROVED
+
+
+@pytest.mark.parametrize(("labels", "is_told"), [(("1", "2"), False), (("", ""), False), (("upper", "lower"), True)])
+def test_it_is_told_where_labels_name_no_frames_and_rows_are_taken_in_order(
+    labels: tuple[str, str], is_told: bool
+) -> None:
+    rows = "".join(f"| {label} | $l_{k}$ | 0 | 0 | $\\theta_{k}$ |\n" for k, label in enumerate(labels, start=1))
+    head = "| link | $a_i$ | $\\alpha_i$ | $d_i$ | $\\theta_i$ |\n|---|---|---|---|---|\n"
+    [right] = verify_text(f"---\narm: planar_2r\n---\n\n{head}{rows}").tables
+    [wrong] = verify_text(f"---\narm: planar_2r\n---\n\n{head}{rows.replace('l_2', 'l_1')}").tables
+    assert (right.verdict, wrong.verdict) == (Verdict.PROVED, Verdict.REFUTED)
+    assert right.says(Kind.ROWS_IN_ORDER) is wrong.says(Kind.ROWS_IN_ORDER) is is_told
