@@ -172,6 +172,7 @@ class ChainChecker:
             outcomes = self.redefinitions.judge(now.chain, outcomes, now.defined, now.check)
         if self.names.state.definitions:
             outcomes = [self.redefinitions.unless_repeated(outcome, line) for outcome in outcomes]
+            outcomes = [self.redefinitions.unless_said(each, line) if define else each for each in outcomes]
         for outcome in outcomes:
             outcome.read_as = outcome.read_as or (self.members.read_as(outcome.true.node) if outcome.true else "")
         if (doubt := self._other_direction(now, outcomes)) is not None:

@@ -432,17 +432,25 @@ class Redefinitions:
                 outcome.repeats = (key, definition.line)
         return outcomes
 
+    def unless_said(self, outcome: Outcome, line: int) -> Outcome:
+        """Return an equation that says of a letter what a line before says that it is, v = w behind v = w: it decides nothing."""
+        if outcome.verdict is not Verdict.PROVED or len(outcome.nodes) != 2:
+            return outcome
+        for letter, other in (outcome.nodes, outcome.nodes[::-1]):
+            key = bare_key(letter)
+            before = self.names.state.definitions.get(key) if key is not None else None
+            is_above = before is not None and before.node is not None and before.line != line
+            if is_above and bare(before.node) == bare(other):
+                said = say(Kind.DEFINES, name=key)
+                return replace(outcome, verdict=Verdict.DEFINED, findings=(said,), repeats=(str(key), before.line))
+        return outcome
+
     def unless_repeated(self, outcome: Outcome, line: int) -> Outcome:
-        """Return an equation of a letter, or of a column of them, that says what a line before says that they are: it decides nothing."""
+        """Return an equation of a column of letters that says what a line before says that they are: it decides nothing."""
         if outcome.verdict is not Verdict.PROVED or len(outcome.nodes) != 2:
             return outcome
         definitions = self.names.state.definitions
         for letters, other in (outcome.nodes, outcome.nodes[::-1]):
-            key = bare_key(letters)
-            alone = definitions.get(key) if key is not None else None
-            if alone is not None and alone.node is not None and alone.line != line and bare(alone.node) == bare(other):
-                said = say(Kind.DEFINES, name=key)
-                return replace(outcome, verdict=Verdict.DEFINED, findings=(said,), repeats=(str(key), alone.line))
             keys = [str(bare_key(cell)) for cell in cells_of(letters)]
             before = map(definitions.get, keys)
             wholes = [each.whole if each is not None and each.line != line else None for each in before]
