@@ -53,7 +53,7 @@ $$ x = \text{{</math></code></pre>{ATTACK}}} y \foo $$
 
 $$ </script><script>window.attacked=1</script> $$
 
-$$ (a + b)^2 = a^2 + b^2 \text{{ {ATTACK} }} $$
+$$ (a + b)^2 = a^2 + b^2 $$
 
 | i | a_i | alpha_i | d_i | theta_i |
 |---|---|---|---|---|
