@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from itertools import product
 
 from armproof.verification.document.denials import denies_within
 from armproof.verification.document.hearing import without_harmless
@@ -56,12 +57,11 @@ def tell_words_that_change(statements: list[n.Statement], outcomes: list[Outcome
         or _OF_EQUATION.search(text)
     ]
     unread = next((s.text for s in statements if isinstance(s, n.Connective) and s.kind == UNREAD), "")
-    for outcome in outcomes if unread else ():
+    doubts = [say(Kind.LEFT_OUT, text=unread)] if unread else []
+    doubts += [say(Kind.WORDS_CHANGE_IT, text=words[0])] if words else []
+    for outcome, doubt in product(outcomes, doubts):
         if outcome.verdict in DECIDED or outcome.role is Role.DEFINITION:
-            outcome.verdict, outcome.findings = Verdict.UNCHECKED, (say(Kind.LEFT_OUT, text=unread),)
-    for outcome in outcomes if words else ():
-        if outcome.verdict in DECIDED or outcome.role is Role.DEFINITION:
-            outcome.verdict, outcome.findings = Verdict.UNCHECKED, (say(Kind.WORDS_CHANGE_IT, text=words[0]),)
+            outcome.verdict, outcome.findings = Verdict.UNCHECKED, (doubt,)
 
 
 def _is_strange(text: str) -> bool:

@@ -94,7 +94,7 @@ def _is_off(outcome: Outcome, number: Callable[[Scalar], float]) -> bool:
     """Whether a number alone is refuted at stated values, and is not 10, 100, … times what is right: in millimetres, where lengths are in metres."""
     if outcome.verdict is not Verdict.REFUTED or not outcome.there or outcome.pair is None:
         return False
-    if not outcome.pair.is_scalar or any(map(symbols_in, ([cell] for cell in outcome.pair.true.cells))):
+    if not outcome.pair.is_scalar or symbols_in(outcome.pair.true.cells):
         return False
     ((_, *sides),) = outcome.pair.entries()
     true, printed = map(number, sides)

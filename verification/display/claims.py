@@ -156,10 +156,8 @@ class Claims:
         defined = {(key, line) for outcome in outcomes for key in outcome.defines}
         for outcome in outcomes:  # c_3 = … := D names what is decided beside it
             met = {key for key in self.consulted() if key[0] not in outcome.defines and key != outcome.repeats}
-            tells = outcome.verdict in DECIDED and not all(
-                map(is_number, outcome.nodes)
-            )  # r = 0.4 + 0.3 = 0.7 tells nothing of r
-            outcome.uses = frozenset(met | defined if tells else met)
+            is_arithmetic = all(map(is_number, outcome.nodes))  # r = 0.4 + 0.3 = 0.7 tells nothing of r
+            outcome.uses = frozenset(met | defined if outcome.verdict in DECIDED and not is_arithmetic else met)
             if define and outcome.verdict in HOLDS:
                 self.names.state.held |= outcome.uses
         return outcomes

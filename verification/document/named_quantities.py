@@ -6,14 +6,14 @@ The noun counts where it is what the sentence is of, what it finds or what it is
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cache
+
+from armproof.verification.document.word_lists import WordLists
 
 NAMED = "named"  # with what is named
 VELOCITY, DISTANCE, ABSCISSA, ORDINATE, ORIENTATION = "velocity", "distance", "abscissa", "ordinate", "orientation"
 _OTHER = "other"
 
-# A line is a class and its words; ~ ends a stem.
-_CLASSES = """
+_is = WordLists("""
 velocity velocity velocities speed speeds vitesse vitesses geschwindigkeit geschwindigkeiten velocidad velocidades velocità velocidade
 distance how-far distance distances abstand abstände entfernung distancia distanza distância
 abscissa abscissa abscisse abszisse abscisa ascissa x-coordinate x-koordinate
@@ -29,7 +29,7 @@ LEADS for pour für para per is are reads equals est sont vaut ist lautet sind e
 FOR for pour für para per
 TURNED derivative~ differentiat~ deriv~ dériv~ ableit~ abgeleitet~ derivat~ replac~ remplac~ ersetz~ also too likewise aussi auch también anche também before after once until later avant après vor nach sobald bis antes después prima dopo depois not pas nicht non não relative relativ~ needed
 ALONG along horizontal vertical axis axes x-axis y-axis z-axis direction richtung waagrecht senkrecht achse horizontale verticale axe eje asse eixo wall plane floor ground
-"""
+""").holds
 
 
 def named_quantity(said: Sequence[str]) -> str:
@@ -59,17 +59,3 @@ def _is_told(said: Sequence[str], place: int) -> bool:
         return False
     is_purpose = before[-2:-1] == ["to"]  # "to find the velocity"
     return not before or _is(before[-1], "OPENING") or (_is(before[-1], "LEADS") and not is_purpose)
-
-
-@cache
-def _tables() -> dict[str, tuple[frozenset[str], tuple[str, ...]]]:
-    lines = (line.split() for line in _CLASSES.strip().split("\n"))
-    return {
-        name: (frozenset(w for w in words if "~" not in w), tuple(w[:-1] for w in words if w.endswith("~")))
-        for name, *words in lines
-    }
-
-
-def _is(word: str, kind: str) -> bool:
-    whole, stems = _tables()[kind]
-    return word in whole or (bool(stems) and word.startswith(stems))

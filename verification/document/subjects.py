@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from functools import cache
 
 from armproof.verification.document.named_quantities import NAMED, named_quantity
 from armproof.verification.document.other_arms import OF_ARM, arms_named
+from armproof.verification.document.word_lists import WordLists
 
 OTHER_PLACE = "other place"  # neither the tool, nor a link or frame with a number
 LINK = "link"  # with its number: the frame at its far end
@@ -21,8 +21,7 @@ ACCELERATION = "acceleration"
 
 MOST_OF_LABEL = 2  # words of one that stands alone before a display: "Elbow:"
 
-# A line is a class and its words; ~ ends a stem.
-_CLASSES = """
+_is = WordLists("""
 QUANTITY position~ coordinate~ location~ velocit~ speed~ acceleration~ jacobi~ pose poses orientation~ rotation~ attitude~ twist~ transform~ coordonnée~ vitesse~ accélération~ situation lage koordinaten geschwindigkeit~ winkelgeschwindigkeit~ beschleunigung~ orientierung~ stellung posición posiciones coordenadas velocidad~ aceleración orientación rotación posizione coordinate velocità accelerazione orientamento rotazione posição velocidade aceleração orientação rotação matrice~ matrix matriz
 OF of for du de d' des del della dell' dello der do da
 SKIPPED the a an o la le l' les el il lo das die den dem un une uno una its his this that unit~ linear angular linéaire angulaire geometric géométrique geometrischen velocity vector vecteur vektor point punkt punto planar spatial whole
@@ -52,7 +51,7 @@ THOSE those that celles celle ceux celui diejenigen die jene las los aquellas qu
 FOR for pour für para per
 ACTS describes concerns regards décrit concerne beschreibt betrifft describe concierne descrive riguarda descreve
 DERIVATIVE derivative~ dérivée~ ableitung~ zeitableitung derivada~ derivata
-"""
+""").holds
 _ORDINALS = {"first": 1, "second": 2, "third": 3, "fourth": 4, "premier": 1, "première": 1, "deuxième": 2, "seconde": 2, "troisième": 3, "ersten": 1, "zweiten": 2, "dritten": 3, "primer": 1, "primero": 1, "segundo": 2, "tercer": 3, "primo": 1, "secondo": 2, "terzo": 3, "primeiro": 1, "terceiro": 3}  # fmt: skip
 _LETTERS = {"jacobi": "J", "rotation": "R", "orientat": "R", "pose": "THA", "transfor": "THA", "position": "pPxyz", "accélér": "", "rotació": "R", "rotazio": "R", "posició": "pPxyz", "posizio": "pPxyz"}  # fmt: skip
 _POINT = re.compile(r"\s*(?:\\(?:mathbf|boldsymbol|vec)\s*)?\{?[OPCAp]\}?_\{?(\d)\}?\s*")
@@ -271,17 +270,3 @@ def _phrase(said: Sequence[str]) -> list[str]:
         if not _is(word, "SKIPPED"):
             found.append(word)
     return found
-
-
-@cache
-def _tables() -> dict[str, tuple[frozenset[str], tuple[str, ...]]]:
-    lines = (line.split() for line in _CLASSES.strip().split("\n"))
-    return {
-        name: (frozenset(w for w in words if "~" not in w), tuple(w[:-1] for w in words if w.endswith("~")))
-        for name, *words in lines
-    }
-
-
-def _is(word: str, kind: str) -> bool:
-    whole, stems = _tables()[kind]
-    return word in whole or (bool(stems) and word.startswith(stems))

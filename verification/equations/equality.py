@@ -72,19 +72,18 @@ class Equality:
             pairs = [pair for pair in pairs if not pair.note or (rotations and pair.note == ROTATION)]
             if not pairs:
                 return self._of_wrong_size(outcome, true, printed, reshaped)
+        distances: list[dict[tuple[int, int], Any]] = []
+        if branches:
+            try:
+                distances = self._on_branches(true.node, printed.node)
+            except ShapeMismatch as mismatch:  # -R is 3×3 where R was a rotation beside 4×4 ones
+                return outcome.left_open(finding_of(mismatch))
+            chosen = self.route.chooses_branches(true.node) or self.route.chooses_branches(printed.node)
+            if not chosen and not all(distances) and any(distances):
+                return outcome.left_open(say(Kind.ONE_SIGN_ONLY))
         best: tuple[Pair, list[tuple[int, int]]] | None = None
         for pair in pairs:
-            if branches:
-                try:
-                    distances = self._on_branches(true.node, printed.node)
-                except ShapeMismatch as mismatch:  # -R is 3×3 where R was a rotation beside 4×4 ones
-                    return outcome.left_open(finding_of(mismatch))
-                chosen = self.route.chooses_branches(true.node) or self.route.chooses_branches(printed.node)
-                if not chosen and not all(distances) and any(distances):
-                    return outcome.left_open(say(Kind.ONE_SIGN_ONLY))
-                wrong = self._wrong_in_branches(distances, pair)
-            else:
-                wrong = different_entries(pair, exactly_equal)
+            wrong = self._wrong_in_branches(distances, pair) if branches else different_entries(pair, exactly_equal)
             if not wrong:
                 outcome.verdict, outcome.pair, outcome.findings = Verdict.PROVED, pair, _noted(pair)
                 return self.route.confirm(outcome, branches)

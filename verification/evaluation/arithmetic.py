@@ -250,20 +250,17 @@ def _fit(evaluator: Evaluating, cell: Any, height: int, width: int) -> Matrix:
     raise ShapeError(say(Kind.SCALAR_FOR_BLOCK, size=f"{height}×{width}"))
 
 
-_OPERATORS = ("T", "-T", "-1", "+", "-")
-
-
 def postfix_value(evaluator: Evaluating, node: n.Postfix) -> Value:
     """Return a transpose, an inverse, a pseudo-inverse, degrees or metres."""
     if node.operator == "deg":
         return evaluator.scalar(node.base) * evaluator.algebra.pi() / evaluator.algebra.rational(Fraction(180))
-    if (unit := read_unit(node.operator)) is not None and node.operator not in _OPERATORS:
+    if (unit := read_unit(node.operator)) is not None:
         one = evaluator.algebra.rational(unit.number)
         for _ in range(abs(unit.of_pi)):
             one = one * evaluator.algebra.pi() if unit.of_pi > 0 else one / evaluator.algebra.pi()
         measured = as_scalar(evaluator.evaluate(node.base))
         if isinstance(measured, Matrix):
-            return Matrix(tuple(tuple(cell * one for cell in row) for row in measured.rows))
+            return measured.map(lambda cell: cell * one)
         return evaluator.scalar(node.base) * one
     value = as_scalar(evaluator.evaluate(node.base))
     if node.operator == "-":  # of several solutions, or any generalised inverse

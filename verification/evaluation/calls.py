@@ -287,26 +287,24 @@ def _applied_name(evaluator: Evaluating, node: n.Call) -> Value:
 def problem_of_arguments(value: Value, node: n.Call, names: Names) -> Finding | None:
     """Say that a value depends on a joint that is none of its variables: A_2^1(θ_3) of θ_2, J(θ_1) of θ_1 and θ_2."""
     name, *arguments = node.arguments
+    if not isinstance(name, n.Name):
+        return None
     letters = [each.key for each in arguments if isinstance(each, n.Name)]
     given = {symbol: letter for letter in letters if (symbol := names.known_symbol(letter)) is not None}
     if len(given) < len(arguments) or not given.keys() & names.joints.keys():  # all joints, a time or a length
         return None
     cells = [cell for cell in (value.cells if isinstance(value, Matrix) else (value,)) if isinstance(cell, Scalar)]
     own = symbols_in(cells)
-    if not isinstance(name, n.Name):
-        return None
-    for symbol, letter in given.items():
+    others = {symbol: letter for symbol, letter in given.items() if symbol not in own}
+    for symbol, letter in others.items():
         base = symbol.partition("_")[0]
-        instead = sorted(each for each in own - given.keys() if symbol not in own and each.partition("_")[0] == base)
+        instead = sorted(each for each in own - given.keys() if each.partition("_")[0] == base)
         if instead:  # of θ_3, where it depends on θ_2; or of a_3
             return say(Kind.OTHER_ARGUMENT, name=name.key, own=instead[0], given=letter)
     missing = sorted((own & names.joints.keys()) - given.keys())
-    if not missing:
-        return None
-    others = [letter for symbol, letter in given.items() if symbol not in own]
-    if others:
-        return say(Kind.OTHER_ARGUMENT, name=name.key, own=missing[0], given=others[0])
-    return say(Kind.FURTHER_ARGUMENT, name=name.key, own=missing[0])
+    if missing and others:
+        return say(Kind.OTHER_ARGUMENT, name=name.key, own=missing[0], given=next(iter(others.values())))
+    return say(Kind.FURTHER_ARGUMENT, name=name.key, own=missing[0]) if missing else None
 
 
 def is_variable(node: n.Node, names: Names) -> bool:

@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
+from math import pi
 
 UNIT = "unit:"  # begins the mark above a number that says its unit
 UNKNOWN = "?"  # begins a unit of which nobody knows what it is
@@ -54,8 +55,8 @@ def read_unit(text: str) -> Unit | None:
         if found is None or found[2] not in _KNOWN or (position > 0 and not found[1]):
             return None
         power = int(found[3] or 1) * (-1 if found[1] == "/" else 1)
-        one, pi, metres = _KNOWN[found[2]]
-        number, of_pi, length = number * Fraction(one) ** power, of_pi + pi * power, length + metres * power
+        one, half_turns, metres = _KNOWN[found[2]]
+        number, of_pi, length = number * Fraction(one) ** power, of_pi + half_turns * power, length + metres * power
         position = found.end()
     return Unit(number, of_pi, length) if text else None
 
@@ -81,8 +82,8 @@ def mark_of(text: str, own: str = "") -> str:
 
 def size_of(operator: str) -> float | None:
     """Return how much one of the unit is that an operator behind a number says, None of another operator."""
-    unit = read_unit(operator) if operator not in ("T", "-T", "-1", "+", "-") else None
-    return None if unit is None else float(unit.number) * 3.141592653589793**unit.of_pi
+    unit = read_unit(operator)
+    return None if unit is None else float(unit.number) * pi**unit.of_pi
 
 
 def is_length(operator: str) -> bool:

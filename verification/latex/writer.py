@@ -263,12 +263,8 @@ class Writer:
             return f"{self._base(node.base)}^{{{self.write(node.exponent)}}}"
         if isinstance(node, n.Postfix):
             if node.operator != "deg" and size_of(node.operator):
-                unit = node.operator.replace("%", "\\%")
-                return (
-                    f"{self._base(node.base)}\\,\\text{{{unit}}}"
-                    if unit not in ("cm", "mm")
-                    else f"{self._base(node.base)}\\,\\mathrm{{{unit}}}"
-                )
+                style, unit = "mathrm" if node.operator in ("cm", "mm") else "text", node.operator.replace("%", "\\%")
+                return f"{self._base(node.base)}\\,\\{style}{{{unit}}}"
             above = "\\circ" if node.operator == "deg" else node.operator
             return f"{self._base(node.base)}^{{{above}}}"
         if isinstance(node, n.Matrix):

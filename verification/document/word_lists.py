@@ -1,0 +1,26 @@
+"""Words by their classes, as a table in a module has them: a line is a class and its words; ~ ends a stem."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+
+class WordLists:
+    """The classes of a table, read when the first word is looked up."""
+
+    def __init__(self, lines: str) -> None:
+        self._lines = lines
+
+    @cached_property
+    def _classes(self) -> dict[str, tuple[frozenset[str], tuple[str, ...]]]:
+        """Of each class its whole words and its stems."""
+        lines = (line.split() for line in self._lines.strip().split("\n"))
+        return {
+            name: (frozenset(w for w in words if "~" not in w), tuple(w[:-1] for w in words if w.endswith("~")))
+            for name, *words in lines
+        }
+
+    def holds(self, word: str, kind: str) -> bool:
+        """Whether a word is of a class, by itself or by a stem that it begins with."""
+        whole, stems = self._classes[kind]
+        return word in whole or (bool(stems) and word.startswith(stems))
