@@ -58,6 +58,7 @@ _POINT = re.compile(r"\s*(?:\\(?:mathbf|boldsymbol|vec)\s*)?\{?[OPCAp]\}?_\{?(\d
 _NUMBER = re.compile(r"¤?\s*(?:\\?[A-Za-z]+\s*_\s*)?\{?\s*(?:\\?[A-Za-z]+_)?(\d)\s*\}?\s*")  # 2, $2$, $R_2$, $\{2\}$
 _OF_FRAME = re.compile(r"¤\s*(?:\\mathcal\s*)?\{?[RF]\}?_\{?([1-9])\}?\s*|¤\s*\\\{([1-9])\\\}\s*")
 _OF_JOINT = re.compile(r"¤\s*(?:\\(?:var)?(?:theta|phi|alpha|beta)|q)(?![A-Za-z])")
+_JOINT = frozenset("joint articulation gelenk gelenks articulación giunto".split())
 _ENDS = frozenset(",:.;!?")
 
 
@@ -131,7 +132,7 @@ def _of_thing(phrase: Sequence[str]) -> Iterator[str]:
     """Yield of what place a phrase is that begins with its noun: "the elbow", but not "the elbow-up branch", nor "the joint angles"."""
     noun, behind = (*phrase, "", "")[:2]
     is_place = (_is(noun, "OTHER") and not _is(noun, "BASE")) or _is(noun, "WRIST")
-    if is_place and "-" not in noun and noun != "joint" and behind not in ("up", "down"):
+    if is_place and "-" not in noun and noun not in _JOINT and behind not in ("up", "down"):
         of_part = _is(noun, "WRIST") and _is(behind, "OTHER")  # the wrist camera
         yield from _of_place(phrase[1:2] if of_part else phrase[:1] if _is(behind, "OF") else phrase[:2])
 

@@ -65,7 +65,8 @@ RIGHT = P_2.format("0.433", "0.55")
         (P_2.format("0.433", "0.65"), "refuted"),  # one of two is right: they are of this configuration
         (P_2.format("0.733", "0.65"), "unchecked"),  # they may be of another one
         (P_2.format("0.5", "0.65"), "unchecked"),  # 0.5 is rounded too coarsely to tell
-        ("$$ \\det J = 0.23 $$", "unchecked"),
+        ("$$ \\det J = 0.23 $$", "refuted"),  # the sentence leads to it, and no unit makes 0.23 of 0.13
+        ("$$ \\det J = 130 $$", "unchecked"),  # in another unit, perhaps
     ],
 )
 def test_numbers_are_those_of_the_values_that_the_text_before_gives(display: str, verdict: str) -> None:
