@@ -439,8 +439,9 @@ class Redefinitions:
         for letter, other in (outcome.nodes, outcome.nodes[::-1]):
             key = bare_key(letter)
             before = self.names.state.definitions.get(key) if key is not None else None
-            is_above = before is not None and before.node is not None and before.line != line
-            if is_above and bare(before.node) == bare(other):
+            if before is None or before.node is None or before.line == line:
+                continue
+            if bare(before.node) == bare(other):
                 said = say(Kind.DEFINES, name=key)
                 return replace(outcome, verdict=Verdict.DEFINED, findings=(said,), repeats=(str(key), before.line))
         return outcome
