@@ -16,7 +16,7 @@ from armproof.verification.conditions.holding_there import holds_where, postures
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.conditions.postures import vanish_at_quarter_turns
 from armproof.verification.document.postures import THERE
-from armproof.verification.document.sentences import FROM_VALUES
+from armproof.verification.document.sentences import FROM_VALUES, NOT_THERE
 from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
@@ -65,7 +65,7 @@ class Circumstances:
             return outcome
         conditions: list[n.Chain] = []
         is_of_determinant = False  # "det J = 0 when the arm is stretched" says so of the determinant
-        for latex in self.text.in_letters(each for each in said if each != FROM_VALUES):
+        for latex in self.text.in_letters(each for each in said if each not in (FROM_VALUES, NOT_THERE)):
             with suppress(ReadError, RecursionError):
                 found = [each for each in self.names.reader.read(unbraced(latex)) if isinstance(each, n.Chain)]
                 conditions += [condition for chain in found for condition in self.text.conditions_of(chain)]
@@ -112,7 +112,21 @@ class Circumstances:
         found = self._together(told.conditions, Implication("⇒", [[]], [[claim]]), outcome)
         if found is None or found.verdict is not Verdict.PROVED:
             return None
-        return replace(found, findings=(say(Kind.HOLDS_THERE), *found.findings), read_as=outcome.read_as)
+        read_as = outcome.read_as or self.checker.members.read_as(claim)
+        return replace(found, findings=(say(Kind.HOLDS_THERE), *found.findings), read_as=read_as)
+
+    def as_usual_there(self, outcome: Outcome) -> Outcome | None:
+        """Return what is proved of a name as it is usually meant at the values that lead to the equation; None where nothing is."""
+        usual, state = outcome.as_usual, self.names.state
+        if usual is None or not usual.meanings or not state.told.is_direct:
+            return None
+        before = state.copy()
+        self.names.forget(outcome.defines)  # what it is there is no meaning that the name has everywhere
+        state.inferred |= usual.meanings
+        found = self._proved_there(usual.outcome)
+        if found is None:
+            state.become(before)
+        return found
 
     def within_bounds(self, outcome: Outcome) -> Outcome:
         """Leave open what holds on a branch alone, unless that is where the text before it says: θ_2 ∈ (0, π)."""

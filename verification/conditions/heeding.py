@@ -15,7 +15,7 @@ from armproof.verification.conditions.holding_there import holds_where
 from armproof.verification.document.heading import sections_around
 from armproof.verification.document.joint_values import in_letters, is_joint_value
 from armproof.verification.document.postures import SINGULAR, THERE, kind_of_joints
-from armproof.verification.document.sentences import FROM_VALUES, GENERAL
+from armproof.verification.document.sentences import FROM_VALUES, GENERAL, NOT_THERE, values_of
 from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.definitions import angle_of_tangent, squared_name
@@ -32,6 +32,7 @@ from armproof.verification.naming.conventions import is_usual
 from armproof.verification.naming.state import Stated, Told
 
 POSTURE = r"\text{posture}"  # one that the text names, and nobody can tell
+_NEARLY = re.compile(r"[≈≃∼]|\\(?:approx|simeq|sim|to|rightarrow)(?![A-Za-z])")
 _HELD = re.compile(r"\s*(?:\\\{(?P<set>(?:(?!\\[{}]).)*=(?:(?!\\[{}]).)*)\\\}|\((?P<list>[^()]*=[^()]*)\))\s*")
 
 
@@ -62,18 +63,25 @@ class Heeding:
         it stands `outside`, in a section that is not around that of the display.
         """
         state = self.names.state
-        state.told = replace(state.told, is_direct=False)
+        state.told = replace(state.told, is_direct=state.told.is_direct and bool(values_of(state.told.section)))
         for is_outside, texts in ((True, said[:outside]), (False, said[outside:above])):
             if texts:
                 before, around = state.told, sections_around(state.section)
                 self._heed(texts, line)
-                told = before if is_outside else replace(state.told, section=around[0] if around else "")
+                own = next((each for each in around if values_of(each) == texts), None)
+                told = before if is_outside else replace(state.told, section=own or next(iter(around), ""))
+                told = _of_all_below(told) if own and not is_outside else told
                 state.told = told if told.holds_below else Told()
         if said[above:]:
             self._heed(said[above:], line)
+            if values_of(state.section) == said[above:]:
+                state.told = _of_all_below(state.told)
 
     def _heed(self, said: Iterable[str], line: int) -> None:
-        said = tuple(said)
+        said = tuple(each for each in said if each != NOT_THERE)
+        if not said:
+            self.names.state.told = replace(self.names.state.told, is_direct=False)
+            return
         heard = _Heard()
         for latex in self.in_letters(said):
             if latex in (SINGULAR, FROM_VALUES):
@@ -93,7 +101,7 @@ class Heeding:
             velocities=tuple(heard.velocities) or before.velocities,
             bounds=tuple(heard.bounds) or before.bounds,
             kind=heard.kind or before.kind,
-            is_direct=bool(heard.conditions) and not heard.in_words and FROM_VALUES in said,
+            is_direct=bool(heard.conditions) and FROM_VALUES in said and not any(map(_NEARLY.search, said)),
             line=line if heard.velocities or is_last else before.line,
         )
         told = self._values(heard.conditions)
@@ -280,6 +288,12 @@ class Heeding:
         ] or bound.members
         members = [as_scalar(self.checker.member(node).value) for node in sides]
         return not symbols_in([each for each in members if isinstance(each, Scalar)]).isdisjoint(self.given.joints)
+
+
+def _of_all_below(told: Told) -> Told:
+    """Return what a heading tells, "Case 1: θ_2 = 0", as what all below it follows from."""
+    is_exact = not any(map(_NEARLY.search, values_of(told.section)))
+    return replace(told, is_direct=is_exact and bool(told.conditions), holds_below=True)
 
 
 def unbraced(latex: str) -> str:

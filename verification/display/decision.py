@@ -68,6 +68,8 @@ class Decision:
         if define and any(o.tells(Kind.NUMBERS_OF_NOWHERE) for o in outcomes):
             self.circumstances.text.of_display(chain, holds_nowhere=True)
         outcomes = [self._understood(o, chain, define) if o.verdict is Verdict.REFUTED else o for o in outcomes]
+        if self.names.state.told.is_direct:
+            outcomes = [self.circumstances.as_usual_there(each) or each for each in outcomes]
         if self.names.state.told.bounds:
             outcomes = [self.circumstances.within_bounds(outcome) for outcome in outcomes]
         if any(outcome.verdict is Verdict.PROVED for outcome in outcomes) and _multiplies_a_matrix(chain):

@@ -78,6 +78,11 @@ def says(name: str, words: str) -> bool:
     return hears(name, words) is not None and not hears_denied(name, words)
 
 
+def without(name: str, words: str) -> str:
+    """Return the words of a sentence without the phrases of a table."""
+    return _phrases(name).sub("", words.lower())
+
+
 def without_harmless(text: str) -> str:
     """Return the words of a text without its denials that deny nothing: "not trivial", "no approximation"."""
     return _harmless().sub("", words_of(text))

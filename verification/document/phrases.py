@@ -241,7 +241,33 @@ AT_WORDS = """
 ^ & with/for/at/when/if/where/setting/putting/taking/pour/avec/si/quand/lorsque
 """
 AT_VALUES = """
-^ & with/for/at/when/if/where/setting/substituting/putting/taking/pour/avec/en/si/quand/lorsque/à/für/mit/bei/wenn/para/con/cuando/per/quando (the/both/all/la/le/les/l'/deux/das/dem/el) ¤ * $
+^ & with/for/at/when/if/in/where/setting/substituting/putting/taking/pour/avec/en/si/quand/lorsque/à/dans/für/mit/bei/wenn/para/con/cuando/per/quando/nel (the/this/that/both/all/la/le/les/l'/cette/deux/das/dem/der/den/el/il) (case/cas/fall/caso) (of/where/when/in/which/où) ¤ * $
+^ & (the/this/our/la/le/l'/die/das/el/il) jacobian/matrix/determinant/position/expression/result/jacobienne/matrice/déterminant/matriz/jacobi-matrix/jacobimatrix/determinante/jacobiano * becomes/reduces/simplifies/is/reads/devient/vaut/est/s'/wird/ist/lautet/es/queda/diventa (to/then/alors/écrit/simplifie/réduit) (to) for/at/when/if/with/pour/en/si/quand/lorsque/für/bei/wenn/para/cuando/per/quando ¤ $
+^ & (the/first/second/third/1/2/3/4) case/cas/fall/caso/example/exemple/beispiel/ejemplo/esempio (#) (a/b/c/d/i/ii/iii/iv/one/two/three/un/deux) (:) (for/when/if/pour/si/quand/für/wenn/para) ¤ * $
+^ ¤ (and/et/und/y/e) (¤) : $
+"""
+OF_A_POSTURE = """
+(the/an/a/le/la/l'/der/die/das/el/il) (fully/completely/straight/special/particular/singular/complètement/ganz) arm/robot/manipulator/configuration/posture/pose/singularity/elbow/angle/value/bras/coude/valeur/singularité/brazo/braccio
+(is/are/est/ist/está/è) (fully/completely/straight/complètement/ganz) stretched/extended/folded/straight/singular/tendu/replié/plié/déplié/gestreckt/extendido/estirado/disteso (out/back)
+"""
+GIVES_VALUES = """
+^ & (we) let/suppose/assume/consider/take/set/put/fix/soit/supposons/prenons/posons/considérons/fixons/sei/setzen/sea/supongamos/tomemos/sia/supponiamo * ¤ (and/et/und/y/e) (¤) $
+^ & (the/this/le/der/el/il) (is/est/ist/está/è) for/at/when/if/pour/en/si/quand/lorsque/für/bei/wenn/para/cuando/per/quando ¤ $
+"""
+OF_VALUES = """
+^ (#) (.) (the/a/le/la/l'/der/die/das/el/il) (#/first/second/third) (singular/special/particular/stretched/folded/extended/numerical) case/cas/fall/caso/example/exemple/beispiel/ejemplo/esempio/configuration/konfiguration/configuración/configurazione/posture/pose/singularity/singularité/singularität/singularidad (singulière) (#) (a/b/c/d/i/ii/iii/iv/one/two/three/un/deux) (:) (for/when/if/at/pour/si/quand/à/für/wenn/bei/para/en) ¤ (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) $
+^ (#) (.) (for/when/if/at/pour/si/quand/für/wenn/bei/para/per) ¤ (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) $
+"""
+NOT_THERE = """
+away/other/others/otherwise/else/elsewhere/general/generally/generic/all/any/every/each/always/everywhere/anywhere/beyond/outside/except~/exclud~/avoid~/leave/leaves/leaving/left/unless/not/never/no/arbitrary/whatever/whether/regardless/without/until/before/after/unlike/contrary/instead/usual~/remaining/rest
+ailleurs/autre/autres/général~/tout/toute/tous/toutes/chaque/toujours/partout/sauf/hors/hormis/exclu~/évit~/quelconque~/quel/quelle/quels/quelles/ne/n'/pas/jamais/sans/sinon/avant/après/contrairement
+außer/außerhalb/sonst/allgemein~/alle~/jede~/immer/überall/nicht/kein~/beliebig~/ohne/vor/nach/anders/andere~/übrig~
+siempre/todo/todos/toda/todas/general/cualquier~/salvo/excepto/no/otro~/otra~/fuera/sin/antes/después/nunca/demás
+sempre/tutt~/ogni/generale/salvo/tranne/altr~/qualsiasi/qualunque/non/fuori/senza/prima/dopo/mai
+todo~/toda~/qualquer/exceto/outro~/outra~/geral/não/fora/sem/depois/nunca
+"""
+BECOMES = """
+^ & (the/this/our/la/le/l'/die/das/el/il) jacobian/matrix/determinant/position/expression/result/jacobienne/matrice/déterminant/matriz/jacobi-matrix/jacobimatrix/determinante/jacobiano * becomes/reduces/simplifies/devient/wird/queda/diventa
 """
 # -- another point, frame, origin or axis than the tool's in the base
 

@@ -19,6 +19,7 @@ from armproof.verification.document.hearing import (
     hears,
     leading,
     says,
+    without,
     without_harmless,
     words_of,
 )
@@ -38,6 +39,7 @@ DENIED_ABOVE, LIMITED_ABOVE = r"\text{denies above}", r"\text{limits above}"  # 
 DENIED = r"\text{denies below}"  # and of the one that it leads to
 GENERAL = r"\text{in general}"  # what ends a configuration
 FROM_VALUES = r"\text{from values}"  # what leads to what holds at the values that it gives: "For ¤ and ¤ we get"
+NOT_THERE = r"\text{not there}"  # what may lead elsewhere than to the values that a heading gives: "Away from this case"
 SUPPOSED = r"\text{under a hypothesis}"  # what is supposed, sought, quoted, of another case, or an approximation
 OTHER_POINT = r"\text{of another point}"  # what is no coordinate of the tool in the base
 OTHER_FRAME = r"\text{in another frame}"  # what is none of anything in the base
@@ -140,12 +142,24 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
     heard += (OTHER_POINT for each in places_of_those(words) if each == OTHER_PLACE)
     if DENIED not in heard and is_strange_before(_plain(sentence)):
         heard.append(STRANGE + sentence)
-    if hears("AT_VALUES", words) or (hears("AT_WORDS", words) and any(joint_values(sentence))):
+    if _is_at_values(words, words_before) or (hears("AT_WORDS", words) and any(joint_values(sentence))):
         heard.append(FROM_VALUES)
+    elif hears("NOT_THERE", words) or hears("NOT_THERE", words_before):
+        heard.append(NOT_THERE)
     found = _ALTERNATIVES.search(sentence)
     if found is not None and is_of_singularities(sentence[: found.start()].rstrip()):
         heard.append(SINGULAR)
     return tuple(heard)
+
+
+def _is_at_values(words: str, words_before: str) -> bool:
+    """Whether a sentence leads to what holds at the values that it gives, or, being short, the one before it."""
+    if hears("NOT_THERE", words) or hears("NOT_THERE", words_before):
+        return False
+    if hears("AT_VALUES", without("OF_A_POSTURE", words)):
+        return True
+    goes_on = hears("THEN", words) or hears("BECOMES", words)
+    return goes_on is not None and hears("GIVES_VALUES", without("OF_A_POSTURE", words_before)) is not None
 
 
 @lru_cache(maxsize=MOST_KNOWN)
@@ -179,6 +193,13 @@ def _plain(sentence: str) -> str:
 def is_of_a_case(section: str) -> bool:
     """Whether the heading of a section says that what stands there holds in one case alone."""
     return hears("CASE", words_of(section)) is not None
+
+
+def values_of(section: str) -> tuple[str, ...]:
+    """Return the values at which all holds that stands under a heading, as formulas: those of "Case 1: $\\theta_2 = 0$"."""
+    if hears("OF_VALUES", words_of(section)) is None:
+        return ()
+    return tuple(found.group().strip("$") for found in FORMULA.finditer(section))
 
 
 def is_of_other_place(words: str) -> bool:

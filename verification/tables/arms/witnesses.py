@@ -17,6 +17,8 @@ from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.matrix import as_matrix
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.document import Display, Document
+from armproof.verification.document.heading import sections_around
+from armproof.verification.document.sentences import FROM_VALUES, values_of
 from armproof.verification.equations.alignment import is_constant, is_near
 from armproof.verification.equations.at_listed_values import holds_at_listed_values
 from armproof.verification.equations.chain import ChainChecker, no_samples
@@ -98,7 +100,7 @@ class _Trial:
 
     def take(self, display: Display, counts: bool = True) -> None:
         """Count which equations of a display that rest on the arm hold."""
-        held, entries = self.held, self.entries
+        held, failed, entries = self.held, self.failed, self.entries
         self.checker.names.state.enter(display.section)
         self.checker.names.state.listed = display.listed
         budget = self.checker.exact.budget
@@ -113,6 +115,8 @@ class _Trial:
                         )
         if not counts:
             self.held, self.entries = held, entries
+        if _is_of_a_case(display):
+            self.failed = failed
 
     def _take_chain(self, chain: n.Chain, line: int) -> None:
         outcomes = self.checker.check(chain, 1, line, define=not (parts := side_by_side(chain)))
@@ -142,6 +146,13 @@ class _Trial:
 
     def reading(self, front: Mapping[str, Any]) -> Reading:
         return Reading(front, self.name, self.held, self.failed, self.entries, frozenset(self.joints), self.near)
+
+
+def _is_of_a_case(display: Display) -> bool:
+    """Whether the text puts a display under values, or says otherwise that it does not hold of the tool everywhere."""
+    if display.supposed or display.of_other_point or display.in_other_frame or display.meant:
+        return True
+    return FROM_VALUES in display.said or any(map(values_of, (display.section, *sections_around(display.section))))
 
 
 def weigh(
