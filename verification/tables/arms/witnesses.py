@@ -100,7 +100,8 @@ class _Trial:
 
     def take(self, display: Display, counts: bool = True) -> None:
         """Count which equations of a display that rest on the arm hold."""
-        held, failed, entries = self.held, self.failed, self.entries
+        held, entries = self.held, self.entries
+        failed, wrong = self.failed, set(self.wrong)
         self.checker.names.state.enter(display.section)
         self.checker.names.state.listed = display.listed
         budget = self.checker.exact.budget
@@ -116,7 +117,7 @@ class _Trial:
         if not counts:
             self.held, self.entries = held, entries
         if _is_of_a_case(display):
-            self.failed = failed
+            self.failed, self.wrong = failed, wrong
 
     def _take_chain(self, chain: n.Chain, line: int) -> None:
         outcomes = self.checker.check(chain, 1, line, define=not (parts := side_by_side(chain)))
