@@ -69,12 +69,21 @@ class TableAngles:
         return found
 
     def of_condition(self, chains: Iterable[n.Chain]) -> Finding | None:
-        """Say that a condition on a table's angle is not decided: conditions are solved for the variables."""
-        return (
-            say(Kind.CONDITION_ON_TABLE_ANGLE)
-            if self.names.state.angles == TABLE and self.holds_offset(chains)
-            else None
-        )
+        """Say that a condition on a table's angle is not decided: conditions are solved for the variables.
+
+        A θ_1 where the arm's variable is q_1 may be either, as long as no equation tells.
+        """
+        chains, told = tuple(chains), self.names.state.angles
+        if told == TABLE:
+            return say(Kind.CONDITION_ON_TABLE_ANGLE) if self.holds_offset(chains) else None
+        untold = not told and any(map(self._is_untold, (below for chain in chains for below in n.names(chain))))
+        return say(Kind.CONDITION_ON_TABLE_ANGLE) if untold else None
+
+    def _is_untold(self, name: n.Name) -> bool:
+        """Whether a letter of an angle stands for a joint of another letter whose row has an offset, and nothing tells which it means."""
+        symbol = self.names.known_symbol(name.key)
+        is_other = symbol in self.names.offset_joints and name.key != symbol
+        return is_other and symbol is not None and self.names.table_row(symbol, name.key) is None
 
     def holds_offset(self, chains: Iterable[n.Chain]) -> bool:
         """Whether the letter of a joint with an offset stands in an equation."""
