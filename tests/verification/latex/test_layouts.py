@@ -5,6 +5,8 @@ from typing import Any
 
 import pytest
 
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.reader import Reader
 from armproof.verification.verdict import Record, Verdict
 
 Judge = Callable[..., Record]
@@ -110,3 +112,13 @@ def test_what_is_not_bound_is_read_and_left_open(judge: Judge, display: str) -> 
 def test_decoration_changes_nothing(judge: Judge, marked: str) -> None:
     assert judge(rf"{marked} = \cos\theta_1", arm=ARM).verdict is Verdict.PROVED
     assert judge(rf"{marked} = \sin\theta_1", arm=ARM).verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(("bound", "length"), [("0", 1), ("3 s_4", 2), ("2 a s_4", 3)])
+def test_what_stands_before_a_brace_is_the_whole_bound(bound: str, length: int) -> None:
+    brace = r"\left\{ \begin{aligned} \theta_4 &= a \\ \theta_6 &= b \end{aligned} \right."
+    condition, _, first, again, *_ = Reader().read(rf"\text{{if }} s_5 < {bound} {brace}")
+    assert isinstance(condition, n.Chain) and isinstance(again, n.Chain) and isinstance(first, n.Chain)
+    for each in (condition, again):
+        last = each.members[-1]
+        assert len(last.factors if isinstance(last, n.Product) else [last]) == length
