@@ -78,7 +78,7 @@ _NEAR_ABOVE, _NEAR_BELOW = 4, 8  # lines between a sentence and a display beside
 class Meaning:
     """What a sentence says on a line: letters that have another meaning, the frame whose origin it is of, what it is of `beside`, another point, frame or origin.
 
-    Letters `anew` have it from the sentence on, to the end of its section where `is_of_section`, and only where they have stood above it.
+    Letters have it to the end of its section where `is_of_section`; those `anew` from the sentence on, and only where they have stood above it.
     """
 
     line: int
@@ -133,7 +133,8 @@ def _with(display: Display, said: Iterable[tuple[Meaning, int, float]]) -> Displ
             letters.append(each.beside)
         if each.anew and each.line - _NEAR_ABOVE <= display.line < (ends if each.is_of_section else inf):
             letters += each.anew
-        if each.letters and (display.line >= begins or display.file):
+        in_time = display.line < ends if each.is_of_section else True
+        if each.letters and (display.line >= begins or display.file) and in_time:
             letters += each.letters
         is_elsewhere |= each.is_place and is_near
         is_elsewhere |= each.is_origin and display.line >= begins
@@ -143,6 +144,7 @@ def _with(display: Display, said: Iterable[tuple[Meaning, int, float]]) -> Displ
 def _meanings(text: str) -> Iterator[Meaning]:
     """Yield what the sentences of a text say of letters and places that is not what an arm has for them."""
     shown = _SHOWN.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
+    yield from _of_headings(text)
     goes_on = ""  # what stands before a semicolon: "In this section …; $\\theta_3$ is then …"
     for found in _SENTENCE.finditer(shown):
         sentence = found.group()
@@ -177,6 +179,14 @@ def _meanings(text: str) -> Iterator[Meaning]:
             yield Meaning(line, is_place=True)
         if says("OTHER_ORIGIN", words) or _has_base_elsewhere(words.lower(), formulas):
             yield Meaning(line, is_origin=True)
+
+
+def _of_headings(text: str) -> Iterator[Meaning]:
+    """Yield that angles are counted from a fixed direction in the sections whose headings say so: "Absolute angles"."""
+    lines = text.split("\n")
+    for at, _ in _headings(text):
+        if hears("OF_ABSOLUTE_ANGLES", words_of(lines[at - 1])):
+            yield Meaning(at, (BEHIND,), is_of_section=True)
 
 
 def _that_stand_in(text: str, letters: Sequence[str]) -> Iterator[str]:

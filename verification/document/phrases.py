@@ -123,6 +123,13 @@ wrong $
 
 # -- what supposes a display, asks for it, quotes it, or says that it is of a case or nearly so
 
+OF_ABSOLUTE_ANGLES = """
+angle/angles/winkel/ángulos/angoli/ângulos (with) (par) (con) (respect/rapport/respecto) from/to/against/gegen/depuis/desde/à/zur/a/dalla (the/la/l'/die/der) horizontal~/vertical~/vertikal~/orizzontal~
+absolute (link/joint) angle/angles
+angle/angles/winkel/ángulos/angoli/ângulos absolus/absolu/absolute/absolutos/assoluti
+absolute/absoluten winkel
+angle/angles/winkel/ángulos/angoli/ângulos (#) (all) measured/counted/taken/reckoned/mesurés/comptés/repérés/gemessen/gezählt/medidos/contados/misurati/contati from/to/against/à/par/depuis/von/gegen/desde/da/dalla/dall'/a
+"""
 CASE = """
 special/particular/limiting/limit/degenerate case/cases
 cas particulier~/limite~/dégénéré~
@@ -132,6 +139,10 @@ only joint
 joint # alone/only/locked/fixed/blocked
 unit/equal/identical (link) length/lengths
 longueurs unitaire~/égale~
+(two/both) equal/identical/unit bars/links/segments/arms
+(deux) barres/segments/bras/corps égaux/égales/identiques/unitaires
+gleiche/gleichen/gleich längen/lange/langen
+eslabones/barras/segmentos/brazos iguales/iguais
 true/vrai or/ou false/faux
 """
 OF_A_PART = """
