@@ -550,6 +550,13 @@ obtain obtained get gives give given yields yield find found follows follow hold
 called call denote denotes denoted choose chosen set take taken have compute computed substitute substituting consider recall get result results
 fully stretched folded extended straight aligned parallel perpendicular horizontal vertical height tool's elbow's arm's possible exists exist there
 true correct right valid fixed trivial obvious
+constant constants scalar scalars data input inputs output outputs desired target targets measured wanted required resulting final initial overall total current
+shoulder shoulders waist hip knee ankle leg thigh finger flange plate bracket platform mount column pedestal carriage rail slider pivot hinge rod bar beam crank
+offset offsets distance distances radius reach elevation azimuth roll pitch yaw twist twists screw screws wrench task-space joint-space operational
+planar-arm two-link three-link decoupled decoupling spherical cylindrical cartesian polar homogeneous transform transforms transformation transformations translation
+rotation rotations displacement motion motions movement chain chains subchain recursion recursive step steps stage block blocks upper-left upper-right
+cosine-rule sine-rule determinant-rule trigonometry trigonometric substitution elimination method methods formulas model shape size dimension dimensions dof degrees-of-freedom
+workspace boundary interior kinetic potential energy inertia mass masses gravity motor motors gear actuator sensor encoder
 le la les l un une des du de d au aux ce cette ces cet il elle on nous vous ils elles en dans sur par pour avec et ou où mais donc alors ainsi car comme
 si sinon soit sont est être ont avons a ayant peut tout tous toute toutes chaque autre autres aussi encore ici enfin toujours c'est-à-dire
 voir équation équations figure définition exemple remarque preuve ci-dessus ci-dessous précédent précédente suivant suivante premier première deuxième second seconde troisième
@@ -558,9 +565,16 @@ plan point points base coordonnées coordonnée rotoïde prismatique rotatoire p
 singulier singulière régulier configuration configurations posture position orientation solution solutions cas angle angles longueur longueurs valeur valeurs variable variables
 paramètre inconnue nombre entier entiers relatif relatifs réel réels vecteur vecteurs matrice ligne lignes colonne colonnes déterminant jacobienne composante composantes signe terme termes facteur côté
 expression formule forme condition conditions loi règle identité théorème cosinus sinus somme produit géométrie modèle vitesse force couple
+constante constantes constant scalaire données entrée sortie désiré désirée voulu voulue cible final finale initial initiale total totale épaules jambe genou bride embase
+déport distance rayon portée hauteur roulis tangage lacet torseur homogène transformation transformations translation rotation déplacement mouvement chaîne sous-chaîne étape étapes
+trigonométrie substitution élimination méthode modèle taille dimension liberté espace travail frontière énergie cinétique potentielle inertie masse masses pesanteur moteur capteur
 obtient obtenir donne donnée donné trouve suit vérifie écrit posons pose note notons appelle connu connue vrai vraie correct correcte
 und oder der die das den dem des ein eine einer mit für ist sind wenn falls also damit somit wobei daher folgt gilt alle jede jeder wir es man in im zu aus von bei
 gelenk gelenke arm werkzeug ellbogen handgelenk koordinatensystem achse ursprung ebene punkt lösung fall fälle winkel länge wert siehe gleichung ganze zahl ganzzahlig
+konstant konstante konstanten bekannt bekannte gegeben gesucht gewünscht schulter höhe abstand radius reichweite drehung verschiebung bewegung kette schritt trigonometrie substitution energie masse
+constante constantes conocida conocido conocidas dato datos deseada deseado hombro muñeca altura distancia radio giro rotación traslación movimiento cadena paso efector base eslabones longitud longitudes
+posición orientación vector matriz primera segunda fila columna submatriz brazo robot noto nota costante costanti dato dati spalla polso altezza distanza raggio rotazione traslazione catena passo
+posizione orientamento vettore matrice riga colonna braccio conhecida conhecido dado dados ombro punho altura distância raio rotação translação cadeia passo posição orientação vetor linha coluna braço
 y o el los las una con para por donde si entonces es son todo todos todas entero enteros codo arriba abajo articulación articulaciones eslabón caso casos solución ángulo valor
 e per con dove se allora è sono tutti intero gomito alto basso giunto caso soluzione ou com onde então são inteiro cotovelo cima baixo junta
 """

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.calculus import symbols_in
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.matrix import Matrix, is_zero
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document import Display, Document, Table
@@ -38,6 +38,7 @@ class Inference:
 FRAMES, ORDER, TOLD = 0, -1, -2
 HEIGHTS = -6  # of which coordinates an equation tells what they hold without a joint, x first
 _MOVES = ("jacobian", "velocity", "determinant")
+_TURNS = frozenset(["rotation", "axis"])
 
 
 def links_of(outcome: Outcome, members: Members, source: str = "", told_by: str = "") -> frozenset[int]:
@@ -63,7 +64,18 @@ def links_of(outcome: Outcome, members: Members, source: str = "", told_by: str 
         is_linear = not any(_multiplies_moves(below, members) for side in (one, other) for below in n.walk(side))
         links = _links([*told, *others], members, source, is_linear) if is_of_one else frozenset()
         return frozenset(link for link in links if link > HEIGHTS) if _moves_otherwise(outcome, members) else links
-    return frozenset() if others or _rates(other, members) else _links(told, members, source)
+    if others or _rates(other, members):
+        return frozenset()
+    links = _links(told, members, source)
+    only_turns = source == "matrices" and outcome.verdict is Verdict.PROVED and {each.kind for each in told} <= _TURNS
+    return frozenset(link for link in links if not (only_turns and _is_long(link, members)))
+
+
+def _is_long(link: int, members: Members) -> bool:
+    """Whether a link has a length, of which the rotations of its arm tell nothing."""
+    assert members.names.arm is not None
+    frames = members.names.arm.frames
+    return not is_zero(members.exact.quantity(Quantity("origin", frames[link], frames[link - 1])))
 
 
 def _moves_otherwise(outcome: Outcome, members: Members) -> bool:
