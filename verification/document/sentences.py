@@ -224,7 +224,10 @@ def _supposes(words: str, is_over: bool) -> bool:
 def _limits(words: str) -> bool:
     """Whether a sentence that goes on from the display above it says when, or how nearly, that holds; or asks whether."""
     is_question = words.endswith("? ") and not hears("OPEN_QUESTION", words)
-    if is_question or any(hears(each, words) for each in ("ASKED_BEHIND", "SAYS_LIMITS", "MAY_LIMIT")):
+    if is_question or any(hears(each, words) for each in ("ASKED_BEHIND", "SAYS_LIMITS")):
+        return True
+    leads_on = words[:1].isupper() and not words.endswith((". ", "? ", "! "))  # to the next: "The pose of the frame is"
+    if hears("MAY_LIMIT", words) and not leads_on:
         return True
     if limits_what_is_above(without_harmless(words)):
         return True
