@@ -389,7 +389,8 @@ class _Settled:
         )  # else a shape, or an inverse that this arm's Jacobian does not have
         is_own = self.taken.source == "matrices" and not (links - self.confirmed) & self.taken.mended
         is_own = is_own and not _links_at_fault(result, record, self.confirmed)
-        is_sure = has_sides and (is_own or not doubtful or self._is_slip(links, result, record))
+        is_slip = self._is_slip(links, result, record) or self._is_off_its_place(doubtful, result, record)
+        is_sure = has_sides and (is_own or not doubtful or is_slip)
         is_sure = is_sure and (not self.taken.told_by or TOLD in self.confirmed)
         if result.verdict is not Verdict.REFUTED or record.erratum or _is_of_any_arm(result):
             return result
@@ -418,6 +419,13 @@ class _Settled:
         if not wrong[0].row:  # a formula: what nothing pins of the coordinates may be what is wrong
             return is_told and links - self.confirmed <= self._pinned
         return FRAMES not in links - self.confirmed or is_told
+
+    def _is_off_its_place(self, doubtful: frozenset[int], result: EquationResult, record: Record) -> bool:
+        """Whether one coordinate alone of a pose is wrong that holds elsewhere: in another frame's the others would be, too."""
+        wrong = [entry for entry in record.entries if entry.equation == result.index]
+        if doubtful != {FRAMES} or len(wrong) != 1 or wrong[0].column != 4 or not wrong[0].row:
+            return False
+        return AXES - (wrong[0].row - 1) in self.confirmed
 
     @property
     def _pinned(self) -> frozenset[int]:
