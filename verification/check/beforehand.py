@@ -15,7 +15,7 @@ from armproof.verification.errors import TooComplex
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.naming.state import Stated
 from armproof.verification.tables import TWIST
-from armproof.verification.tables.arms import Inference, entries_by_place, joints_used, stated_lengths
+from armproof.verification.tables.arms import Inference, entries_by_place, joints_used, letters_of_numbers, stated_lengths
 
 
 def shown_transforms(inferred: Inference) -> str:
@@ -84,7 +84,8 @@ class Beforehand:
         if taken is None:
             return
         with self.budget.of(SECONDS_TO_DECIDE):
-            for key, value in entries_by_place(document, taken, self.names, self.checker.exact):
+            entries = dict(entries_by_place(document, taken, self.names, self.checker.exact))
+            for key, value in {**dict(letters_of_numbers(document, taken, self.names)), **entries}.items():
                 self.names.define(key, methodcaller("rational", value), taken.line, by_table=True)
 
     def _shorthands_in(self, document: Document) -> frozenset[Shorthand]:

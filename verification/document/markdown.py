@@ -80,6 +80,8 @@ _LABEL = re.compile(
 _BRACKETS = re.compile(
     r"^([ \t>]*)(\\{1,2})\[((?:(?!\$\$|^[ \t>]*$)[^\n]*\n){0,60}?(?!\$\$)[^\n$]*?)\2\](?=[ \t.,;]*$)", re.MULTILINE
 )
+_ROUND = re.compile(r"(\\{1,2})\(((?:(?!\1[()]|[$`]|\n[ \t>]*\n).){1,400}?)\1\)", re.DOTALL)  # \( … \) and \\( … \\) in a line
+_FENCED = re.compile(r"^[ \t>]*(?:```|~~~)", re.MULTILINE)
 _UNSEEN = re.compile("[\u200b\u200c\ufeff]+$", re.MULTILINE)  # behind the $$ that ends a display
 _HTML_HEADING = re.compile(r"\s*<h(?P<level>[1-6])(?:\s[^<>]*)?>(?P<text>.*?)</h[1-6]>", re.IGNORECASE | re.DOTALL)
 
@@ -304,7 +306,18 @@ def without_labels(body: str) -> str:
     if "\\[" in body:
         dollars = [found.start() for found in re.finditer(r"\$\$", body)]
         body = _BRACKETS.sub(lambda found: _in_dollars(found, dollars), body)
+    if "\\(" in body:
+        dollars = [found.start() for found in re.finditer(r"\$\$", body)]
+        fences = [found.start() for found in _FENCED.finditer(body)]
+        body = _ROUND.sub(lambda found: _in_dollar(found, dollars, fences), body)
     return _LABEL.sub(lambda found: found.group(1) + " " * (len(found.group()) - len(found.group(1))), body)
+
+
+def _in_dollar(found: re.Match[str], *closings: Sequence[int]) -> str:
+    if any(bisect_left(each, found.start()) % 2 for each in closings):  # within a display, or code
+        return found.group()
+    slashes, latex = found.groups()
+    return f"{'$'.rjust(len(slashes) + 1)}{latex}{'$'.ljust(len(slashes) + 1)}"
 
 
 def _in_dollars(found: re.Match[str], dollars: Sequence[int]) -> str:

@@ -22,7 +22,9 @@ MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in 
     r"horizontal|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
     r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|transpos|invers|masse?\b|gravit|bar[iy]c|schwerp|acc[eé]l|beschl|jacobi|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from|convention|mirror|miroir|spiegel|espejo|repli|gefalt|plegad|ripieg|eingeklappt|left and right|inches|feet|pouces|zoll|pulgadas|pollici"
 )
-_SENTENCE = re.compile(r"(?:\$[^$\n]+\$|\\[;!]|[^.;!?\n]|[.;!?](?!\s)|\n(?![^\S\n]*\n))+[.;!?]?")
+_SENTENCE = re.compile(  # an item of a list is one of its own
+    r"(?:\$[^$\n]+\$|\\[;!]|[^.;!?\n]|[.;!?](?!\s)|\n(?![^\S\n]*(?:\n|[*+-][^\S\n]|\d+[.)][^\S\n])))+[.;!?]?"
+)
 _SHOWN = re.compile(  # what is no sentence
     r"\$\$.{0,MOST}?\$\$|\\\[.{0,MOST}?\\\]|\\begin\{((?:equation|align|gather|multline|eqnarray|flalign|alignat|displaymath|verbatim|lstlisting|tabular)\*?)\}.{0,MOST}?\\end\{\1\}"
     r"|<!--.{0,MOST}?-->|```.{0,MOST}?```|^%[^\n]*|^[ \t]{0,3}#[^\n]*|\\(?:sub)*section\*?\{[^\n]*".replace(
@@ -36,13 +38,16 @@ _OF_FRAME = re.compile(
     r"\b(?:origine? (?:of|de|du) (?:the )?(?:frame|repère)|Ursprung von System) \$?\\?\{?(\d)\b", re.IGNORECASE
 )
 _OF_Q = re.compile(r"(?:\\mathbf\{)?q\}?\s*=\s*\\?(?:left)?(?:[\[(]|\\begin\{[bp]matrix\})(.*)")
-_FORMULA = re.compile(r"\$([^$]*)\$|\\\((.*?)\\\)")
+_FORMULA = re.compile(r"\$([^$]*)\$|\\\((.*?)\\+\)")
 _AXIS_TURNED = re.compile(  # about $x$, the z-axis, $\hat Y_A$, x'' and the angle of it
     r"\$\s*(?:\\(?:hat|vec|mathbf|boldsymbol|overrightarrow)\s*\{?\s*)?([xyzXYZ])\}?(?:_\{?\w+\}?|\^?\{?'*(?:\\prime)*\}?)*\s*\$|(?<!\w)([xyzXYZ])-(?:axis|achse|direction)"
 )
 _OMEGA_ABOVE = re.compile(  # (ω, v), [ω; v]
     r"(?:[(\[]|matrix\})\s*(?:\\(?:boldsymbol|mathbf|vec|bm)\s*\{?\s*)?\\omega\b(?:_\w)?\}?(?:\^T)?\s*(?:,|;|&|\\\\)\s*(?:\\[,;: ])?(?:\\(?:boldsymbol|mathbf|vec|bm|dot)\s*\{?\s*)?[vp]\b"
 )
+_LENGTH = re.compile(r"[lLaAdDhHrR]\s*_")  # which is no angle from anything
+_SUM = re.compile(r"(?:\\theta|q)_\{?1\}?\s*\+\s*(?:\\theta|q)_\{?2")  # that turns the second link, as both are relative
+_IS = re.compile(r"(?:is|ist|est|es|è|beträgt|vale|equals|thus|then|also|somit|damit|donc|simply|[,:\\ ])*¤ ")
 _ANGLE = re.compile(r"\\(?!hat|vec)[a-z]+(?:_\{?\w\}?)?|(?:q|t)_\{?\d\}?")  # α, θ_1, q_2
 _TELLS = re.compile(  # what a sentence begins with that is of the display beside it
     r"(?:where |here |où |wobei |donde |dove |onde )?(?:this|these|that|which|it|¤|ce|c'|cela|ceci|das|dies|esto|questo|isto)"
@@ -216,9 +221,11 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         is_denied = name != "NOT_RELATIVE" and hears_denied(name, words)
         if begin is None or is_denied or words[: begin.start()].rstrip().endswith(("counter", "anti")):
             continue
-        subjects = [
-            each for formula in formulas[: words.count("¤", 0, begin.end())] for each in _LETTER.findall(formula)
-        ]
+        place = words.count("¤", 0, begin.end())
+        if name == "LEVEL" and _IS.match(words[begin.end() :]) and _SUM.match(formulas[place].strip()):
+            continue  # "the angle of the second link to the x-axis is θ_1 + θ_2"
+        subjects = [each for formula in formulas[:place] for each in _LETTER.findall(formula)]
+        subjects = [each for each in subjects if name == "TURNED" or not _LENGTH.match(each)]
         if name != "TURNED":
             yield from (f"{BEHIND} {each}" for each in subjects)
         else:

@@ -175,7 +175,8 @@ angle/angles/winkel/ángulo/ángulos * to/with/from/against/and/avec/à/par/et/g
 se/wird/werden (…) mide/miden/misst/mesure/mesurent (…) desde/von/ab/depuis
 mesuré~ dans le repère/référentiel fixe/absolu/global
 not/n'/nicht/no (t) (…) denote/mean/stand/represent/désigne/représente/bezeichnet/bedeutet/designa/representa
-symbol/letter/abbreviation/notation/shorthand/symbole/lettre/abréviation/zeichen/abkürzung/símbolo/letra ¤ (here/ici/hier/aquí) (is/means/denotes/stands/désigne/signifie/bezeichnet/steht/designa)
+symbol/letter/abbreviation/notation/shorthand/symbole/lettre/abréviation/zeichen/abkürzung/símbolo/letra ¤ here/ici/hier/aquí
+symbol/letter/abbreviation/notation/shorthand/symbole/lettre/abréviation/zeichen/abkürzung/símbolo/letra ¤ (here/ici/hier/aquí) is/means/denotes/stands/désigne/signifie/bezeichnet/steht/designa
 inclination/inclinaison/neigung/inclinación
 coordinate system/systems (…) fixed/attached/tied/of (rigidly) (to) (the) link/first/second/body/forearm
 auxiliary/auxiliaire/intermediate/intermédiaire/internal/temporary/hilfs~/auxiliar/intermedia quantity/variable/grandeur/value/größe/magnitud

@@ -25,6 +25,7 @@ from armproof.verification.document.hearing import (
 )
 from armproof.verification.document.joint_values import joint_values
 from armproof.verification.document.limiting_clauses import (
+    is_whole,
     limits_what_is_above,
     limits_what_is_below,
     limits_what_is_near,
@@ -216,13 +217,17 @@ def _supposes(words: str, is_over: bool) -> bool:
     plain = without_harmless(words)
     if is_over:
         return limits_what_is_near(plain)
-    return any(hears(each, words) for each in ("OF_A_PART", "OF_NO_CLAIM")) or limits_what_is_below(plain)
+    is_no_claim = hears("OF_A_PART", words) or (hears("OF_NO_CLAIM", words) and not is_whole(plain))
+    return bool(is_no_claim) or limits_what_is_below(plain)
 
 
 def _limits(words: str) -> bool:
     """Whether a sentence that goes on from the display above it says when, or how nearly, that holds; or asks whether."""
     is_question = words.endswith("? ") and not hears("OPEN_QUESTION", words)
-    if is_question or any(hears(each, words) for each in ("ASKED_BEHIND", "SAYS_LIMITS", "MAY_LIMIT")):
+    if is_question or any(hears(each, words) for each in ("ASKED_BEHIND", "SAYS_LIMITS")):
+        return True
+    leads_on = words[:1].isupper() and not words.endswith((". ", "? ", "! "))  # to the next: "The pose of the frame is"
+    if hears("MAY_LIMIT", words) and not leads_on:
         return True
     if limits_what_is_above(without_harmless(words)):
         return True

@@ -35,6 +35,7 @@ BASE base basis world ground fixed inertial reference origin 0 monde fixe absolu
 BE is are reads becomes equals est sont s'écrit vaut ist lautet liegt sind es está son è sono é
 AT at in en bei liegt auf em
 RELATIVE relative relativ relativa relativo respect rapport seen vue bezüglich respecto rispetto
+TIME time temps zeit tiempo tempo
 IN in dans im en nel nella no
 KIND manipulator~ robot~ arm arms configuration~ type singularit~
 AXES axes axis frame coordinates repère~ achsen koordinaten ejes assi eixos
@@ -230,6 +231,8 @@ def _seen_from(said: Sequence[str], place: int) -> Iterator[str]:
         len(behind),
     )
     behind = behind[:end]
+    if any(_is(each, "TIME") for each in behind[:3]):
+        return  # "Differentiating with respect to time relates the joint velocities"
     for word in behind:
         if _is(word, "BASE") or word in _ENDS or (_is(word, "NUMBERED") and _number(behind) == "0"):
             return

@@ -74,7 +74,7 @@ case special particular degenerate limiting posture~ boundary edge limit paralle
 neutral dropped_out drops_out tool_at_rest gripper_at_rest hand_at_rest end-effector_at_rest nonzero zeros if_and_only_if iff depend~ contain~ involve~ matter~ change~ affect~ appear~ enter need~ necessary difficult hard easy surpris~ trivial obvious doubt~ forget
   vanish~ vary varies move~ moves turn~ rotate~ unique~ require~ influence~ exceed~ include~ help~ explain prove discuss~ repeat~ deriv~ mention~ constant linear
   singular zero new distinguish~ invertible square possible reachable expected wanted coincidence~ accident~ determin~ simplif~ simple simply similar
-  analogous easily studied allow~ permit~ shown exist~ solv~
+  analogous easily studied allow~ permit~ shown exist~ solv~ unknown~
 counted added counted taken considered included subtracted multiplied
 remedy right correct corrected correctly instead rather remember
 query is are does do did can could was were will has have had am shall why
@@ -149,7 +149,7 @@ case particulier~ spécial~ limite~ bord posture~ milieu centre précédent autr
   égales unitaires position_de_repos position_initiale position_zéro cas_particulier cas_limite cas_où cas_d' cas_de
 neutral outil_au_repos pince_au_repos effecteur_au_repos outil_immobile pince_immobile nul nulle nuls nulles zéro zéros si_et_seulement_si ssi dépend~ contien~ intervien~ import~ chang~ affect~ besoin nécessaire~ difficil~ étonn~ surpren~ évident~ trivial~ doute~ oubli~ annul~ vari~ boug~
   tourn~ unique~ exig~ influ~ dépass~ suffi~ aide~ hasard constant~ linéaire~ surprise peine nouveau démontr~ détermin~ simplifi~ simple semblable~
-  analogue~ étudi~ intéress~ possèd~ permet~ exist~ résou~ résol~
+  analogue~ étudi~ intéress~ possèd~ permet~ exist~ résou~ résol~ inconnu~
 counted ajouté~ compté~ pris prise considéré~ tenu inclus~ soustrait~
 remedy correct~ exact~ plutôt corrig~ bonne bon
 query est sont peut était pourquoi
@@ -222,7 +222,7 @@ case fall falle sonderfall~ spezialfall~ grenzfall~ gestreckt~ strecklage~ mitte
   grundstellung~ nullstellung~ nulllage~ ruhelage~ ruhestellung~ ausgangsstellung~ referenzstellung~
 neutral null nullen dann_und_nur_dann genau_dann hängt abhäng~ enthäl~ spielt rolle ändert nötig notwendig~ schwer schwierig~ überrasch~ trivial~ zweifel~ vergessen verschwind~ variier~ veränder~ beweg~ dreh~
   eindeutig~ erforder~ braucht brauchen benötig~ wunder~ schlimm vorkomm~ kommt auftret~ beeinfluss~ neu einfach leicht bestimm~ ähnlich~ analog~
-  erlaub~ betracht~ existier~ gelöst auflös~ lösen löst
+  erlaub~ betracht~ existier~ gelöst auflös~ lösen löst unbekannt~
 counted addiert gezählt berücksichtigt genommen subtrahiert multipliziert
 remedy richtig~ korrekt~ stattdessen sondern vielmehr
 query ist sind stimmt hat kann wird werden wäre gilt_für gilt_die gilt_das warum
@@ -290,7 +290,7 @@ ask marqu~ comprueb~ verifi~ verifiq~ decid~ discut~ justifi~ refut~ corrij~ enc
 case caso casos particular~ especial~ límite~ extendid~ estirad~ plegad~ centro mitad otro otra borde parale~ simplific~ posición_extendida
   posición_de_reposo posición_inicial
 neutral nulo nula nulos nulas cero ceros si_y_solo_si si_y_sólo_si depend~ contien~ intervien~ import~ cambi~ afect~ hace_falta necesari~ difícil~ sorprend~ trivial~ duda~ olvid~ anul~ varía~ muev~ gir~ únic~
-  requier~ influy~ aparec~ extrañ~ nuev~ determin~ simplific~ simple similar análog~ estudi~ permit~ exist~ resolv~ resuelv~
+  requier~ influy~ aparec~ extrañ~ nuev~ determin~ simplific~ simple similar análog~ estudi~ permit~ exist~ resolv~ resuelv~ incógnit~ desconocid~
 counted sumado~ contado~ tenido considerad~ incluid~ restad~
 remedy correct~ sino corregid~ correctamente
 instead en_lugar en_vez

@@ -33,8 +33,9 @@ READ_ALREADY = frozenset(
 )
 FREE = "free"  # what `symbols` binds a letter to that is none of the arm's: a damping factor, a speed
 _BETWEEN = re.compile(
-    r"[\s{]*(?:\\[a-z]+\s*\{?\s*)?[TAHR][\s}]*(?:_\s*(?:\{[^{}]*\}|\w))?(?:[\s}*.]|\\(?:times|cdot|[,;:!])|\\dot\{\})*"
+    r"[\s{]*(?:\\[a-z]+\s*\{?\s*)?[TAHR][\s}]*(?:_\s*(?:\{[^{}]*\}|\w))?(?:\([^()=]*\))?(?:[\s}*.]|\\(?:times|cdot|[,;:!])|\\dot\{\})*"
 )
+_Scripts = tuple[str, str, int, int]
 _TOLD = re.compile(
     r"theta_(\d+)=(?!q_\1(?:[^\d+-]|$))[^=,;]*q_\1(?!\d)|(?<![A-Za-z])q_(\d+)=(?!\\?theta_\2(?:[^\d+-]|$))[^=,;]*theta_\2(?!\d)"
 )
@@ -131,7 +132,7 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
     own = frozenset(letter for each in texts for letter in _OWN_LETTER.findall(each))
     lengths = frozenset(f"{letter}_{index}" for letter, index in _LENGTH.findall(text))
     return Spelling(
-        words, frozenset(apart), comma, variables, angle, sums, _masses(said), own, _refers_below(text), lengths,
+        words, frozenset(apart), comma, variables, angle, sums, _masses(said), own, _refers_below(document.displays), lengths,
         frozenset(_SCREW.findall(text)), _own_unit(document.displays), frozenset(of_theta | of_q | of_cosine), _normals(said),
         dressed_letters(texts), starred_names(texts), _of_two_velocities(texts),
         frozenset(f"{letter}_{axis}" for letter, axis in _LOAD.findall(said)),
@@ -189,14 +190,19 @@ def _own_sums(said: Iterable[str]) -> Iterator[tuple[str, tuple[int, ...]]]:
                 yield digits, tuple(-1 if sign == "-" else 1 for sign, _ in terms)
 
 
-def _refers_below(text: str) -> bool:
+def _refers_below(displays: Iterable[Display]) -> bool:
     """Whether the products of a document show that the script below, before a letter, names the reference: {}_0^1T {}_1^2T."""
-    found = [_scripts(one) for one in PRE_SCRIPTS.finditer(text)]
-    joined = [(a, b) for a, b in pairwise(found) if _BETWEEN.fullmatch(text[a[2] : b[3]])]
+    joined = [pair for display in displays for pair in _joined(normalise_unicode(display.latex))]
     return any(a[1] == b[0] for a, b in joined) and not any(a[0] == b[1] for a, b in joined)
 
 
-def _scripts(found: re.Match[str]) -> tuple[str, str, int, int]:
+def _joined(text: str) -> Iterator[tuple[_Scripts, _Scripts]]:
+    """Yield the scripts before the letters of each two factors that stand side by side."""
+    found = [_scripts(one) for one in PRE_SCRIPTS.finditer(text)]
+    yield from ((a, b) for a, b in pairwise(found) if _BETWEEN.fullmatch(text[a[2] : b[3]]))
+
+
+def _scripts(found: re.Match[str]) -> _Scripts:
     """Return the scripts below and above, and where the last of them ends and the first begins."""
     one, other = (re.sub(r"[{}\s]", "", found[group]) for group in (3, 5))
     below, above = (one, other) if found[2] == "_" else (other, one)

@@ -38,12 +38,14 @@ _VALUED = re.compile(
 _LONGEST_VALUED = 80  # a longer cell is none, and would take its time
 _VARIABLE = re.compile(r"\(?(?:var(?:iable)?\.?|\\?\*|\\ast|\\star)\)?", re.IGNORECASE)
 
+_RANGE = re.compile(r"[\[(][^\[\](),;]+[,;][^\[\](),;]+[\])]|(?:±|\\pm(?![A-Za-z]))[^=]*")  # [-π, π]: of what moves
+
 
 @dataclass(frozen=True)
 class Cell:
     """One entry: its LaTeX and the trees of the values that it states (two in `d_1 = 0.33`).
 
-    `kind` is value, blank (nothing stands there) or variable (a word or star that says: the joint's variable).
+    `kind` is value, blank (nothing stands there) or variable (a word, a star or its range that says: the joint's variable).
     """
 
     text: str
@@ -86,7 +88,7 @@ def read_cell(names: Names, text: str, row: int, column: int, in_metres: bool = 
         return Cell("0", (n.Number(Fraction(0), "0"),))
     if _BLANK.fullmatch(spelt):
         return Cell(text.strip(), kind="blank")
-    if _VARIABLE.fullmatch(spelt):
+    if _VARIABLE.fullmatch(spelt) or _RANGE.fullmatch(spelt):
         return Cell(text.strip(), kind="variable")
     spelt = re.sub(r"\s*[(\[]\s*var(?:iable)?\.?\s*[)\]]$", "", spelt)
     spelt = re.sub(r"(?<=[\w}])\s*\^?\s*\{?\*+\}?(?=\s*(?:$|[-+=)]))", "", spelt)  # θ_1*: the star of a variable

@@ -21,6 +21,9 @@ from armproof.verification.naming.reading import spelling_of
         (r"{}_2^0T = {}_1^0T {}_2^1T", False),
         (r"{}_0^1T = A", False),  # may be the pose of frame 0 in frame 1
         (r"{}_0^2T = {}_0^1T {}_1^2T, \quad {}^0_3T = {}^0_1T {}^1_3T", False),  # both
+        (r"{}^0_2T = {}^0_1T(\theta_1) \cdot {}^1_2T(\theta_2)", False),
+        (r"{}_0^2T = {}_0^1T(\theta_1) \cdot {}_1^2T(\theta_2)", True),
+        ("{}^0_1T^{-1} \\cdot {}^0_2T = {}^1_2T $$\n\n$$ {}^0_1T \\cdot A = B", False),  # of two displays
     ],
 )
 def test_products_tell_which_script_names_the_reference(latex: str, below: bool) -> None:

@@ -6,7 +6,7 @@ from armproof.verification.tables.arms.disputed import unless_disputed
 from armproof.verification.tables.arms.inference import infer_arm, joints_used
 from armproof.verification.tables.arms.scopes import scopes
 from armproof.verification.tables.arms.support import Inference, links_of, links_that_explain, settle_data
-from armproof.verification.tables.arms.values import entries_by_place, stated_lengths
+from armproof.verification.tables.arms.values import entries_by_place, letters_of_numbers, stated_lengths
 
 __all__ = [
     "Inference",
@@ -14,6 +14,7 @@ __all__ = [
     "entries_by_place",
     "infer_arm",
     "joints_used",
+    "letters_of_numbers",
     "links_of",
     "links_that_explain",
     "scopes",

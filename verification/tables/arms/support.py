@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.calculus import symbols_in
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.matrix import Matrix, is_zero
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document import Display, Document, Table
@@ -38,6 +38,7 @@ class Inference:
 FRAMES, ORDER, TOLD = 0, -1, -2
 HEIGHTS = -6  # of which coordinates an equation tells what they hold without a joint, x first
 _MOVES = ("jacobian", "velocity", "determinant")
+_TURNS = frozenset(["rotation", "axis"])
 
 
 def links_of(outcome: Outcome, members: Members, source: str = "", told_by: str = "") -> frozenset[int]:
@@ -63,7 +64,18 @@ def links_of(outcome: Outcome, members: Members, source: str = "", told_by: str 
         is_linear = not any(_multiplies_moves(below, members) for side in (one, other) for below in n.walk(side))
         links = _links([*told, *others], members, source, is_linear) if is_of_one else frozenset()
         return frozenset(link for link in links if link > HEIGHTS) if _moves_otherwise(outcome, members) else links
-    return frozenset() if others or _rates(other, members) else _links(told, members, source)
+    if others or _rates(other, members):
+        return frozenset()
+    links = _links(told, members, source)
+    only_turns = source == "matrices" and outcome.verdict is Verdict.PROVED and {each.kind for each in told} <= _TURNS
+    return frozenset(link for link in links if not (only_turns and _is_long(link, members)))
+
+
+def _is_long(link: int, members: Members) -> bool:
+    """Whether a link has a length, of which the rotations of its arm tell nothing."""
+    assert members.names.arm is not None
+    frames = members.names.arm.frames
+    return not is_zero(members.exact.quantity(Quantity("origin", frames[link], frames[link - 1])))
 
 
 def _moves_otherwise(outcome: Outcome, members: Members) -> bool:
@@ -377,7 +389,8 @@ class _Settled:
         )  # else a shape, or an inverse that this arm's Jacobian does not have
         is_own = self.taken.source == "matrices" and not (links - self.confirmed) & self.taken.mended
         is_own = is_own and not _links_at_fault(result, record, self.confirmed)
-        is_sure = has_sides and (is_own or not doubtful or self._is_slip(links, result, record))
+        is_slip = self._is_slip(links, result, record) or self._is_off_its_place(doubtful, result, record)
+        is_sure = has_sides and (is_own or not doubtful or is_slip)
         is_sure = is_sure and (not self.taken.told_by or TOLD in self.confirmed)
         if result.verdict is not Verdict.REFUTED or record.erratum or _is_of_any_arm(result):
             return result
@@ -406,6 +419,13 @@ class _Settled:
         if not wrong[0].row:  # a formula: what nothing pins of the coordinates may be what is wrong
             return is_told and links - self.confirmed <= self._pinned
         return FRAMES not in links - self.confirmed or is_told
+
+    def _is_off_its_place(self, doubtful: frozenset[int], result: EquationResult, record: Record) -> bool:
+        """Whether one coordinate alone of a pose is wrong that holds elsewhere: in another frame's the others would be, too."""
+        wrong = [entry for entry in record.entries if entry.equation == result.index]
+        if doubtful != {FRAMES} or len(wrong) != 1 or wrong[0].column != 4 or not wrong[0].row:
+            return False
+        return AXES - (wrong[0].row - 1) in self.confirmed
 
     @property
     def _pinned(self) -> frozenset[int]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from contextlib import suppress
 from fractions import Fraction
@@ -18,6 +19,11 @@ from armproof.verification.tables.cells import Cell, read_cell
 from armproof.verification.tables.columns import read_columns
 from armproof.verification.tables.row import SCALES
 from armproof.verification.verdict import TakenArm
+
+_NUMBER = re.compile(r"-?\d+(?:\.\d+|/\d+)?")
+_GIVEN = re.compile(  # L_2 = L_3 = 0.2142 m, and no more
+    r"((?:[lLaAdDhHrR]_(?:\d|\{\d\})\s*=\s*)+)(\d+(?:\.\d+)?)(?:\s|\\[,;: ])*(?:\\(?:text|mathrm)\s*\{\s*(mm|cm|m)\s*\}|(mm|cm|m))?"
+)
 
 
 def stated_lengths(document: Document, names: Names, algebra: ExactAlgebra) -> dict[str, Stated]:
@@ -54,6 +60,22 @@ def entries_by_place(
                 if value and index and is_number(cell.trees[0]) and names.known_symbol(key) is None:
                     scale = SCALES.get(columns.headers[column].unit, 1) if metres and not cell.has_unit else 1
                     yield key, value * Fraction(scale)
+
+
+def letters_of_numbers(document: Document, taken: TakenArm, names: Names) -> Iterator[tuple[str, Fraction]]:
+    """Yield letters to which the text gives one value each, that of a length for which the arm has a number alone: L_2 = 0.25."""
+    rows = taken.front["arm"]["rows"]
+    numbers = {abs(Fraction(row[role])) for row in rows for role in "ad" if _NUMBER.fullmatch(str(row[role]))} - {0}
+    found: dict[str, set[Fraction]] = {}
+    for display in document.displays if numbers else ():
+        for text in (display.latex, *display.said, *display.said_behind):
+            if given := _GIVEN.fullmatch(text.strip().rstrip(".,;")):
+                value = Fraction(given[2]) * Fraction(SCALES.get(given[3] or given[4] or "m", 1)).limit_denominator(1000)
+                for letter, index in re.findall(r"([A-Za-z])_\{?(\d)", given[1]):
+                    found.setdefault(f"{letter}_{index}", set()).add(value)
+    for key, values in found.items():
+        if len(values) == 1 and values <= numbers and names.known_symbol(key) is None:
+            yield key, next(iter(values))
 
 
 def _entries_of_links(taken: TakenArm, names: Names) -> Iterator[tuple[str, Fraction]]:
