@@ -85,7 +85,7 @@ class WordsAround:
             return outcome
         by_convention = self.names.state.conventional | ({"J"} - {*self.names.quantities})
         plain = [replace(name, dots=0) for name in _names_in(outcome)]
-        if outcome.conditions:  # what a name means there is forgotten behind them
+        if outcome.conditions or outcome.verdict is Verdict.REFUTED:  # what a name means there is forgotten behind them
             by_convention |= {name.key for name in plain if is_usual(name) and self.names.is_open(name)}
         named = {name.key for name in plain} & by_convention
         is_open = outcome.as_usual is None and all(re.search(r"[\d^]|_[bs]\b", key) for key in named)

@@ -106,6 +106,12 @@ THEN = """
 ^ (in) (dans) (en) this/that/such/ce/in/im/ese/tal (a) (diesem) case/cas/fall/caso (,) … (:) $
 ^ this/it/cela/das/esto (then) gives/yields/leads/donne/ergibt/liefert/da/resulta … (:) $
 """
+OF_THE_ONE_BEFORE = """
+it/he/she/il/elle/er/ella/esso/essa sees/moves/turns/travels/stands/lies/sits/describes/reaches/looks/voit/bouge/tourne/décrit/atteint/regarde/trouve/sieht/bewegt/dreht/liegt/steht/beschreibt/vede/muove/trova
+its/whose/dessen/deren/cuyo/cuya (own) position/coordinates/velocity/speed/height/abscissa/ordinate/jacobian/koordinaten/geschwindigkeit/höhe/posición/coordenadas/velocidad/altura
+(show/prove/check) (that) it is at/given (by) $
+sa/ses position/coordonnées/vitesse/hauteur/jacobienne
+"""
 DENYING_HEADING = """
 common/frequent/typical/classic/usual/popular mistake~/error~/slip~/misconception~
 ^ (the) (some) (few) (a) error~/mistake~/pitfall~/misconception~/misprint~ $
@@ -298,6 +304,7 @@ a mitad
 position of joint #
 midpoint/mid-point/milieu/barycentre
 middle of (the) (first/second/third/last) link
+camera~/caméra~/kamera~/cámara/telecamera/câmera
 cent~ of mass/gravity
 cent~ of (the) (first/second/third/last) link/bar/rod
 centre de masse/gravité

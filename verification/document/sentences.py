@@ -28,6 +28,7 @@ from armproof.verification.document.limiting_clauses import (
     limits_what_is_above,
     limits_what_is_below,
     limits_what_is_near,
+    says_what_would_be,
 )
 from armproof.verification.document.model import INLINE, Display
 from armproof.verification.document.named_quantities import NAMED
@@ -130,9 +131,10 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
         _supposes(words, IS_OVER.search(sentence) is not None)
         or hears("MAY_LIMIT", words_before)
         or limits_what_is_near(words_before)
+        or (hears("THEN", words) and says_what_would_be(words_before))
     ):
         heard.append(SUPPOSED)
-    if is_of_other_place(words):
+    if is_of_other_place(words) or (hears("OF_THE_ONE_BEFORE", words) and is_of_other_place(words_before)):
         heard.append(OTHER_POINT)
     if says("OTHER_FRAME", words):
         heard.append(OTHER_FRAME)
