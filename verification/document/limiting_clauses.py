@@ -48,11 +48,6 @@ def limits_what_is_near(words: str) -> bool:
     return is_asked or _is_supposed(found) or any(map(_limits_near, found))
 
 
-def says_what_would_be(words: str) -> bool:
-    """Whether a sentence is of another case than that at hand: "Would it change for a prismatic joint? In that case"."""
-    return any(each.has("would") for each in clauses(words))
-
-
 def _is_supposed(found: Sequence[Clause]) -> bool:
     """Whether a sentence supposes what may not be so: rigid links and known lengths are, and what a formula says is decided elsewhere."""
     for place, each in enumerate(found):

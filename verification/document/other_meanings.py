@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import inf
 
-from armproof.verification.document.clauses import mentions_only
+from armproof.verification.document.clauses import mentions_only, says_what_would_be
 from armproof.verification.document.heading import is_ruled
 from armproof.verification.document.hearing import MOST_CHARACTERS, hears, hears_denied, says, with_axes, words_of
 from armproof.verification.document.letters_anew import MAY_RENAME, letters_anew
@@ -78,7 +78,7 @@ _NEAR_ABOVE, _NEAR_BELOW = 4, 8  # lines between a sentence and a display beside
 class Meaning:
     """What a sentence says on a line: letters that have another meaning, the frame whose origin it is of, what it is of `beside`, another point, frame or origin.
 
-    Letters `anew` have it from the sentence on, to the end of its section where `is_of_section`, and only where they have stood above it.
+    Letters of what would be have it within the lines of `reach` alone. Letters `anew` have it from the sentence on, to the end of its section where `is_of_section`, and only where they have stood above it.
     """
 
     line: int
@@ -89,6 +89,7 @@ class Meaning:
     is_origin: bool = False
     anew: tuple[str, ...] = ()
     is_of_section: bool = False
+    reach: tuple[int, int] | None = None
 
 
 def with_other_meanings(document: Document, text: str) -> Document:
@@ -133,7 +134,8 @@ def _with(display: Display, said: Iterable[tuple[Meaning, int, float]]) -> Displ
             letters.append(each.beside)
         if each.anew and each.line - _NEAR_ABOVE <= display.line < (ends if each.is_of_section else inf):
             letters += each.anew
-        if each.letters and (display.line >= begins or display.file):
+        begin, end = each.reach or (begins, inf)
+        if each.letters and (begin <= display.line <= end or (display.file and each.reach is None)):
             letters += each.letters
         is_elsewhere |= each.is_place and is_near
         is_elsewhere |= each.is_origin and display.line >= begins
@@ -157,7 +159,8 @@ def _meanings(text: str) -> Iterator[Meaning]:
             [each[0] or each[1] for each in _FORMULA.findall(plain)],
         )
         if letters := tuple(_letters(words, formulas)):
-            yield Meaning(line, letters)
+            would_be = says_what_would_be(words)
+            yield Meaning(line, letters, reach=_paragraph(text, found.end() - len(sentence.lstrip()), found.end()) if would_be else None)
         earlier = [each[0] or each[1] for each in _FORMULA.findall(before)]
         renamed, is_of_section = letters_anew(words_of(before) + words, [*earlier, *formulas])
         if renamed and (known := tuple(_that_stand_in(text[: found.start()], renamed))):
@@ -177,6 +180,13 @@ def _meanings(text: str) -> Iterator[Meaning]:
             yield Meaning(line, is_place=True)
         if says("OTHER_ORIGIN", words) or _has_base_elsewhere(words.lower(), formulas):
             yield Meaning(line, is_origin=True)
+
+
+def _paragraph(text: str, start: int, end: int) -> tuple[int, int]:
+    """Return the lines of the displays beside a sentence: those in its paragraph and right below, and right above where it goes on from them."""
+    before, behind = text.rfind("\n\n", 0, start), text.find("\n\n", end)
+    first, last = (text.count("\n", 0, at) + 1 for at in (before + 2, behind if behind >= 0 else len(text)))
+    return first - _NEAR_ABOVE * text[before + 2 : before + 3].islower(), last + 2
 
 
 def _that_stand_in(text: str, letters: Sequence[str]) -> Iterator[str]:
@@ -213,7 +223,9 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
             yield from (f"{BEHIND} {each}" for each in subjects)
         else:
             yield from (f"{ALL} {each}" for each in subjects)
-        if _PLURAL.search(words) and not any(re.search(r"\d", each) for each in subjects):  # all θ_i, too
+        is_of_other = "¤" in words[: begin.end()] and not subjects  # "The angle φ is absolute, the joint angles are not"
+        of_all = words[: begin.end()] if is_of_other else words
+        if _PLURAL.search(of_all) and not any(re.search(r"\d", each) for each in subjects):  # all θ_i, too
             yield BEHIND if name != "TURNED" else ALL
     for name in ("OTHER_LENGTH", "SWAPPED"):
         if (half := hears(name, words)) is not None:

@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterator
 from functools import lru_cache
 
-from armproof.verification.document.clauses import is_of_display
+from armproof.verification.document.clauses import is_of_display, says_what_would_be
 from armproof.verification.document.denials import denies_before, denies_behind, denies_later
 from armproof.verification.document.hearing import (
     FORMULA,
@@ -28,7 +28,6 @@ from armproof.verification.document.limiting_clauses import (
     limits_what_is_above,
     limits_what_is_below,
     limits_what_is_near,
-    says_what_would_be,
 )
 from armproof.verification.document.model import INLINE, Display
 from armproof.verification.document.named_quantities import NAMED
@@ -158,7 +157,8 @@ def _is_at_values(words: str, words_before: str) -> bool:
     """Whether a sentence leads to what holds at the values that it gives, or, being short, the one before it."""
     if hears("NOT_THERE", words) or hears("NOT_THERE", words_before):
         return False
-    if hears("AT_VALUES", without("OF_A_POSTURE", words)):
+    plain = without("OF_A_POSTURE", words)
+    if hears("AT_VALUES", plain) or (IS_OVER.search(words) and hears("GIVES_VALUES", plain)):
         return True
     goes_on = hears("THEN", words) or hears("BECOMES", words)
     return goes_on is not None and hears("GIVES_VALUES", without("OF_A_POSTURE", words_before)) is not None
@@ -199,7 +199,8 @@ def is_of_a_case(section: str) -> bool:
 
 def values_of(section: str) -> tuple[str, ...]:
     """Return the values at which all holds that stands under a heading, as formulas: those of "Case 1: $\\theta_2 = 0$"."""
-    if hears("OF_VALUES", words_of(section)) is None:
+    words = words_of(section)
+    if not (hears("OF_VALUES", words) or hears("OF_VALUES", without("OF_A_POSTURE", words))):
         return ()
     return tuple(found.group().strip("$") for found in FORMULA.finditer(section))
 
