@@ -141,10 +141,12 @@ class Circumstances:
             return None
         if not any(n.is_call(below, "det") for member in chain.members for below in n.walk(member)):
             return None
-        found = self._together(told.conditions, Implication("⇒", [[]], [[chain]]), Outcome(Verdict.UNCHECKED, (), equation))
-        if found is None or found.verdict is not Verdict.PROVED:
-            return None
-        return replace(found, findings=(say(Kind.HOLDS_THERE), *found.findings), read_as=self.checker.members.read_as(chain))
+        claim, judged = Implication("⇒", [[]], [[chain]]), Outcome(Verdict.UNCHECKED, (), equation)
+        found, anywhere = (self._together(given, claim, judged) for given in (told.conditions, ()))
+        if found is None or found.verdict is not Verdict.PROVED or anywhere is not None:
+            return None  # that of J J^T is zero wherever J has six rows: those are not meant
+        read_as = self.checker.members.read_as(chain)
+        return replace(found, findings=(say(Kind.HOLDS_THERE), *found.findings), read_as=read_as)
 
     def _given_by(self, condition: n.Chain) -> set[str]:
         """Return the joints and lengths to which a condition gives values, or all that it relates."""

@@ -61,6 +61,11 @@ _PLURAL = re.compile(
     r"\b(?:angles|(?:second|third|last|elbow|other) angle|both|all|each|every|chaque|rotations?|turns|positi[fv]e?|winkel|ángulos|deux|number(?:ed)?|roles)\b",
     re.IGNORECASE,
 )
+_VERTICAL = re.compile(r"(?<!\S)(?:vertical|senkrecht|lotrecht)", re.IGNORECASE)
+_OTHERWISE = re.compile(  # what an angle from the vertical may be besides
+    r"clockwise|horair|uhrzeiger|horari|orari|y-axis|downward|bas\b|number|from the (?:tip|tool|end|gripper|hand)|role|fold|interior|inner|intérieur|hang|pendant",
+    re.IGNORECASE,
+)
 _OF_EULER = re.compile(  # angles of an orientation, and of no joint
     r"\beuler(?:ian)? angles?\b|\bangles? (?:of|d'|de|di) ?euler\b|\bángulos de euler\b|\beuler-?winkel\b",
     re.IGNORECASE,
@@ -69,6 +74,7 @@ _OF_EULER = re.compile(  # angles of an orientation, and of no joint
 TURNS = "turns"  # the order of the factors of rotations one after another, as their axes, and their angles where they are told: zyx α β γ
 OMEGA_FIRST = "omega first"  # a Jacobian, or a twist, whose first rows are those of ω
 ALL, BEHIND = "all", "behind"  # the angles of all joints; those that turn about the direction of one before
+UPRIGHT = "upright"  # an angle from the vertical: what it moves stands up at 0
 ANEW = "anew"  # a letter that is something else for a while
 FRAME, JACOBIAN = "link", "J"  # the origin of one; that whose columns are those of joints in another order
 _NEAR_ABOVE, _NEAR_BELOW = 4, 8  # lines between a sentence and a display beside it
@@ -222,7 +228,8 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         if name != "TURNED":
             yield from (f"{BEHIND} {each}" for each in subjects)
         else:
-            yield from (f"{ALL} {each}" for each in subjects)
+            which = UPRIGHT if _VERTICAL.search(words) and not _OTHERWISE.search(words) else ALL
+            yield from (f"{which} {each}" for each in subjects)
         is_of_other = "¤" in words[: begin.end()] and not subjects  # "The angle φ is absolute, the joint angles are not"
         of_all = words[: begin.end()] if is_of_other else words
         if _PLURAL.search(of_all) and not any(re.search(r"\d", each) for each in subjects):  # all θ_i, too
