@@ -308,7 +308,7 @@ a mitad
 position of joint #
 midpoint/mid-point/milieu/barycentre
 middle of (the) (first/second/third/last) link
-camera~/caméra~/kamera~/cámara/telecamera/câmera
+camera/sensor/lamp/caméra/capteur/lampe/kamera/sensor/lampe/cámara/sensor/telecamera/câmera (is/sits/hangs/est/ist/sitzt/está/è) bolted/mounted/fixed/attached/screwed/clamped/glued/welded/placed/fixée/fixé/montée/monté/vissée/montiert/befestigt/montada/fijada/fissata/from/on
 cent~ of mass/gravity
 cent~ of (the) (first/second/third/last) link/bar/rod
 centre de masse/gravité
