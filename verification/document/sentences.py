@@ -11,6 +11,7 @@ from functools import lru_cache
 
 from armproof.verification.document.clauses import is_of_display, says_what_would_be
 from armproof.verification.document.denials import denies_before, denies_behind, denies_later
+from armproof.verification.document.denying_clauses import leads_on
 from armproof.verification.document.hearing import (
     FORMULA,
     IS_OVER,
@@ -92,7 +93,8 @@ def _heard_behind(sentence: str) -> tuple[str, ...]:
         heard.append(LIMITED_ABOVE)
     if is_of_display(words):
         heard += (ABOVE + each for each in _subjects(sentence, words) if not (_FOR.search(words) and NAMED in each))
-    if DENIED_ABOVE not in heard and is_strange_behind(_plain(sentence)):
+    is_of_next = leads_on(words) and denies_before(sentence, words)
+    if DENIED_ABOVE not in heard and not is_of_next and is_strange_behind(_plain(sentence)):
         heard.append(STRANGE_ABOVE + sentence)
     return tuple(heard)
 
