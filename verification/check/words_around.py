@@ -35,7 +35,7 @@ class WordsAround:
         if display.said_next and not display.erratum:
             outcome = self.circumstances.judge_behind(outcome, display.said_next)
         if display.supposed:
-            outcome = outcome.unless_refuted(say(Kind.IS_SUPPOSED))
+            outcome = replace(outcome.unless_refuted(say(Kind.IS_SUPPOSED)), as_usual=None)
         if display.of_other_point or (display.meant and self._is_of_other_frame(display)):
             outcome = self._unless_of_the_tool(outcome)
         if display.in_other_frame and outcome.verdict in DECIDED and any(map(self._is_in_base, _names_in(outcome))):

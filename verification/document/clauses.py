@@ -125,9 +125,14 @@ def mentions_only(words: str) -> bool:
     return is_without or any(each.has("would") for each in found)
 
 
-def says_what_would_be(words: str) -> bool:
-    """Whether a sentence is of another case than that at hand: "Would it change for a prismatic joint? In that case"."""
-    return any(each.has("would") or not _WOULD_BE.isdisjoint(each.words) for each in clauses(words))
+def says_what_would_be(words: str, at_its_end: bool = False) -> bool:
+    """Whether a sentence, or its last clause, is of another case than that at hand: "Would it change for a prismatic joint? In that case"."""
+    return any(map(is_of_what_would_be, clauses(words)[-1 if at_its_end else 0 :]))
+
+
+def is_of_what_would_be(clause: Clause) -> bool:
+    """Whether a clause is of another case than that at hand: "on aurait alors"."""
+    return clause.has("would") or not _WOULD_BE.isdisjoint(clause.words)
 
 
 def is_weighed(word: str) -> bool:

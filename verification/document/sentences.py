@@ -47,6 +47,7 @@ OTHER_FRAME = r"\text{in another frame}"  # what is none of anything in the base
 # what is not understood of the display above it, or of the one below; the sentence follows
 STRANGE_ABOVE, STRANGE = r"\text{strange above}", r"\text{strange}"
 MEANT = r"\text{meant}"  # of which link it is, which quantity, or what is done to it; that follows
+WOULD_BE = "would be"  # of another case than that at hand: it says there what a letter is
 ABOVE = r"\text{above}"  # before a place or a quantity that is said of the display above
 OF_ABOVE = (DENIED_ABOVE, LIMITED_ABOVE, STRANGE_ABOVE, ABOVE)
 OF_NEXT = (
@@ -135,6 +136,8 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
         or (hears("THEN", words) and says_what_would_be(words_before))
     ):
         heard.append(SUPPOSED)
+    if says_what_would_be(words, at_its_end=True):
+        heard.append(MEANT + WOULD_BE)
     if is_of_other_place(words) or (hears("OF_THE_ONE_BEFORE", words) and is_of_other_place(words_before)):
         heard.append(OTHER_POINT)
     if says("OTHER_FRAME", words):
