@@ -16,6 +16,7 @@ from armproof.verification.display.statements import Statements
 from armproof.verification.display.taken_arm import OfTakenArm, names_in
 from armproof.verification.document import Display
 from armproof.verification.document.other_meanings import OMEGA_FIRST
+from armproof.verification.document.sentences import WOULD_BE
 from armproof.verification.equations.foreign_index import unless_written_elsewhere
 from armproof.verification.equations.outcome import Outcome, new_one
 from armproof.verification.errors import NotSampled, ReadError, TooComplex
@@ -253,10 +254,9 @@ class DisplayChecker:
     ) -> tuple[list[Outcome], dict[str, float]]:
         """Return the outcomes; a name may be defined after its use in the display ("…, where D = …")."""
         known = len(self.names.state.definitions)
-        check = partial(
-            self.statements.check, statements, display.line, define=not (display.erratum or display.denied),
-            latex=normalise_unicode(display.latex),
-        )  # fmt: skip
+        define = not (display.erratum or display.denied or WOULD_BE in display.meant)
+        latex = normalise_unicode(display.latex)
+        check = partial(self.statements.check, statements, display.line, define=define, latex=latex)
         outcomes, extra = check()
         if len(self.names.state.definitions) > known and any(o.verdict is Verdict.UNCHECKED for o in outcomes):
             again, extra = check()

@@ -35,7 +35,7 @@ class WordsAround:
         if display.said_next and not display.erratum:
             outcome = self.circumstances.judge_behind(outcome, display.said_next)
         if display.supposed:
-            outcome = outcome.unless_refuted(say(Kind.IS_SUPPOSED))
+            outcome = replace(outcome.unless_refuted(say(Kind.IS_SUPPOSED)), as_usual=None)
         if display.of_other_point or (display.meant and self._is_of_other_frame(display)):
             outcome = self._unless_of_the_tool(outcome)
         if display.in_other_frame and outcome.verdict in DECIDED and any(map(self._is_in_base, _names_in(outcome))):
@@ -85,7 +85,7 @@ class WordsAround:
             return outcome
         by_convention = self.names.state.conventional | ({"J"} - {*self.names.quantities})
         plain = [replace(name, dots=0) for name in _names_in(outcome)]
-        if outcome.conditions:  # what a name means there is forgotten behind them
+        if outcome.conditions or outcome.verdict is Verdict.REFUTED:  # what a name means there is forgotten behind them
             by_convention |= {name.key for name in plain if is_usual(name) and self.names.is_open(name)}
         named = {name.key for name in plain} & by_convention
         is_open = outcome.as_usual is None and all(re.search(r"[\d^]|_[bs]\b", key) for key in named)

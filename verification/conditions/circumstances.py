@@ -8,7 +8,7 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 
-from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.calculus import substitute, symbols_in
 from armproof.verification.algebra.matrix import as_matrix
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.heeding import Heeding, unbraced, value_of
@@ -22,7 +22,7 @@ from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
 from armproof.verification.equations.given_values import GivenValues
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.errors import ReadError
+from armproof.verification.errors import ReadError, WhereDefined
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key, is_number
@@ -57,7 +57,7 @@ class Circumstances:
             return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
         if told.bounds and any(map(_has_a_sign, (outcome.true.node, outcome.printed.node))):
             return self._within(told.bounds, outcome)
-        return outcome
+        return self._wrong_there(outcome) if told.is_direct else outcome
 
     def judge_behind(self, outcome: Outcome, said: Sequence[str]) -> Outcome:
         """Leave open what is refuted, and holds with what the text right behind its display says: "where θ_1 = θ_2 = 0"."""
@@ -101,19 +101,59 @@ class Circumstances:
         """Return what is proved at the values that lead to an equation, in which the joints that have them are no longer."""
         assert outcome.true is not None and outcome.printed is not None
         told = self.names.state.told
-        values = [self.given.values_of(each) for each in told.conditions] if told.is_direct else []
-        joints = {name for each in values for name in each or {}}.intersection(self.given.joints)
-        if not joints or not all(values) or not outcome.printed.known:
+        if not told.is_direct or not told.conditions or not outcome.printed.known:
             return None
         cells = [cell for cell in as_matrix(outcome.printed.value).cells if isinstance(cell, Scalar)]
-        if not joints.isdisjoint(symbols_in(cells)):
-            return None
+        if any(self._given_by(each) <= symbols_in(cells) for each in told.conditions):
+            return None  # it may be meant elsewhere
         claim = n.Chain((outcome.true.node, outcome.printed.node), ("=",))
         found = self._together(told.conditions, Implication("⇒", [[]], [[claim]]), outcome)
         if found is None or found.verdict is not Verdict.PROVED:
             return None
         read_as = outcome.read_as or self.checker.members.read_as(claim)
         return replace(found, findings=(say(Kind.HOLDS_THERE), *found.findings), read_as=read_as)
+
+    def _wrong_there(self, outcome: Outcome) -> Outcome:
+        """Return what is refuted with the values that lead to it in both of its sides, where these are all that the text gives."""
+        given = [self.given.values_of(each) for each in self.names.state.told.conditions]
+        values = {name: self.checker.member(node).value for each in given for name, node in (each or {}).items()}
+        if outcome.pair is None or outcome.there or not all(given) or not {*values} <= {*self.given.joints}:
+            return outcome
+        numbers = {name: self.checker.members.number(each) for name, each in values.items() if isinstance(each, Scalar)}
+        if len(numbers) < len(values) or not {*values}.isdisjoint(symbols_in(outcome.pair.printed.cells)):
+            return outcome
+        with WhereDefined():
+            true = outcome.pair.true.map(lambda cell: substitute(cell, values))
+            pair = replace(outcome.pair, true=true)
+            wrong = [place for place, a, b in pair.entries() if not (a - b).normal().is_zero()]
+            return replace(outcome, pair=pair, wrong=wrong, there=numbers) if wrong else outcome
+        return outcome
+
+    def numbers_there(self, outcome: Outcome) -> Outcome | None:
+        """Return what is proved of numbers at the values that lead to them; None where nothing is."""
+        is_pair = outcome.true is not None and outcome.printed is not None
+        return self._proved_there(outcome) if is_pair and outcome.tells(Kind.NUMBERS_OF_NOWHERE) else None
+
+    def vanishes_there(self, chain: n.Chain, equation: int) -> Outcome | None:
+        """Return det J = 0 as a claim that is proved at the values that lead to it; None where it is none."""
+        told = self.names.state.told
+        if not told.is_direct or not told.conditions or set(chain.relations) != {"="} or not is_number(chain.members[-1]):
+            return None
+        if not any(n.is_call(below, "det") for member in chain.members for below in n.walk(member)):
+            return None
+        claim, judged = Implication("⇒", [[]], [[chain]]), Outcome(Verdict.UNCHECKED, (), equation)
+        found, anywhere = (self._together(given, claim, judged) for given in (told.conditions, ()))
+        if found is None or found.verdict is not Verdict.PROVED or anywhere is not None:
+            return None  # that of J J^T is zero wherever J has six rows: those are not meant
+        read_as = self.checker.members.read_as(chain)
+        return replace(found, findings=(say(Kind.HOLDS_THERE), *found.findings), read_as=read_as)
+
+    def _given_by(self, condition: n.Chain) -> set[str]:
+        """Return the joints and lengths to which a condition gives values, or all that it relates."""
+        if values := self.given.values_of(condition):
+            return {*values}
+        values = [self.checker.member(node).value for node in condition.members]
+        return {*symbols_in([each for each in values if isinstance(each, Scalar)])}
 
     def as_usual_there(self, outcome: Outcome) -> Outcome | None:
         """Return what is proved of a name as it is usually meant at the values that lead to the equation; None where nothing is."""
@@ -223,7 +263,7 @@ class Circumstances:
         again = partial(rank_there, self.checker, chain, given=given)
         if doubt := self.checker.rows.others((chain,), found, lambda: [again(outcome=each) for each in outcomes]):
             return [each.left_open(doubt) for each in found]
-        is_near = not told.conditions or told.line == line
+        is_near = not told.conditions or told.line == line or told.is_direct
         return found if is_near else [each.unless_refuted(say(Kind.OTHER_AS_TOLD)) for each in found]
 
     def _told(self, told: Told) -> Iterator[tuple[n.Chain, ...]]:

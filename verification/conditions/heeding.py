@@ -68,13 +68,18 @@ class Heeding:
             if texts:
                 before, around = state.told, sections_around(state.section)
                 self._heed(texts, line)
-                own = next((each for each in around if values_of(each) == texts), None)
+                own = next((each for each in around if values_of(each) == _equations(texts)), None)
                 told = before if is_outside else replace(state.told, section=own or next(iter(around), ""))
                 told = _of_all_below(told) if own and not is_outside else told
                 state.told = told if told.holds_below else Told()
-        if said[above:]:
-            self._heed(said[above:], line)
-            if values_of(state.section) == said[above:]:
+        if below := said[above:]:
+            own = values_of(state.section)
+            before, again = state.told, own and not set(_equations(below)) - set(own)
+            if again and before.section == state.section and before.conditions:  # "Here the arm is stretched."
+                state.told = replace(before, line=line)
+            else:
+                self._heed([each for each in below if not own or each in own or not _is_posture(each)], line)
+            if own and own == _equations(below)[: len(own)]:
                 state.told = _of_all_below(state.told)
 
     def _heed(self, said: Iterable[str], line: int) -> None:
@@ -288,6 +293,17 @@ class Heeding:
         ] or bound.members
         members = [as_scalar(self.checker.member(node).value) for node in sides]
         return not symbols_in([each for each in members if isinstance(each, Scalar)]).isdisjoint(self.given.joints)
+
+
+def _equations(said: Sequence[str]) -> tuple[str, ...]:
+    """Return what a text says but for postures in words and for how a sentence leads to what comes: under a heading with values they say no more than these."""
+    return tuple(each for each in said if not (each in (FROM_VALUES, NOT_THERE) or _is_posture(each)))
+
+
+def _is_posture(latex: str) -> bool:
+    """Whether what a text says is a posture in words."""
+    is_told = latex in (FROM_VALUES, NOT_THERE, GENERAL, SINGULAR) or is_joint_value(latex)
+    return latex.startswith("\\text{") and not is_told
 
 
 def _of_all_below(told: Told) -> Told:

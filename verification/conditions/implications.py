@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from functools import partial
+from itertools import pairwise
 
+from armproof.verification.algebra.matrix import as_scalar
+from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.implication import (
     WHOLE_NUMBERS,
     Implication,
@@ -56,7 +61,29 @@ class Implications:
             doubt = doubt or readings.of_either_frame(
                 implication.chains, verdict, lambda: (again() or judged)[0].verdict
             )
+        if doubt is None and judged[0].verdict is Verdict.PROVED and (name := self._holds_without(implication)):
+            doubt = say(Kind.HOLDS_WITHOUT, name=name)
         return (judged[0].left_open(doubt), {}) if doubt is not None else judged
+
+    def _holds_without(self, implication: Implication) -> str:
+        """Return the Jacobian of no point that is told, of which all that is concluded holds under no condition: θ_3 = π/2 ⇒ det J = 0, where it always is."""
+        if implication.arrow == "⇔" or self.names.arm is None:
+            return ""
+        asked = implication.premises if implication.arrow == "⇐" else implication.conclusions
+        bound = [
+            name.text or name.key
+            for chain in asked
+            for member in chain.members
+            for name in n.names(member)
+            if name.key not in self.names.quantities and not re.search(r"\d", name.sub + name.pre_sub)
+            if _is_jacobian(self.names.quantity(name))
+        ]
+        return bound[0] if bound and all(map(self._is_identity, asked)) else ""
+
+    def _is_identity(self, chain: n.Chain) -> bool:
+        values = [as_scalar(self.checker.member(node).value) for node in chain.members]
+        scalars = [value for value in values if isinstance(value, Scalar)]
+        return len(scalars) == len(values) and all((a - b).normal().is_zero() for a, b in pairwise(scalars))
 
     def _is_of_same_letters(self, implication: Implication) -> bool:
         """Whether, without an arm, all that is concluded is of letters that both sides hold, but for those of what is given.
@@ -137,3 +164,7 @@ class Implications:
         if judged[0].verdict is Verdict.PROVED and of_arm and any(o.verdict is Verdict.REFUTED for o in steps):
             return replace(judged[0], verdict=Verdict.UNCHECKED, findings=(say(Kind.PREMISE_DIFFERS),)), {}
         return judged if judged[0].verdict is not Verdict.UNCHECKED else None
+
+
+def _is_jacobian(quantity: object) -> bool:
+    return isinstance(quantity, Quantity) and quantity.kind == "jacobian"

@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations
 
-from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.calculus import substitute, symbols_in
 from armproof.verification.algebra.quantity import COMPONENTS
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document.named_quantities import ABSCISSA, DISTANCE, NAMED, ORDINATE, ORIENTATION, VELOCITY
 from armproof.verification.document.other_arms import OF_ARM, is_other_arm
-from armproof.verification.document.other_meanings import ALL, ANEW, BEHIND, JACOBIAN, OMEGA_FIRST, TURNS
+from armproof.verification.document.other_meanings import ALL, ANEW, BEHIND, JACOBIAN, OMEGA_FIRST, TURNS, UPRIGHT
 from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.given_values import GivenValues
@@ -100,12 +100,32 @@ class OtherMeanings:
         if which == ANEW:
             key = self._key(latex)
             return {key, self.names.known_symbol(key) or key} - {""}
+        if which == UPRIGHT:
+            key = self.names.known_symbol(self._key(latex)) or ""
+            return {key} - {"", *self._standing_up()}
         if which not in (ALL, BEHIND):
             return set()
         of_arm = {*self.given.lengths} | self._turned(which == BEHIND)
         if not latex:
             return self._turned(which == BEHIND)
         return {self._key(latex)} & of_arm
+
+    def _standing_up(self) -> set[str]:
+        """Return the joints whose angle is one from the vertical: about a horizontal axis, and at 0 what they move stands above it."""
+        arm, exact = self.names.arm, self.checker.exact
+        if arm is None:
+            return set()
+        base, found = arm.frames[0], set[str]()
+        whole = exact.jacobian(arm.frames[-1], base)
+        for joint in arm.joints:
+            if joint.kind != "revolute":
+                continue
+            moves = [row[joint.index - 1] for row in whole.rows]
+            at_zero = [substitute(each, {joint.symbol: exact.ring.rational(0)}) for each in moves]
+            is_level = moves[5].is_zero()
+            if is_level and at_zero[2].is_zero() and not all(each.is_zero() for each in at_zero[:2]):
+                found.add(joint.symbol)
+        return found
 
     def _turned(self, only_behind: bool) -> set[str]:
         """Return the joints that turn; or those alone that a joint before them turns about the same direction."""

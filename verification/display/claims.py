@@ -253,6 +253,8 @@ class Claims:
             return Outcome(Verdict.PROVED, (), equation, role=Role.LAW)
         if (doubt := counted(chain, self.names)) is not None:
             return Outcome(Verdict.UNCHECKED, (doubt,), equation)
+        if (known := self.circumstances.vanishes_there(chain, equation)) is not None:
+            return known
         if (given := self.given.read(chain, line, define)) is not None:
             return Outcome(Verdict.DEFINED, (say(Kind.CONFIGURATION),), equation, defines=given)
         if not self.given.is_condition(chain):

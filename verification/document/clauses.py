@@ -31,6 +31,7 @@ _OF_NO_CLAIM = (
 _PARTS_OF_MORE = frozenset(
     "basis sum start beginning part consequence key somme début partie grundlage summe anfang teil folge suma inicio somma inizio soma início".split()
 )  # "It is the basis of"
+_WOULD_BE = frozenset("would_have aurait auraient faudrait".split())  # what must have been, too
 OF_DISPLAY = ("this", "display", "part")
 _SHORT = 8  # words of what says little else than when the display above it holds
 _MOST_KNOWN = 4096  # words, and sentences, so that each is looked up once
@@ -122,6 +123,16 @@ def mentions_only(words: str) -> bool:
     found = clauses(words)
     is_without = bool(found) and not found[0].is_of_display and found[0].has("not") and found[0].has("neutral")
     return is_without or any(each.has("would") for each in found)
+
+
+def says_what_would_be(words: str, at_its_end: bool = False) -> bool:
+    """Whether a sentence, or its last clause, is of another case than that at hand: "Would it change for a prismatic joint? In that case"."""
+    return any(map(is_of_what_would_be, clauses(words)[-1 if at_its_end else 0 :]))
+
+
+def is_of_what_would_be(clause: Clause) -> bool:
+    """Whether a clause is of another case than that at hand: "on aurait alors"."""
+    return clause.has("would") or not _WOULD_BE.isdisjoint(clause.words)
 
 
 def is_weighed(word: str) -> bool:

@@ -14,6 +14,9 @@ from armproof.verification.document.clauses import OF_DISPLAY, Clause, clauses, 
 _FAR = 14  # words from a denial to the display that its sentence leads to
 _LAST = 3  # words of a clause that lead to a display
 _PARTICIPLES = ("ing", "ando", "endo", "ant", "ed")  # "changing the frame" is no order
+_NONE = frozenset(
+    "no aucun aucune kein keine keinen keiner ningún ninguna nessun nessuna nessuno nenhum nenhuma".split()
+)
 _HERE = frozenset("here ici hier aquí qui aqui".split())
 _LEADS = frozenset(
     ["claim", "have", "use", "that", "think", "good"]
@@ -25,14 +28,25 @@ def denies_what_is_above(words: str) -> bool:
     found = clauses(words)
     if words.endswith("? "):
         return any(finds_fault_in(each) and each.subject == "this" for each in found)
-    leads_on = words.endswith(": ") and found and not found[0].is_of_display
-    if not found or leads_on or found[0].begins("erratum"):
+    if not found or leads_on(words) or found[0].begins("erratum"):
         return False
     if found[0].begins("if") and words[:1].isupper() and (found[0].subject != "this" or found[0].has("pronoun")):
         return False
     if len(found[0].words) == 1 and found[0].begins("not"):
         return True  # "No, …"
     return (goes_on(words) and any(map(_is_exclusive, found))) or any(map(_denies_above, found))
+
+
+def leads_on(words: str) -> bool:
+    """Whether a sentence leads to the next display, and is of nothing above: "A common error is to write"."""
+    found = clauses(words)
+    if not found:
+        return False
+    is_of_it = any(each.ends("this", "display") or each.begins("this") or _HERE & {*each.words} for each in found)
+    if is_of_it or found[0].is_of_display or not words[:1].isupper():
+        return words.endswith(": ") and not found[0].is_of_display
+    claims = any("claim" in kinds for kinds in found[-1].kinds[-_LAST:])
+    return words.endswith((": ", ", ")) or (claims and words.rstrip()[-1:] not in ".;!?")
 
 
 def denies_what_is_below(words: str) -> bool:
@@ -176,6 +190,8 @@ def _is_not_so(clause: Clause) -> bool:
         return True
     if clause.has("neutral") or (clause.begins("not") and clause.subject in ("part", "letter")):
         return False
+    if clause.words[clause.at("not")] in _NONE and clause.ends("part", "letter"):
+        return False  # "The speed has no mixed term"
     is_of_other = clause.subject in ("arm", "formula", "") or clause.begins("there")
     ends_so = (
         clause.subject in ("arm", "formula")

@@ -63,6 +63,7 @@ _SAYS = re.compile(
 _TELLS_LANGUAGE = 8000  # characters of a text
 _EQUATION = r"[^\])\"'\s]{0,300}(?:equation|\beqn?s?[\d_-]|formula|formule|ecuaci|gleichung|latex|codecogs|render/math|matri[xcz])[^\])\"']*"
 _DEFINES = re.compile(r"\\(?:(?:re|provide)?newcommand|def|let|DeclareMathOperator|newenvironment)(?![A-Za-z])")
+_OPTION = re.compile(r"\s*\\(?:text\w*|mathrm|mbox)\s*\{\s*\(?([A-Za-z1-9])\s*[).:]")
 _INTERTEXT = re.compile(r"\\(?:short)?intertext\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
 _IMAGE = re.compile(  # by what it is called or where it is made: ![equation 3](eq3.png), <img src="…codecogs.com…">
     rf"!\[(?=[^\])\"']{{1,2000}}\]\(){_EQUATION}\]\([^)\n]{{1,2000}}\)|!\[[^\]\n]{{0,200}}\]\({_EQUATION}\)|<img\b[^>]{{0,500}}?(?:src|alt)=\\?[\"']{_EQUATION}"
@@ -149,7 +150,7 @@ def _with_what_is_said(document: Document) -> Document:
             ]
         elif _SAYS.search(display.latex):
             between[-1].append(display)
-    told = tuple(_with_what_is_behind(displays, between[1:]))
+    told = _with_options(tuple(_with_what_is_behind(displays, between[1:])))
     listings = [*_listings(document)]
     works_out = any(display.latex.count("=") > 1 for display in told)
     told = tuple(with_listings(told, listings)) if listings or works_out else told
@@ -223,6 +224,23 @@ def _with_what_is_behind(displays: Sequence[Display], behind: Sequence[Sequence[
         later = found[-1].said_behind if found and found[-1].section == display.section else ()
         found.append(replace(display, said_next=own, said_behind=own or later))
     yield from reversed(found)
+
+
+def _with_options(displays: Sequence[Display]) -> tuple[Display, ...]:
+    """Return displays of which (a) is supposed where (b) behind it is, and the other way round: what asks for the right one asks so of all."""
+    found = list(displays)
+    for places in (range(1, len(found)), range(len(found) - 1, 0, -1)):
+        for at in places:
+            pair = found[at - 1 : at + 1]
+            if _are_options(*pair) and any(each.supposed for each in pair):
+                found[at - 1 : at + 1] = [replace(each, supposed=not each.erratum) for each in pair]
+    return tuple(found)
+
+
+def _are_options(one: Display, other: Display) -> bool:
+    """Whether two displays begin with a letter or a number in words and the next one: \\text{(a)}, \\text{(b)}."""
+    marks = [found[1] for each in (one, other) if (found := _OPTION.match(each.latex)) is not None]
+    return len(marks) == 2 and ord(marks[1]) - ord(marks[0]) == 1 and one.section == other.section
 
 
 def find_documents(paths: list[Path]) -> list[Path]:

@@ -39,9 +39,10 @@ def leading(text: str) -> str:
 
 
 def before_leading(text: str) -> str:
-    """Return the sentence that a short last one goes on from: "Then we get" says little alone."""
+    """Return the sentence that a short last one goes on from: "Then we get" says little alone, nor does "Its velocity is"."""
     *before, last = STOP.split(" ".join(text.split()))
-    is_short = words_of(last).count(" ") <= _SHORT or hears("THEN", words_of(last))
+    words = words_of(last)
+    is_short = words.count(" ") <= _SHORT or hears("THEN", words) or hears("OF_THE_ONE_BEFORE", words)
     return before[-1][-MOST_CHARACTERS:] if before and is_short else ""
 
 

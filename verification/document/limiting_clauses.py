@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-from armproof.verification.document.clauses import OF_DISPLAY, Clause, clauses, goes_on
+from armproof.verification.document.clauses import OF_DISPLAY, Clause, clauses, goes_on, is_of_what_would_be
 
 _PLANE = frozenset("planar planaire plan eben ebener planare plano".split())
 _WHOLE = frozenset("full complete whole entire complète complet vollständige komplette completa completo".split())
@@ -41,13 +41,15 @@ def limits_what_is_below(words: str) -> bool:
     is_asked = words[:1].isupper() and (
         found[0].begins("query", "instead") or any(each.has("inverted") for each in found)
     )
-    return asks or is_asked or (found[-1].has("would") and not is_whole(words)) or _is_supposed(found) or any(map(_limits_below, found))
+    would = is_of_what_would_be(found[-1]) and not is_whole(words)
+    return asks or is_asked or would or _is_supposed(found) or any(map(_limits_below, found))
 
 
 def is_whole(words: str) -> bool:
     """Whether a sentence of one clause leads to all of what stands in part before: "The full Jacobian would be"."""
     found = clauses(words)
-    return len(found) == 1 and found[0].words[0] in _ARTICLES and found[0].words[1] in _WHOLE and not found[0].has("person")
+    is_of_whole = len(found) == 1 and found[0].words[0] in _ARTICLES and found[0].words[1] in _WHOLE
+    return is_of_whole and not found[0].has("person")
 
 
 def limits_what_is_near(words: str) -> bool:

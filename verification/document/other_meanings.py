@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import inf
 
-from armproof.verification.document.clauses import mentions_only
+from armproof.verification.document.clauses import mentions_only, says_what_would_be
 from armproof.verification.document.heading import is_ruled
 from armproof.verification.document.hearing import MOST_CHARACTERS, hears, hears_denied, says, with_axes, words_of
 from armproof.verification.document.letters_anew import MAY_RENAME, letters_anew
@@ -66,6 +66,11 @@ _PLURAL = re.compile(
     r"\b(?:angles|(?:second|third|last|elbow|other) angle|both|all|each|every|chaque|rotations?|turns|positi[fv]e?|winkel|ángulos|deux|number(?:ed)?|roles)\b",
     re.IGNORECASE,
 )
+_VERTICAL = re.compile(r"(?<!\S)(?:vertical|senkrecht|lotrecht)", re.IGNORECASE)
+_OTHERWISE = re.compile(  # what an angle from the vertical may be besides
+    r"clockwise|horair|uhrzeiger|horari|orari|y-axis|downward|bas\b|number|from the (?:tip|tool|end|gripper|hand)|role|fold|interior|inner|intérieur|hang|pendant",
+    re.IGNORECASE,
+)
 _OF_EULER = re.compile(  # angles of an orientation, and of no joint
     r"\beuler(?:ian)? angles?\b|\bangles? (?:of|d'|de|di) ?euler\b|\bángulos de euler\b|\beuler-?winkel\b",
     re.IGNORECASE,
@@ -74,6 +79,7 @@ _OF_EULER = re.compile(  # angles of an orientation, and of no joint
 TURNS = "turns"  # the order of the factors of rotations one after another, as their axes, and their angles where they are told: zyx α β γ
 OMEGA_FIRST = "omega first"  # a Jacobian, or a twist, whose first rows are those of ω
 ALL, BEHIND = "all", "behind"  # the angles of all joints; those that turn about the direction of one before
+UPRIGHT = "upright"  # an angle from the vertical: what it moves stands up at 0
 ANEW = "anew"  # a letter that is something else for a while
 FRAME, JACOBIAN = "link", "J"  # the origin of one; that whose columns are those of joints in another order
 _NEAR_ABOVE, _NEAR_BELOW = 4, 8  # lines between a sentence and a display beside it
@@ -83,7 +89,7 @@ _NEAR_ABOVE, _NEAR_BELOW = 4, 8  # lines between a sentence and a display beside
 class Meaning:
     """What a sentence says on a line: letters that have another meaning, the frame whose origin it is of, what it is of `beside`, another point, frame or origin.
 
-    Letters have it to the end of its section where `is_of_section`; those `anew` from the sentence on, and only where they have stood above it.
+    Letters under a heading, or of what would be, have it within the lines of `reach` alone. Letters `anew` have it from the sentence on, to the end of its section where `is_of_section`, and only where they have stood above it.
     """
 
     line: int
@@ -94,6 +100,7 @@ class Meaning:
     is_origin: bool = False
     anew: tuple[str, ...] = ()
     is_of_section: bool = False
+    reach: tuple[int, int] | None = None
 
 
 def with_other_meanings(document: Document, text: str) -> Document:
@@ -138,8 +145,8 @@ def _with(display: Display, said: Iterable[tuple[Meaning, int, float]]) -> Displ
             letters.append(each.beside)
         if each.anew and each.line - _NEAR_ABOVE <= display.line < (ends if each.is_of_section else inf):
             letters += each.anew
-        in_time = display.line < ends if each.is_of_section else True
-        if each.letters and (display.line >= begins or display.file) and in_time:
+        begin, end = each.reach or (begins, inf)
+        if each.letters and (begin <= display.line <= end or (display.file and each.reach is None)):
             letters += each.letters
         is_elsewhere |= each.is_place and is_near
         is_elsewhere |= each.is_origin and display.line >= begins
@@ -164,7 +171,8 @@ def _meanings(text: str) -> Iterator[Meaning]:
             [each[0] or each[1] for each in _FORMULA.findall(plain)],
         )
         if letters := tuple(_letters(words, formulas)):
-            yield Meaning(line, letters)
+            would_be = says_what_would_be(words)
+            yield Meaning(line, letters, reach=_paragraph(text, found.end() - len(sentence.lstrip()), found.end()) if would_be else None)
         earlier = [each[0] or each[1] for each in _FORMULA.findall(before)]
         renamed, is_of_section = letters_anew(words_of(before) + words, [*earlier, *formulas])
         if renamed and (known := tuple(_that_stand_in(text[: found.start()], renamed))):
@@ -191,7 +199,14 @@ def _of_headings(text: str) -> Iterator[Meaning]:
     lines = text.split("\n")
     for at, _ in _headings(text):
         if hears("OF_ABSOLUTE_ANGLES", words_of(lines[at - 1])):
-            yield Meaning(at, (BEHIND,), is_of_section=True)
+            yield Meaning(at, (BEHIND,), reach=_reach(at, text))
+
+
+def _paragraph(text: str, start: int, end: int) -> tuple[int, int]:
+    """Return the lines of the displays beside a sentence: those in its paragraph and right below, and right above where it goes on from them."""
+    before, behind = text.rfind("\n\n", 0, start), text.find("\n\n", end)
+    first, last = (text.count("\n", 0, at) + 1 for at in (before + 2, behind if behind >= 0 else len(text)))
+    return first - _NEAR_ABOVE * text[before + 2 : before + 3].islower(), last + 2
 
 
 def _that_stand_in(text: str, letters: Sequence[str]) -> Iterator[str]:
@@ -229,8 +244,11 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         if name != "TURNED":
             yield from (f"{BEHIND} {each}" for each in subjects)
         else:
-            yield from (f"{ALL} {each}" for each in subjects)
-        if _PLURAL.search(words) and not any(re.search(r"\d", each) for each in subjects):  # all θ_i, too
+            which = UPRIGHT if _VERTICAL.search(words) and not _OTHERWISE.search(words) else ALL
+            yield from (f"{which} {each}" for each in subjects)
+        is_of_other = "¤" in words[: begin.end()] and not subjects  # "The angle φ is absolute, the joint angles are not"
+        of_all = words[: begin.end()] if is_of_other else words
+        if _PLURAL.search(of_all) and not any(re.search(r"\d", each) for each in subjects):  # all θ_i, too
             yield BEHIND if name != "TURNED" else ALL
     for name in ("OTHER_LENGTH", "SWAPPED"):
         if (half := hears(name, words)) is not None:

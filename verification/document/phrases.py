@@ -106,6 +106,12 @@ THEN = """
 ^ (in) (dans) (en) this/that/such/ce/in/im/ese/tal (a) (diesem) case/cas/fall/caso (,) … (:) $
 ^ this/it/cela/das/esto (then) gives/yields/leads/donne/ergibt/liefert/da/resulta … (:) $
 """
+OF_THE_ONE_BEFORE = """
+it/he/she/il/elle/er/ella/esso/essa sees/moves/turns/travels/stands/lies/sits/describes/reaches/looks/voit/bouge/tourne/décrit/atteint/regarde/trouve/sieht/bewegt/dreht/liegt/steht/beschreibt/vede/muove/trova
+its/whose/dessen/deren/cuyo/cuya (own) position/coordinates/velocity/speed/height/abscissa/ordinate/jacobian/koordinaten/geschwindigkeit/höhe/posición/coordenadas/velocidad/altura
+(show/prove/check) (that) it is at/given (by) $
+sa/ses position/coordonnées/vitesse/hauteur/jacobienne
+"""
 DENYING_HEADING = """
 common/frequent/typical/classic/usual/popular mistake~/error~/slip~/misconception~
 ^ (the) (some) (few) (a) error~/mistake~/pitfall~/misconception~/misprint~ $
@@ -253,7 +259,9 @@ AT_WORDS = """
 ^ & with/for/at/when/if/where/setting/putting/taking/pour/avec/si/quand/lorsque
 """
 AT_VALUES = """
-^ & with/for/at/when/if/in/where/setting/substituting/putting/taking/pour/avec/en/si/quand/lorsque/à/dans/für/mit/bei/wenn/para/con/cuando/per/quando/nel (the/this/that/both/all/la/le/les/l'/cette/deux/das/dem/der/den/el/il) (case/cas/fall/caso) (of/where/when/in/which/où) ¤ * $
+^ & with/for/at/when/if/in/where/setting/substituting/putting/taking/pour/avec/en/si/quand/lorsque/à/dans/für/mit/bei/wenn/para/con/cuando/per/quando/nel (the/this/that/both/all/la/le/les/l'/cette/deux/das/dem/der/den/el/il) (case/cas/fall/caso/pose/posture/position/configuration/stellung/konfiguration/configuración/configurazione) (of/where/when/in/which/où) ¤ * $
+^ & with/if/when/where/while/avec/si/quand/lorsque/wenn/con/cuando/quando % (is) (are) (est) (ist) (está) (è) locked/held/fixed/blocked/frozen/kept/bloqué/bloquée/fixé/fixée/maintenu/maintenue/bloqueado/bloqueada/bloccato at/to/in/à/en/auf/bei/a ¤ * $
+^ & (,) (c'/that/das/es/cioè/esto) est-à-dire/is/heißt/ist/es (,) ¤ * $
 ^ & (the/this/our/la/le/l'/die/das/el/il) jacobian/matrix/determinant/position/expression/result/jacobienne/matrice/déterminant/matriz/jacobi-matrix/jacobimatrix/determinante/jacobiano * becomes/reduces/simplifies/is/reads/devient/vaut/est/s'/wird/ist/lautet/es/queda/diventa (to/then/alors/écrit/simplifie/réduit) (to) for/at/when/if/with/pour/en/si/quand/lorsque/für/bei/wenn/para/cuando/per/quando ¤ $
 ^ & (the/first/second/third/1/2/3/4) case/cas/fall/caso/example/exemple/beispiel/ejemplo/esempio (#) (a/b/c/d/i/ii/iii/iv/one/two/three/un/deux) (:) (for/when/if/pour/si/quand/für/wenn/para) ¤ * $
 ^ ¤ (and/et/und/y/e) (¤) : $
@@ -263,12 +271,14 @@ OF_A_POSTURE = """
 (is/are/est/ist/está/è) (fully/completely/straight/complètement/ganz) stretched/extended/folded/straight/singular/tendu/replié/plié/déplié/gestreckt/extendido/estirado/disteso (out/back)
 """
 GIVES_VALUES = """
-^ & (we) let/suppose/assume/consider/take/set/put/fix/soit/supposons/prenons/posons/considérons/fixons/sei/setzen/sea/supongamos/tomemos/sia/supponiamo * ¤ (and/et/und/y/e) (¤) $
+^ & (from) (here/now) (on) (,) (we) let/suppose/assume/consider/take/set/put/fix/keep/hold/soit/supposons/prenons/posons/considérons/fixons/sei/setzen/sea/supongamos/tomemos/sia/supponiamo * ¤ (and/et/und/y/e) (¤) $
+^ & in/dans/en this/cette/ce/diesem/questo/este/esta section/subsection/paragraph/part/case/question/exercise/paragraphe/partie/cas/exercice/abschnitt/fall/sección/caso/sezione (,) (we) (have) (on) (a) ¤ (and/et/und/y/e) (¤) $
 ^ & (the/this/le/der/el/il) (is/est/ist/está/è) for/at/when/if/pour/en/si/quand/lorsque/für/bei/wenn/para/cuando/per/quando ¤ $
 """
 OF_VALUES = """
-^ (#) (.) (the/a/le/la/l'/der/die/das/el/il) (#/first/second/third) (singular/special/particular/stretched/folded/extended/numerical) case/cas/fall/caso/example/exemple/beispiel/ejemplo/esempio/configuration/konfiguration/configuración/configurazione/posture/pose/singularity/singularité/singularität/singularidad (singulière) (#) (a/b/c/d/i/ii/iii/iv/one/two/three/un/deux) (:) (for/when/if/at/pour/si/quand/à/für/wenn/bei/para/en) ¤ (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) $
-^ (#) (.) (for/when/if/at/pour/si/quand/für/wenn/bei/para/per) ¤ (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) $
+^ (question/exercise/exercice/aufgabe/frage/ejercicio/esercizio/problem/problème/task/step/part/partie) (#) (.) (:) (the/a/le/la/l'/der/die/das/el/il) (#/first/second/third) (singular/special/particular/stretched/folded/extended/numerical) case/cas/fall/caso/example/exemple/beispiel/ejemplo/esempio/configuration/konfiguration/configuración/configurazione/posture/pose/singularity/singularité/singularität/singularidad (singulière/singulier/particulier/particulière) (#) (a/b/c/d/i/ii/iii/iv/one/two/three/un/deux) (:) (the/le/la/l') (where/où) (for/when/if/at/pour/si/quand/à/für/wenn/bei/para/en) ¤ (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) $
+^ (question/exercise/exercice/aufgabe/frage/ejercicio/esercizio/problem/problème/task/step/part/partie) (#) (.) (:) (for/when/if/at/pour/si/quand/für/wenn/bei/para/per) ¤ (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) $
+^ (#) (.) (the/a/le/la/l'/der/die/das) home/rest/zero/initial/upright/reference/vertical/horizontal pose/position/posture/configuration (:) (for/at/where) ¤ (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) $
 """
 NOT_THERE = """
 away/other/others/otherwise/else/elsewhere/general/generally/generic/all/any/every/each/always/everywhere/anywhere/beyond/outside/except~/exclud~/avoid~/leave/leaves/leaving/left/unless/not/never/no/arbitrary/whatever/whether/regardless/without/until/before/after/unlike/contrary/instead/usual~/remaining/rest
@@ -310,6 +320,7 @@ a mitad
 position of joint #
 midpoint/mid-point/milieu/barycentre
 middle of (the) (first/second/third/last) link
+camera/sensor/lamp/caméra/capteur/lampe/kamera/sensor/lampe/cámara/sensor/telecamera/câmera (is/sits/hangs/est/ist/sitzt/está/è) bolted/mounted/fixed/attached/screwed/clamped/glued/welded/placed/fixée/fixé/montée/monté/vissée/montiert/befestigt/montada/fijada/fissata/from/on
 cent~ of mass/gravity
 cent~ of (the) (first/second/third/last) link/bar/rod
 centre de masse/gravité

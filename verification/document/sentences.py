@@ -9,8 +9,9 @@ import re
 from collections.abc import Iterator
 from functools import lru_cache
 
-from armproof.verification.document.clauses import is_of_display
+from armproof.verification.document.clauses import is_of_display, says_what_would_be
 from armproof.verification.document.denials import denies_before, denies_behind, denies_later
+from armproof.verification.document.denying_clauses import leads_on
 from armproof.verification.document.hearing import (
     FORMULA,
     IS_OVER,
@@ -47,6 +48,7 @@ OTHER_FRAME = r"\text{in another frame}"  # what is none of anything in the base
 # what is not understood of the display above it, or of the one below; the sentence follows
 STRANGE_ABOVE, STRANGE = r"\text{strange above}", r"\text{strange}"
 MEANT = r"\text{meant}"  # of which link it is, which quantity, or what is done to it; that follows
+WOULD_BE = "would be"  # of another case than that at hand: it says there what a letter is
 ABOVE = r"\text{above}"  # before a place or a quantity that is said of the display above
 OF_ABOVE = (DENIED_ABOVE, LIMITED_ABOVE, STRANGE_ABOVE, ABOVE)
 OF_NEXT = (
@@ -93,7 +95,8 @@ def _heard_behind(sentence: str) -> tuple[str, ...]:
         heard.append(LIMITED_ABOVE)
     if is_of_display(words):
         heard += (ABOVE + each for each in _subjects(sentence, words) if not (_FOR.search(words) and NAMED in each))
-    if DENIED_ABOVE not in heard and is_strange_behind(_plain(sentence)):
+    is_of_next = leads_on(words) and denies_before(sentence, words)
+    if DENIED_ABOVE not in heard and not is_of_next and is_strange_behind(_plain(sentence)):
         heard.append(STRANGE_ABOVE + sentence)
     return tuple(heard)
 
@@ -131,9 +134,12 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
         _supposes(words, IS_OVER.search(sentence) is not None)
         or hears("MAY_LIMIT", words_before)
         or limits_what_is_near(words_before)
+        or (hears("THEN", words) and says_what_would_be(words_before))
     ):
         heard.append(SUPPOSED)
-    if is_of_other_place(words):
+    if says_what_would_be(words, at_its_end=True):
+        heard.append(MEANT + WOULD_BE)
+    if is_of_other_place(words) or (hears("OF_THE_ONE_BEFORE", words) and is_of_other_place(words_before)):
         heard.append(OTHER_POINT)
     if says("OTHER_FRAME", words):
         heard.append(OTHER_FRAME)
@@ -157,7 +163,8 @@ def _is_at_values(words: str, words_before: str) -> bool:
     """Whether a sentence leads to what holds at the values that it gives, or, being short, the one before it."""
     if hears("NOT_THERE", words) or hears("NOT_THERE", words_before):
         return False
-    if hears("AT_VALUES", without("OF_A_POSTURE", words)):
+    plain = without("OF_A_POSTURE", words)
+    if hears("AT_VALUES", plain) or (IS_OVER.search(words) and hears("GIVES_VALUES", plain)):
         return True
     goes_on = hears("THEN", words) or hears("BECOMES", words)
     return goes_on is not None and hears("GIVES_VALUES", without("OF_A_POSTURE", words_before)) is not None
@@ -198,7 +205,8 @@ def is_of_a_case(section: str) -> bool:
 
 def values_of(section: str) -> tuple[str, ...]:
     """Return the values at which all holds that stands under a heading, as formulas: those of "Case 1: $\\theta_2 = 0$"."""
-    if hears("OF_VALUES", words_of(section)) is None:
+    words = words_of(section)
+    if not (hears("OF_VALUES", words) or hears("OF_VALUES", without("OF_A_POSTURE", words))):
         return ()
     return tuple(found.group().strip("$") for found in FORMULA.finditer(section))
 

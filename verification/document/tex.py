@@ -218,6 +218,7 @@ class _Scanner:
                 )
                 yield from postures(title, self.line(position), self.section)
                 position = token.end() if close < 0 else close + 1
+                yield from self._in_title(token.end(), position)
             elif (opened := self._opened(token)) is not None:
                 begin, end, after = opened
                 if token.group() not in ("$", "\\(") or self._is_set_apart(begin, end):
@@ -231,22 +232,31 @@ class _Scanner:
                     is_behind = True
                 elif end >= 0:
                     is_behind = False
-                    latex, _ = self.macros.expanded(self.visible[begin:end], begin, self.place)
-                    latex = with_unit(latex, self.visible[after : after + 40])
-                    yield Display(
-                        self.line(token.start()), latex, section=self.section, opening=INLINE, **self.where(begin)
-                    )
-                    if (said := said_in_words(self.visible, token.start())) is not None:
-                        latex, _ = self.macros.expanded(said, begin, self.place)
-                        yield Display(
-                            self.line(token.start()), latex, section=self.section, opening=INLINE, **self.where(begin)
-                        )
+                    yield from self._inline(token.start(), begin, end, after)
                 position = after
             elif token.group("begin"):
                 position = self._enter(token)
             elif token.group("end"):
                 self._leave(token.group("end"))
         yield from self._said(position, self.visible[position : self.stop], is_behind)
+
+    def _in_title(self, position: int, stop: int) -> Iterator[Display]:
+        """Yield the formulas of a title, which is over at `stop`."""
+        while (token := _TOKEN.search(self.visible, position, stop)) is not None:
+            opened = self._opened(token) if token.group() in ("$", "\\(") else None
+            position = token.end()
+            if opened is not None and 0 <= opened[1] < stop:
+                yield from self._inline(token.start(), *opened)
+                position = opened[2]
+
+    def _inline(self, start: int, begin: int, end: int, after: int) -> Iterator[Display]:
+        """Yield a formula within a sentence, and what the words before it make of it."""
+        latex, _ = self.macros.expanded(self.visible[begin:end], begin, self.place)
+        found = [with_unit(latex, self.visible[after : after + 40])]
+        if (said := said_in_words(self.visible, start)) is not None:
+            found.append(self.macros.expanded(said, begin, self.place)[0])
+        for each in found:
+            yield Display(self.line(start), each, section=self.section, opening=INLINE, **self.where(begin))
 
     def _said(self, position: int, between: str, is_behind: bool) -> Iterator[Display]:
         """Yield what the text at a place says in general, and of the display that it stands right behind."""

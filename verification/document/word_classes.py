@@ -138,7 +138,8 @@ good juste exact exacte correct correcte vrai vraie valable~ valide~ vaut tient 
 change remplac~ échang~ corrig~ invers~ supprim~ retir~ chang~ interverti~ intervertir permut~ soustrai~ ajouter ajouté~ différent~ opposé~ autre
   barre~ rayer rayez ignorez ignorer rectifi~ modifi~ revoir reprendre lire vérifier prouver démontrer précédé
 must doit doivent devrait devraient faut fallait faudrait il_reste aurait auraient est_à sont_à ne_faut
-would serait seraient pourrait obtiendrait trouverait donnerait
+would serait seraient pourrait obtiendrait trouverait donnerait vaudrait deviendrait changerait écrirait prendrait ferait
+  viendrait placerait
 neglect néglig~ approxim~ approch~ linéaris~ petits ignor~ grossièr~ petites_variations au_signe_près à_un_facteur_près omis omise omet simplifié
   simplifiée au_premier_ordre du_second_ordre au_second_ordre du_deuxième_ordre faibles_angles à_peu_près restreint~ limité~
 suppose suppos~ admet~ imagin~ hypothèse~ conjectur~ présum~ admis si_l'_on_avait si_on_avait

@@ -16,10 +16,10 @@ from armproof.verification.naming.names import Names
 from armproof.verification.verdict import Verdict
 
 _LETTERS = frozenset("FfM")  # N_x may be an entry of a rotation, m_x a mass
-_LOADS = frozenset("FfMNPQW")  # behind J^T, or in F = (0, 0, -W), where they can be nothing else
+_LOADS = frozenset("FfHMNPQW")  # behind J^T, or in F = (0, 0, -W), where they can be nothing else
 _WEIGHT = ("m", "g")
 TORQUES = ("tau", "Gamma")
-LETTERS = _LETTERS | _LOADS | {*TORQUES}  # one of them stands in whatever speaks of forces
+LETTERS = _LETTERS | _LOADS | {*TORQUES, "g"}  # one of them stands in whatever speaks of forces
 _COMPONENT = re.compile(r"\w*,?[xyz]")
 
 
@@ -126,12 +126,20 @@ def _loads(node: n.Node) -> list[n.Name]:
     """Return the letters of a column of such and of zeros, or nothing of another one."""
     cells = [_unsigned(cell) for cell in cells_of(node)]
     loads = [cell for cell in cells if not (isinstance(cell, n.Number) and cell.value == 0)]
-    factors = [bare(factor) for load in loads for factor in (_weight(load) or (load,))]
+    factors = [bare(factor) for load in loads for factor in (_weight(load) or _with_direction(load) or (load,))]
     return factors if all(map(_is_a_load, factors)) else []  # type: ignore[return-value]
 
 
 def _is_a_load(node: n.Node) -> bool:
     return _is_plain(node) and (node.base in _LOADS or node.key in _WEIGHT)  # type: ignore[attr-defined]
+
+
+def _with_direction(node: n.Node) -> Sequence[n.Node]:
+    """Return the load of F c_1, which a sine or a cosine of joints turns."""
+    factors = [bare(each) for each in node.factors] if isinstance(node, n.Product) else []
+    loads = [each for each in factors if _is_a_load(each)]
+    others = [each for each in factors if each not in loads]
+    return loads if len(loads) == 1 and all(n.is_call(each, "cos", "sin") for each in others) else ()
 
 
 def _weight(node: n.Node) -> Sequence[n.Node]:

@@ -143,6 +143,7 @@ class Kind(MessageKind):
     COUNTS_SOLUTIONS = "counts_solutions", "the script above a joint variable counts solutions"
     INDEX_OR_POWER = "index_or_power", "a script above a joint variable may count it or be a power: which is not said"
     OWN_NAME = "own_name", "'{text}' is a sine or cosine elsewhere and may be a name of its own here"
+    HOLDS_WITHOUT = "holds_without", "what follows holds also where the condition does not, by what {name} usually is, and may be meant of something else: bind it in the front matter (quantities) to have it checked"
     SIZES_OF_CONVENTION = "sizes_of_convention", "{reason}; what the name stands for is only convention: bind it in the front matter (quantities) to have it checked"
     NO_ARM_TO_COMPARE = "no_arm_to_compare", "no arm is given and nothing defined before: there is nothing to compare it with"
     NUMBER_HERE = "number_here", "`{name}` is a number here, not the arm's vector"
