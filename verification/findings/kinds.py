@@ -50,6 +50,7 @@ class Kind(MessageKind):
     READ_AS_MIXED = "read_as_mixed", "'{text}' read as a whole number and a fraction, added"
     READ_AS_SIZE = "read_as_size", "'{text}' read as the absolute value of the determinant"
     READ_AS_PRODUCT = "read_as_product", "'{text}' read as a product"
+    READ_AS_HALF_ANGLE = "read_as_half_angle", "'{text}' holds of half the angle: write brackets"
     SLASH_UNCLEAR = "slash_unclear", "neither reading of '{text}' holds"
 
     # -- names and values -----------------------------------------------------------------------------------------------
