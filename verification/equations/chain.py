@@ -257,6 +257,8 @@ class ChainChecker:
             if member.known and member is not true:
                 compared = self.equality.compare(true, member, equation, now.branches)
                 outcomes.append(self.rows.kept(compared) if now.define and now.of_jacobian else compared)
+                if now.define:
+                    self.rows.heed_column(compared)
             elif not member.known:
                 outcomes.append(OfPoints(self.members).judge(now.definitions.define(true, member, equation)))
         if now.define and any(finding.kind is Kind.SIGNED_DISTANCE for each in outcomes for finding in each.findings):
