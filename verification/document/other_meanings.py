@@ -76,6 +76,7 @@ TURNS = "turns"  # the order of the factors of rotations one after another, as t
 OMEGA_FIRST = "omega first"  # a Jacobian, or a twist, whose first rows are those of ω
 ALL, BEHIND = "all", "behind"  # the angles of all joints; those that turn about the direction of one before
 PASSIVE, OUTWARDS = "passive", "outwards"  # R that turns axes; T_{ij} whose first index is the frame that the second sees
+COLUMNS = "columns"  # J_1, J_2 that are columns of J
 ORDER = "order"  # the joint variables as q holds them
 ANEW = "anew"  # a letter that is something else for a while
 FRAME, JACOBIAN = "link", "J"  # the origin of one; that whose columns are those of joints in another order
@@ -238,6 +239,8 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         for letter in re.findall(r"^\s*2\s*(\w_\d)\s*$", formula)
     )
     yield from _orders(formulas, words)
+    if hears("OF_COLUMNS", words) is not None:
+        yield " ".join((COLUMNS, *(each.strip() for each in formulas if re.fullmatch(r"\s*J_\{?\d\}?\s*", each))))
     if says("PASSIVE", words):
         yield PASSIVE
     if says("SEEN_FROM", words) and any(_are_indices(each, formulas) for each in map(_OF_TWO_FRAMES.fullmatch, formulas) if each):

@@ -483,6 +483,10 @@ SEEN_FROM = """
 frame/repère/system/koordinatensystem/sistema/referencial/marco ¤ … seen/viewed/described/expressed/given/relative/respect/vu/exprimé/rapport/gesehen/bezüglich/ausgedrückt/visto/respecto/rispetto/relação … (frame/repère/system/koordinatensystem/sistema/referencial/marco) ¤
 coordinates/coordonnées/koordinaten/coordenadas/coordinate … ¤ … into/to/en/in/a … ¤
 """
+OF_COLUMNS = """
+columns/colonnes/spalten/columnas/colonne/colunas (of/de/von/di) (¤) (are/be/called/named/denoted/by/as/sont/sind/seien/son/sono) ¤
+¤ (,/and/et/und/y/e) ¤ (are/be/for/sont/sind/seien/son/sono) (the/its/les/ses/die/seine/las/sus/le) (two/deux/zwei/dos/due) columns/colonnes/spalten/columnas/colonne/colunas
+"""
 IN_ORDER = """
 in/dans/en (l'/the/this/that/der/dieser/cet/este/ese/questo) order/ordre/reihenfolge/orden/ordine
 """

@@ -65,6 +65,7 @@ class Kind(MessageKind):
     NOT_READ = "not_read", "{reason}"
     DOCUMENT_AT_FAULT = "document_at_fault", "{reason}"
     DEFINES = "defines", "gives `{name}` its meaning"
+    DEFINES_ZERO = "defines_zero", "`{name}` would be zero at every configuration"
     DEFINES_ENTRIES = "defines_entries", "gives `{names}` their meaning"
     DEFINES_WITHOUT_VALUE = "defines_without_value", "gives `{name}` its meaning in terms of names without a value"
     NEVER_USED = "never_used", "no claim that is decided uses {names}: bind it in the front matter (quantities) to have it checked"
