@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations
@@ -11,7 +12,18 @@ from armproof.verification.algebra.quantity import COMPONENTS
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document.named_quantities import ABSCISSA, DISTANCE, NAMED, ORDINATE, ORIENTATION, VELOCITY
 from armproof.verification.document.other_arms import OF_ARM, is_other_arm
-from armproof.verification.document.other_meanings import ALL, ANEW, BEHIND, JACOBIAN, OMEGA_FIRST, TURNS, UPRIGHT
+from armproof.verification.document.other_meanings import (
+    ALL,
+    ANEW,
+    BEHIND,
+    JACOBIAN,
+    OMEGA_FIRST,
+    ORDER,
+    OUTWARDS,
+    PASSIVE,
+    TURNS,
+    UPRIGHT,
+)
 from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.given_values import GivenValues
@@ -24,6 +36,8 @@ from armproof.verification.latex.nodes import bare, bare_key
 _VELOCITIES = ("v", "V")
 _MOVING = (*_VELOCITIES, *"xyzpPXYZ")  # what has an acceleration
 _TWIST = (6, 1)
+_PAIR = re.compile(r"\w,?\w")
+_IN_ORDER = ("J", "tau", "q")  # what has a column or an entry for each joint
 _OTHERS = {ABSCISSA: "yz", ORDINATE: "x", DISTANCE: "xyz", ORIENTATION: "xyz"}  # coordinates that are not what is named
 
 
@@ -38,8 +52,11 @@ class OtherMeanings:
     def judge(self, outcome: Outcome, meant: Sequence[str]) -> Outcome:
         """Leave open what is written with a letter that the text gives another meaning than the arm has for it."""
         written = {below.undotted.key for node in outcome.nodes for below in n.names(node)}
-        if JACOBIAN in meant and JACOBIAN in written:
-            return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=JACOBIAN))
+        of_order = next((b for node in outcome.nodes for b in n.names(node) if b.base in _IN_ORDER), None)
+        if of_order is not None and (JACOBIAN in meant or any(map(self._is_permuted, meant))):
+            return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=of_order.key))
+        if (turned := self._turned_otherwise(outcome, meant)) is not None:
+            return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=turned))
         sides = (outcome.pair.true, outcome.pair.printed) if outcome.pair is not None else ()
         is_twist = any(side.shape == _TWIST for side in sides)  # a Jacobian is read in that order
         if OMEGA_FIRST in meant and is_twist and written.isdisjoint(self.names.quantities):
@@ -51,6 +68,23 @@ class OtherMeanings:
             if not written.isdisjoint(letters):
                 return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=min(written & letters)))
         return outcome
+
+    def _turned_otherwise(self, outcome: Outcome, meant: Sequence[str]) -> str | None:
+        """Return a rotation that is written out where the text has passive ones, or a T_{ij} where i is the frame that j sees; None without one."""
+        below = [each for node in outcome.nodes for each in n.walk(node)]
+        if PASSIVE in meant and any(isinstance(each, n.Matrix) for each in below):
+            calls = (each.head for each in below if n.is_call(each, "Rot", "Rot3"))
+            names = (each.key for each in below if isinstance(each, n.Name) and each.base == "R")
+            return next(iter((*calls, *names)), None)
+        pairs = (each for each in below if isinstance(each, n.Name) and each.base in "TAHR" and not each.pre_sup)
+        return next((each.key for each in pairs if OUTWARDS in meant and _PAIR.fullmatch(each.sub)), None)
+
+    def _is_permuted(self, meant: str) -> bool:
+        """Whether the text has all joint variables in a vector, in another order than the arm."""
+        which, _, latex = meant.partition(" ")
+        keys = [self._key(re.sub(r"\\dot\b", "", each)) for each in latex.split()] if which == ORDER else []
+        joints = [self.names.known_symbol(key) for key in keys]
+        return joints != [*self.names.joints] and sorted(map(str, joints)) == sorted(self.names.joints)
 
     def in_order(self, outcome: Outcome, meant: Sequence[str]) -> Outcome:
         """Leave open a product of rotations whose factors stand in another order than the text has them, and the name that it defines."""

@@ -15,8 +15,10 @@ _KINDS: dict[str, tuple[Kind | None, Kind]] = {
     "bars": (None, Kind.READ_AS_SIZE),  # |J| is the determinant of most authors
     "label": (Kind.READ_AS_LABEL, Kind.READ_AS_FACTOR),
     "mixed": (Kind.READ_AS_MIXED, Kind.READ_AS_PRODUCT),  # alone: as a product it is left open
+    "half": (None, Kind.READ_AS_HALF_ANGLE),
     "mixed factor": (Kind.READ_AS_MIXED, Kind.READ_AS_PRODUCT),
 }
+_LEFT_OPEN = ("mixed", "half")  # in their second reading
 Decide = Callable[
     [n.Chain, int, int, bool], list[Outcome]
 ]  # a chain, the number of its first equation, its line, whether it defines
@@ -35,9 +37,10 @@ def either_reading(
     held = next((k for k, read in enumerate(chains) if _is_held(decide(read, equation, line, False))), None)
     chosen = held or 0
     outcomes = decide(chains[chosen], equation, line, define)
-    if choices[chosen].get("mixed"):
-        text = next(below.text for below in unclear if below.sort == "mixed")
-        return [outcome.left_open(say(Kind.READ_AS_PRODUCT, text=text)) for outcome in outcomes]
+    if (sort := next((each for each in _LEFT_OPEN if choices[chosen].get(each)), None)) is not None:
+        text = next(below.text for below in unclear if below.sort == sort)
+        kind = _KINDS[sort][1]
+        return [outcome.left_open(say(kind, text=text)) for outcome in outcomes]
     for outcome in outcomes:
         for sort in sorts:
             below = next(each for each in unclear if each.sort == sort)

@@ -44,6 +44,7 @@ from armproof.verification.document.sentences import (
 from armproof.verification.document.strange import is_in_known_language
 from armproof.verification.document.struck_out import MAY_STRIKE, with_struck_out
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
+from armproof.verification.document.told_convention import MAY_TELL, told_convention
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
 
@@ -109,7 +110,8 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
         document = replace(document, remarks=(*document.remarks, told))
     headings = tuple(_headings(text)) if "arms" in document.front and suffix not in (".ipynb", ".py") else ()
     planar = planar_arms(text) if MAY_NAME.search(text) else frozenset[int]()
-    document = replace(document, named=named_arms(text), planar=planar, headings=headings)
+    convention = told_convention(text) if MAY_TELL.search(text) else ""
+    document = replace(document, named=named_arms(text), planar=planar, headings=headings, convention=convention)
     return with_accepts(document, text.replace("\r\n", "\n"), suffix) if MARK in text else document
 
 

@@ -135,6 +135,7 @@ class Document:
     named: tuple[str, ...] = ()  # the arms of the catalogue that its text names
     in_code: tuple[Table, ...] = ()  # the DH tables in its pieces of code
     planar: frozenset[int] = frozenset()  # how many joints the planar arms have that its text names
+    convention: str = ""  # that of a DH table which its text names, "classic" or "modified"
 
     def writes(self, key: str, *besides: tuple[int | None, int]) -> bool:
         """Whether a name such as d_3 stands in a display or in the text between, but at these places (cell, line)."""

@@ -20,7 +20,7 @@ from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, sub
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
     r"horizontal|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
-    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|transpos|invers|masse?\b|gravit|bar[iy]c|schwerp|acc[eé]l|beschl|jacobi|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from|convention|mirror|miroir|spiegel|espejo|repli|gefalt|plegad|ripieg|eingeklappt|left and right|inches|feet|pouces|zoll|pulgadas|pollici"
+    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|transpos|invers|masse?\b|gravit|bar[iy]c|schwerp|acc[eé]l|beschl|jacobi|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from|convention|mirror|miroir|spiegel|espejo|repli|gefalt|plegad|ripieg|eingeklappt|\border\b|\bordre\b|reihenfolge|\borden\b|\bordine\b|q\}*\s*=|\\omega_|passiv|pasiv|left and right|inches|feet|pouces|zoll|pulgadas|pollici"
 )
 _SENTENCE = re.compile(  # an item of a list is one of its own
     r"(?:\$[^$\n]+\$|\\[;!]|[^.;!?\n]|[.;!?](?!\s)|\n(?![^\S\n]*(?:\n|[*+-][^\S\n]|\d+[.)][^\S\n])))+[.;!?]?"
@@ -38,6 +38,12 @@ _OF_FRAME = re.compile(
     r"\b(?:origine? (?:of|de|du) (?:the )?(?:frame|repère)|Ursprung von System) \$?\\?\{?(\d)\b", re.IGNORECASE
 )
 _OF_Q = re.compile(r"(?:\\mathbf\{)?q\}?\s*=\s*\\?(?:left)?(?:[\[(]|\\begin\{[bp]matrix\})(.*)")
+_ENTRIES = re.compile(  # (r, \theta)^T of a formula that is a tuple, or equates a name to one
+    r"(?:^|(?P<name>[^=]*)=)\s*(?:\\left)?\s*(?:[\[(]|\\begin\{[bp]?matrix\})(?P<entries>[^()\[\]=]*?)(?:\\right)?\s*(?:[\])]|\\end\{)"
+)
+_NAME_OF_JOINTS = re.compile(r"[\s{]*(?:\\(?:mathbf|boldsymbol|vec|bm|underline|dot)\s*[\s{]*)*(?:q|\\[tT]heta)[\s}]*")
+_ROW = re.compile(r"(?:[vV]_\{?|\\dot\s*\{?\s*)([xyz])\}?|\\omega_\{?([xyz])\}?|(\\omega|\\dot\s*\{?\s*\\(?:var)?(?:phi|psi|theta)\}?)")
+_OF_TWO_FRAMES = re.compile(r"\s*(?:\\\w+\s*\{)?[TAHR]\}?\s*_\s*\{\s*([a-z0-9])\s*,?\s*([a-z0-9])\s*\}\s*")
 _FORMULA = re.compile(r"\$([^$]*)\$|\\\((.*?)\\+\)")
 _AXIS_TURNED = re.compile(  # about $x$, the z-axis, $\hat Y_A$, x'' and the angle of it
     r"\$\s*(?:\\(?:hat|vec|mathbf|boldsymbol|overrightarrow)\s*\{?\s*)?([xyzXYZ])\}?(?:_\{?\w+\}?|\^?\{?'*(?:\\prime)*\}?)*\s*\$|(?<!\w)([xyzXYZ])-(?:axis|achse|direction)"
@@ -80,6 +86,9 @@ TURNS = "turns"  # the order of the factors of rotations one after another, as t
 OMEGA_FIRST = "omega first"  # a Jacobian, or a twist, whose first rows are those of ω
 ALL, BEHIND = "all", "behind"  # the angles of all joints; those that turn about the direction of one before
 UPRIGHT = "upright"  # an angle from the vertical: what it moves stands up at 0
+PASSIVE, OUTWARDS = "passive", "outwards"  # R that turns axes; T_{ij} whose first index is the frame that the second sees
+COLUMNS = "columns"  # J_1, J_2 that are columns of J
+ORDER = "order"  # the joint variables as q holds them
 ANEW = "anew"  # a letter that is something else for a while
 FRAME, JACOBIAN = "link", "J"  # the origin of one; that whose columns are those of joints in another order
 _NEAR_ABOVE, _NEAR_BELOW = 4, 8  # lines between a sentence and a display beside it
@@ -100,12 +109,15 @@ class Meaning:
     is_origin: bool = False
     anew: tuple[str, ...] = ()
     is_of_section: bool = False
-    reach: tuple[int, int] | None = None
+    reach: tuple[int, float] | None = None
 
 
 def with_other_meanings(document: Document, text: str) -> Document:
     """Return a document whose displays know which letters its text gives another meaning than usual, and where it is of another place."""
     found = [*_meanings(text)]
+    for display in document.displays:
+        if letters := tuple(_orders([display.latex], "")):  # q = [r; θ]
+            found.append(Meaning(display.line, letters))
     if not found:
         return document
     said = [(each, *_reach(each.line, text)) for each in found]
@@ -261,13 +273,51 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         if "length" in words
         for letter in re.findall(r"^\s*2\s*(\w_\d)\s*$", formula)
     )
-    orders = [indices for formula in formulas for at in _OF_Q.finditer(formula) if (indices := _indices(at[1]))]
-    if (columns := hears("OTHER_COLUMNS", words)) is not None:
-        orders.append(_indices(" ".join(formulas[words.count("¤", 0, columns.start()) :])) + [1][: "first" in words])
-    if any(indices != sorted(indices) for indices in orders) or says("COLUMNS_REVERSED", words):
-        yield JACOBIAN
+    yield from _orders(formulas, words)
+    if hears("OF_COLUMNS", words) is not None:
+        yield " ".join((COLUMNS, *(each.strip() for each in formulas if re.fullmatch(r"\s*J_\{?\d\}?\s*", each))))
+    if says("PASSIVE", words):
+        yield PASSIVE
+    if says("SEEN_FROM", words) and any(_are_indices(each, formulas) for each in map(_OF_TWO_FRAMES.fullmatch, formulas) if each):
+        yield OUTWARDS
     if says("OMEGA_FIRST", _with_velocities(words, formulas)) or any(map(_OMEGA_ABOVE.search, formulas)):
         yield OMEGA_FIRST
+
+
+def _are_indices(pair: re.Match[str], formulas: Sequence[str]) -> bool:
+    """Whether the indices of T_{ij} stand alone in a sentence, in that order: frame i is the one that is seen from frame j."""
+    alone = [formula.strip() for formula in formulas]
+    return all(each in alone for each in pair.groups()) and alone.index(pair[1]) < alone.index(pair[2])
+
+
+def _orders(formulas: Sequence[str], words: str) -> Iterator[str]:
+    """Yield what formulas and the words around them say of the order of columns and rows: `JACOBIAN` of another than usual, `ORDER` and the joints."""
+    tuples, listed = [*_tuples(formulas)], [formula.strip() for formula in formulas]
+    orders = [_indices(at[1]) for formula in formulas if words for at in _OF_Q.finditer(formula)]
+    if (columns := hears("OTHER_COLUMNS", words)) is not None:
+        orders.append(_indices(" ".join(formulas[words.count("¤", 0, columns.start()) :])) + [1][: "first" in words])
+    orders += [_rows(entries) for _, entries in tuples] + [_rows([*filter(_ROW.fullmatch, listed)])] * says("OF_ROWS", words)
+    if any(indices != sorted(indices) for indices in orders) or says("COLUMNS_REVERSED", words):
+        yield JACOBIAN
+    of_joints = [entries for name, entries in tuples if _NAME_OF_JOINTS.fullmatch(name)]
+    for entries in [*of_joints, *[listed] * says("IN_ORDER", words)]:
+        yield " ".join((ORDER, *("".join(each.split()) for each in entries)))
+
+
+def _tuples(formulas: Sequence[str]) -> Iterator[tuple[str, list[str]]]:
+    """Yield the tuples and columns of formulas: the name that each is said to be, "" without one, and its entries without the dots of rates."""
+    for formula in formulas:
+        for found in _ENTRIES.finditer(formula):
+            entries = [each.strip() for each in re.split(r",|;|&|\\\\", found["entries"])]
+            if len(entries) > 1 and all(entries):
+                yield found["name"] or "", entries
+
+
+def _rows(entries: Sequence[str]) -> list[int]:
+    """Return the rows of a Jacobian of which entries are, v_x the first and ω_z the sixth; [] where one is of none."""
+    found = [_ROW.fullmatch(entry) for entry in entries]
+    rows = ["xyz".index(each[1]) if each[1] else 3 + "xyz".index(each[2] or "z") for each in found if each is not None]
+    return rows if len(rows) == len(entries) else []
 
 
 def _with_velocities(words: str, formulas: Sequence[str]) -> str:

@@ -496,6 +496,27 @@ OTHER_COLUMNS = """
 columns belong to ¤ and ¤
 first column belongs to ¤
 """
+PASSIVE = """
+passive/pasiva/passiva/passiven/passives/passivas rotation/rotations/transformation/transformations/matrix/drehung/drehungen/drehmatrix/rotation/rotations
+rotation/rotations/rotación/rotaciones/rotazione/rotazioni/rotação/rotações passive/passives/pasiva/pasivas/passiva/passivas
+turns/rotates/turning/rotating (only) the (coordinate) axes/frame (,) (and) not/rather
+axes are/being turned/rotated (,) (and) not
+"""
+SEEN_FROM = """
+frame/repère/system/koordinatensystem/sistema/referencial/marco ¤ … seen/viewed/described/expressed/given/relative/respect/vu/exprimé/rapport/gesehen/bezüglich/ausgedrückt/visto/respecto/rispetto/relação … (frame/repère/system/koordinatensystem/sistema/referencial/marco) ¤
+coordinates/coordonnées/koordinaten/coordenadas/coordinate … ¤ … into/to/en/in/a … ¤
+"""
+OF_COLUMNS = """
+columns/colonnes/spalten/columnas/colonne/colunas (of/de/von/di) (¤) (are/be/called/named/denoted/by/as/sont/sind/seien/son/sono) ¤
+¤ (,/and/et/und/y/e) ¤ (are/be/for/sont/sind/seien/son/sono) (the/its/les/ses/die/seine/las/sus/le) (two/deux/zwei/dos/due) columns/colonnes/spalten/columnas/colonne/colunas
+"""
+IN_ORDER = """
+in/dans/en (l'/the/this/that/der/dieser/cet/este/ese/questo) order/ordre/reihenfolge/orden/ordine
+"""
+OF_ROWS = """
+rows/lignes/zeilen/filas/righe/linhas
+in/dans/en (l'/the/this/that/der/dieser/cet/este/ese/questo) order/ordre/reihenfolge/orden/ordine
+"""
 COLUMNS_REVERSED = """
 columns/columna~/colonnes/colonne/spalten … reverse/reversed/inverse/inversé/exchanged/swapped/interchanged/permuted/vertauscht/umgekehrt~/other/échangées/permutées/intercambiadas/invertidas/invertite/scambiate
 joint/articulation/gelenk 2/3 first/zuerst/abord

@@ -9,6 +9,7 @@ from functools import cached_property, partial
 from typing import TYPE_CHECKING, NoReturn
 
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import is_near
 from armproof.verification.equations.catalogue import Catalogue
 from armproof.verification.equations.compositions import is_product_of_links, is_way_outwards
@@ -257,6 +258,8 @@ class ChainChecker:
             if member.known and member is not true:
                 compared = self.equality.compare(true, member, equation, now.branches)
                 outcomes.append(self.rows.kept(compared) if now.define and now.of_jacobian else compared)
+                if now.define:
+                    self.rows.heed_column(compared)
             elif not member.known:
                 outcomes.append(OfPoints(self.members).judge(now.definitions.define(true, member, equation)))
         if now.define and any(finding.kind is Kind.SIGNED_DISTANCE for each in outcomes for finding in each.findings):
@@ -318,8 +321,14 @@ class ChainChecker:
         return [*outcomes, *_labels(now)]
 
     def _defined(self, outcome: Outcome) -> Outcome:
-        """Return a definition, left open where it is a slip away from a skew matrix, or tells other torques than J^T F."""
+        """Return a definition, left open where it is a slip away from a skew matrix, tells other torques than J^T F, or a determinant that is none."""
         outcome = unless_skewed(outcome, self.names)
+        value = outcome.true.value if outcome.true is not None else None
+        if isinstance(value, Scalar) and value.is_zero() and any(n.is_call(b, "det") for b in n.walk(outcome.true.node)):  # type: ignore[union-attr]
+            doubt = say(Kind.DEFINES_ZERO, name=outcome.defines[0] if outcome.defines else "")
+            for key in outcome.defines:
+                self.names.leave_open(key, doubt)
+            return replace(outcome.left_open(doubt), defines=())
         is_of_forces = self.names.state.adopted and outcome.verdict is Verdict.DEFINED
         return Torques(self.members).judge(outcome) if is_of_forces else outcome
 

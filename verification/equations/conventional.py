@@ -76,7 +76,6 @@ class Conventions:
             return chain
         self.doubts = Doubts(self.names)
         keys = set(map(_plain_key, chain.members))
-        self.names.state.forget_text(_plain_key(chain.members[0]))
         known = keys & self.names.state.conventional
         self.before = {key: self.names.state.inferred[key] for key in known if key in self.names.state.inferred}
         self.names.state.forget_usual(known)  # a name that stands alone is asked anew

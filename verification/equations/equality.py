@@ -51,9 +51,11 @@ class Equality:
     def compare(self, true: Member, printed: Member, equation: int, branches: bool) -> Outcome:
         """Return whether a printed member equals the true one, and where it does not; what is too large is sampled."""
         try:
-            return self._compare(true, printed, equation, branches)
+            outcome = self._compare(true, printed, equation, branches)
         except TooComplex as problem:
-            return self.route.confirm_only(true.node, printed.node, equation, branches, beyond_size(problem))
+            outcome = self.route.confirm_only(true.node, printed.node, equation, branches, beyond_size(problem))
+        holds = branches and outcome.verdict in (Verdict.PROVED, Verdict.CONFIRMED)
+        return outcome.left_open(say(Kind.ONE_SIGN_ONLY)) if holds and self.route.has_idle_sign(outcome) else outcome
 
     def _compare(self, true: Member, printed: Member, equation: int, branches: bool) -> Outcome:
         outcome = Outcome(Verdict.REFUTED, (), equation, true, printed)

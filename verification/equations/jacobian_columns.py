@@ -20,10 +20,19 @@ def columns_beside_rates(names: Names, nodes: Iterable[n.Node]) -> set[str]:
     columns = {name.key: found for each in products for name, found in _column_beside_rate(names, each)}
     columns |= {name.key: found for node in nodes for name, found in _columns_in_a_row(names, node)}
     if len({found.columns for found in columns.values()}) < len(names.joints):
-        return set()
+        columns = {}
+    columns |= {name.key: found for node in nodes for name, found in _columns_by_name(names, node)}
     for key, found in columns.items():
         names.state.infer_usual(key, found)
     return set(columns)
+
+
+def _columns_by_name(names: Names, node: n.Node) -> Iterator[tuple[n.Name, Quantity]]:
+    """Yield the open J_i in a tree that the document says to be columns of J, with the columns that they are."""
+    said = names.reader.spelling.columns
+    for name in (each for each in n.names(node) if said and each.key in said and names.is_open(each)):
+        if (found := column_of_jacobian(name, names)) is not None:
+            yield name, found
 
 
 def _columns_in_a_row(names: Names, node: n.Node) -> Iterator[tuple[n.Name, Quantity]]:

@@ -102,6 +102,19 @@ class RowsOfJacobians:
         self.names.state.shown.setdefault(name.key, JacobianRows(rows, self.names.state.section, is_matrix, columns))
         return outcome
 
+    def heed_column(self, outcome: Outcome) -> None:
+        """A column J_2 that is right in some rows tells those of J, and of its other columns, until J is printed."""
+        pair, state = outcome.pair, self.names.state
+        name = bare(outcome.true.node) if outcome.true is not None else None
+        column = state.inferred.get(name.key) if isinstance(name, n.Name) else None
+        if outcome.verdict is not Verdict.PROVED or pair is None or pair.true_rows is None or column is None:
+            return
+        if column.kind == "jacobian" and column.columns and column.rows is None:
+            rows = tuple(row + 1 for row in pair.true_rows)
+            state.shown.setdefault("J", JacobianRows(rows, state.section, printed=False))
+            whole = {k: q for k, q in state.inferred.items() if q.kind == "jacobian" and q.columns and q.rows is None}
+            state.inferred |= {key: replace(each, rows=rows) for key, each in whole.items()}
+
     def _are_zero_beyond(self, name: n.Name, rows: tuple[int, ...]) -> bool:
         """Whether the rows of J that are not printed again hold zeros alone."""
         whole = self.members.evaluate(name).value

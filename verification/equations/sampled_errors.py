@@ -69,6 +69,10 @@ class SampledErrors:
         """Return the errors where only samples count at which every entry agrees."""
         return replace(self, counted=self._equal(tolerance) & self.counted)
 
+    def holding(self, tolerance: float) -> np.ndarray:
+        """Return at which samples that are drawn at random every entry agrees, (samples,)."""
+        return self._equal(tolerance) & self.counted & self.at_random
+
     def on_a_branch(self, tolerance: float) -> tuple[int, int] | None:
         """Return at how many of how many configurations every entry agrees, or None where it is no branch.
 
@@ -86,11 +90,18 @@ class SampledErrors:
 
 
 def errors_between(
-    names: Names, sampled: SampledAlgebra, true: n.Node, printed: n.Node, exact: Pair | None, branches: bool
+    names: Names,
+    sampled: SampledAlgebra,
+    true: n.Node,
+    printed: n.Node,
+    exact: Pair | None,
+    branches: bool,
+    only: int | None = None,
 ) -> SampledErrors | None:
     """Return the errors between two sides, on the nearest of their branches; None where one cannot be evaluated.
 
     `exact` are their exact values, where they have some: they tell the entries that are angles, equal up to whole turns.
+    `only` is the sign that ± has, where the branches of the other one do not count.
     """
     places = angle_places(exact) if exact is not None else set()
     # without exact values the trees tell: a side that is an arc function is an angle
@@ -104,6 +115,8 @@ def errors_between(
     with np.errstate(all="ignore"):
         sampled.regular[:] = True
         for branch in names.state.signs.branches(branches):
+            if only not in (None, branch):
+                continue
             try:
                 one = Evaluator(names, sampled, branch)
                 pairs = list(align(one.evaluate(true), one.evaluate(printed), sampled))

@@ -348,22 +348,42 @@ class SecondRoute:
                 if errors is not None:
                     yield errors if unit == 1 else errors.telling
 
+    def has_idle_sign(self, outcome: Outcome) -> bool:
+        """Whether one sign of ± holds nowhere but where the other does too: θ_1 = atan2(y, x) ± atan2(l_2 s_2, l_1 + l_2 c_2)."""
+        if self.weighs or not any(map(n.has_branches, outcome.nodes)):
+            return False
+        own = self.sampled()
+        with self.exact.budget.paused():
+            from armproof.verification.equations.sampled_errors import with_lengths
+
+        letters = [name for name in sorted(self.names.used) if not reads_as_length(name)]
+        alone = {1: False, -1: False}
+        for sampled in (own, *with_lengths(own, self.names.state.stated)):
+            there = sampled.of_either_sign(letters) if letters else sampled
+            errors = {sign: self.sampled_errors(outcome, True, there, sign) for sign in alone}
+            if any(each is None or not each.samples for each in errors.values()):
+                continue
+            holding = {sign: each.holding(TOLERANCE) for sign, each in errors.items() if each is not None}
+            for sign in alone:
+                alone[sign] |= bool((holding[sign] & ~holding[-sign]).any())
+        return alone[1] is not alone[-1]
+
     def holds_everywhere(self, outcome: Outcome) -> bool:
         """Whether samples say that an equation with ± holds, on one choice of its signs at each."""
         errors = self.sampled_errors(outcome, True)
         return errors is not None and errors.samples >= FEWEST and errors.largest <= TOLERANCE
 
     def sampled_errors(
-        self, outcome: Outcome, branches: bool, sampled: SampledAlgebra | None = None
+        self, outcome: Outcome, branches: bool, sampled: SampledAlgebra | None = None, only: int | None = None
     ) -> SampledErrors | None:
-        """Return the errors of an equation on the double plant; None where a side cannot be evaluated there."""
+        """Return the errors of an equation on the double plant, with `only` one sign of ±; None where a side cannot be evaluated there."""
         assert outcome.true is not None and outcome.printed is not None
         sampled = sampled or self.sampled()
         with self.exact.budget.paused():
             from armproof.verification.equations.sampled_errors import errors_between
 
         nodes = outcome.true.node, outcome.printed.node
-        return errors_between(self.names, sampled, *nodes, outcome.pair, branches)
+        return errors_between(self.names, sampled, *nodes, outcome.pair, branches, only)
 
 
 def _is_of_both_sides(node: n.Node, by: n.Node) -> bool:

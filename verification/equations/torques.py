@@ -115,7 +115,7 @@ class Torques:
     def _lacking(self, outcome: Outcome) -> list[str]:
         """Return the components of forces that the document writes elsewhere, where with them the torques would be others."""
         names = self.members.names
-        loads = {key for key in names.reader.spelling.loads if names.is_open(n.Name(key[0], key[-1]))}
+        loads = {key for key in names.reader.spelling.loads if names.is_open(n.Name(*key.partition("_")[::2]))}
         with names.state.unchanged():
             names.state.adopted |= loads
             pairs = [*self._compared(outcome)]

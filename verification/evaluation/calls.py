@@ -21,7 +21,7 @@ from armproof.verification.evaluation.mass_matrix import entry_of_masses
 from armproof.verification.evaluation.screws import HAT, exponential, jacobian_of_screws, twist_value
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import call_key, is_nought
+from armproof.verification.latex.nodes import bare, call_key, is_nought
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import numbered_frames, transform_pair
 
@@ -181,6 +181,9 @@ def call_value(evaluator: Evaluating, node: n.Call) -> Value:
         return _applied_name(evaluator, node)
     if function in ("Rot", "Trans", "Rot3"):
         return _elementary(evaluator, node)
+    if function in ("abs", "det", "tr") and (applied := _applied_to_one_value(node.arguments[0])) is not None:
+        name, argument = applied  # det J(π/2), where det J depends on one joint and J on two
+        return _at_one_value(evaluator, replace(node, arguments=(name,)), name, argument)
     if function == "diag":
         values = [evaluator.scalar(a) for a in node.arguments]
         zero = evaluator.algebra.rational(Fraction(0))
@@ -273,6 +276,8 @@ def _applied_name(evaluator: Evaluating, node: n.Call) -> Value:
                 raise UnboundName(key, say(Kind.ENTRY_OR_VALUES))
             values = zip(own, arguments, strict=True)
             return evaluator.at_values({symbol: evaluator.scalar(argument) for symbol, argument in values}, name)
+        if not letters and len(arguments) == 1:
+            return _at_one_value(evaluator, name, name, arguments[0])
         if len(arguments) == 1:
             return multiply(evaluator.evaluate(name), "", evaluator.evaluate(arguments[0]))
         raise EvaluationError(say(Kind.WRONG_NUMBER_OF_VALUES, name=name.key, given=len(arguments), joints=len(own)))
@@ -282,6 +287,33 @@ def _applied_name(evaluator: Evaluating, node: n.Call) -> Value:
             raise EvaluationError(problem)
         return value
     raise UnboundName(key)
+
+
+def _applied_to_one_value(node: n.Node) -> tuple[n.Name, n.Node] | None:
+    """Return the name and the value of J(π/2); None of anything else."""
+    if not (n.is_call(node, "name") and len(node.arguments) == 2):
+        return None
+    name, argument = node.arguments
+    return (name, argument) if isinstance(name, n.Name) and n.is_number(argument) else None
+
+
+def _at_one_value(evaluator: Evaluating, whole: n.Node, name: n.Name, argument: n.Node) -> Value:
+    """Return what a number in brackets behind a name makes of it: T(0) is T in the zero pose, w(π/2) of θ_2 alone its value there.
+
+    A number is a factor only behind what does not depend on joints. What depends on several has no value at one of them.
+    """
+    names, exact = evaluator.names, evaluator.algebra.exact
+    value = (evaluator if exact is None else evaluator.within(exact)).evaluate(whole)
+    cells = [cell for cell in (value.cells if isinstance(value, Matrix) else (value,)) if isinstance(cell, Scalar)]
+    moving, is_zero = symbols_in(cells) & names.joints.keys(), is_nought((argument,))
+    if not moving and not is_zero:
+        return multiply(evaluator.evaluate(whole), "", evaluator.evaluate(argument))
+    is_value = (moving or isinstance(value, Matrix) or whole is not name) and name.key not in ("x", "y", "z", "p")  # which are so at a time
+    is_factor = isinstance(bare(argument), n.Number) and not is_zero  # T(2) may be 2 T
+    if not is_value or is_factor or names.offset_joints or not (is_zero or len(moving) == 1):
+        raise EvaluationError(say(Kind.WRONG_NUMBER_OF_VALUES, name=name.key, given=1, joints=len(names.joints)))
+    given = names.joints if is_zero else moving
+    return evaluator.at_values({joint: evaluator.scalar(argument) for joint in given}, whole)
 
 
 def problem_of_arguments(value: Value, node: n.Call, names: Names) -> Finding | None:

@@ -50,6 +50,7 @@ class Kind(MessageKind):
     READ_AS_MIXED = "read_as_mixed", "'{text}' read as a whole number and a fraction, added"
     READ_AS_SIZE = "read_as_size", "'{text}' read as the absolute value of the determinant"
     READ_AS_PRODUCT = "read_as_product", "'{text}' read as a product"
+    READ_AS_HALF_ANGLE = "read_as_half_angle", "'{text}' holds of half the angle: write brackets"
     SLASH_UNCLEAR = "slash_unclear", "neither reading of '{text}' holds"
 
     # -- names and values -----------------------------------------------------------------------------------------------
@@ -64,6 +65,7 @@ class Kind(MessageKind):
     NOT_READ = "not_read", "{reason}"
     DOCUMENT_AT_FAULT = "document_at_fault", "{reason}"
     DEFINES = "defines", "gives `{name}` its meaning"
+    DEFINES_ZERO = "defines_zero", "`{name}` would be zero at every configuration"
     DEFINES_ENTRIES = "defines_entries", "gives `{names}` their meaning"
     DEFINES_WITHOUT_VALUE = "defines_without_value", "gives `{name}` its meaning in terms of names without a value"
     NEVER_USED = "never_used", "no claim that is decided uses {names}: bind it in the front matter (quantities) to have it checked"

@@ -105,6 +105,8 @@ class TreeBuilder(Transformer):
             if (rate := slashed_derivative(left, run, span)) is not None:
                 return rate
             below = n.Quotient(left, right, "slash", span=span)
+            if right == n.Number(Fraction(2)) and (halved := _with_half_angle(left, right)) is not None:
+                return n.Ambiguous((below, halved), self.text[span[0] : span[1]], "half", span=span)
             if len(run) == 1:  # a b / c is (a b)/c
                 return below
             first = n.Quotient(left, run[0], "slash", span=(left.span[0], run[0].span[1]))
@@ -300,3 +302,17 @@ class TreeBuilder(Transformer):
 
     def run(self, items: list[Item]) -> list[n.Node]:
         return self.runs.read(items)
+
+
+def _with_half_angle(node: n.Node, two: n.Node) -> n.Node | None:
+    r"""Return \tan\theta_2 with the slash behind it, \tan\theta_2/2, within the function; None of what ends otherwise."""
+    if isinstance(node, n.Product):
+        last = _with_half_angle(node.factors[-1], two)
+        return replace(node, factors=(*node.factors[:-1], last)) if last is not None else None
+    if isinstance(node, n.Power):
+        base = _with_half_angle(node.base, two)
+        return replace(node, base=base) if base is not None else None
+    if not (n.is_call(node, "cos", "sin", "tan") and node.style == "macro"):
+        return None
+    half = n.Quotient(node.arguments[0], two, "slash", span=(node.arguments[0].span[0], two.span[1]))
+    return replace(node, arguments=(half,))

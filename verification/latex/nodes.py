@@ -138,7 +138,8 @@ class Quotient(Node):
 class Ambiguous(Node):
     """a/2b: both readings, the likelier first; which of them is meant is decided against the arm.
 
-    The sort is what is unclear: a "slash", a "label" that numbers the equation or is a factor, a "mixed" number or a product.
+    The sort is what is unclear: a "slash", a "label" that numbers the equation or is a factor, a "mixed" number or a product,
+    or whether \\tan\\theta/2 is of "half" the angle.
     """
 
     readings: tuple[Node, Node]

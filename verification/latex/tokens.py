@@ -213,7 +213,9 @@ class Spelling:
     dressed: frozenset[str] = frozenset()  # letters that their dress tells from the plain one: cal D of \mathcal D
     starred: frozenset[str] = frozenset()  # the keys of names that a star tells from the plain one: l_2 of l_2^* = 2
     of_two: frozenset[str] = frozenset()  # subscripts of a J that it multiplies to ω and to another velocity: a of J_a
-    loads: frozenset[str] = frozenset()  # the components of forces and moments that it writes anywhere: F_x, M_z
+    loads: frozenset[str] = frozenset()  # the components of forces and moments that it writes anywhere: F_x, M_z, or M
+    columns: frozenset[str] = frozenset()  # the keys of what it says to be the columns of J: J_1, J_2
+    of_quaternion: bool = False  # whether q_1 is the component of a quaternion, beside q_0
 
     def joint_signs(self, digits: str) -> tuple[int, ...]:
         """Return the signs of the angles that the digits of c_{34} add: as the document says, else all are positive."""

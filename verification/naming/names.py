@@ -102,7 +102,7 @@ class Names:
                 letter == "q"
                 and joint is not None
                 and joint.symbol.startswith("theta")
-                and self.reader.spelling.variables == "told"
+                and (self.reader.spelling.variables == "told" or self.reader.spelling.of_quaternion)
             )
             if joint is not None and not other and (letter == "q" or (letter == "theta") == (joint.kind == "revolute")):
                 return str(joint.symbol)

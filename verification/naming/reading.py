@@ -9,6 +9,7 @@ from typing import Any
 
 from armproof.models.arm import Arm
 from armproof.verification.document import Display, Document
+from armproof.verification.document.other_meanings import COLUMNS
 from armproof.verification.errors import DocumentError, ReadError
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
@@ -65,6 +66,9 @@ _LENGTH = re.compile(
 
 _NORMAL = re.compile(r"(?<![A-Za-z\\])([nsoa])\s*_\s*\{?\s*[xyz](?![A-Za-z])")
 _LOAD = re.compile(r"(?<![A-Za-z\\])([FfM])\s*_\s*\{?\s*([xyz])(?![A-Za-z])")
+_MOMENT = re.compile(  # + M, & M \\: no mass matrix before accelerations
+    r"(?:[-+=&]|\\\\)\s*M\s*(?=$|[-+,.;&}]|\\\\|\\end|\\q?quad|\\[,;])"
+)
 _SCREW = re.compile(  # e^{[S_1]θ_1}, exp([B_1]θ_1), e to a ξ_1 with a hat
     r"(?:(?<![A-Za-z\\])e\s*\^\s*\{|\\exp\s*(?:\\left)?\s*[({])\s*-?\s*(?:(?:\\left\s*)?\[|\\(?:wide)?hat\s*\{?)"
     r"\s*(?:\\(?:mathcal|mathbf|boldsymbol|bm)\s*\{?\s*)?\\?([A-Za-z]+)"
@@ -76,6 +80,11 @@ _TO_VELOCITY = re.compile(  # \omega = J_a \dot q
 _IN_UNIT = re.compile(
     r"(?<![\d.])(\d+(?:\.\d+)?)(?:[\s~]|\\[,;: ])*(?:\\(?:text|mathrm)\s*\{\s*)?(?<![A-Za-z\\])(mm|cm|m)(?![A-Za-z_^])"
 )
+_COLUMN = re.compile(r"J\s*_\s*\{?\s*(\d)\s*\}?")
+_ROW_OF_COLUMNS = re.compile(  # [J_1 & J_2]
+    rf"matrix\}}\s*({_COLUMN.pattern.replace('(', '(?:')}(?:\s*&\s*{_COLUMN.pattern.replace('(', '(?:')})+)\s*\\end"
+)
+_QUATERNION = {*"0123"}
 _BARE = re.compile(r"(?<![\d.\w^{])[1-9]\d+(?:\.\d+)?(?![\d.]|\s*(?:\}?\s*\^|°|\\degree))")
 _OF_ANGLES = frozenset("30 45 60 90 120 135 180 270 360".split())
 
@@ -135,8 +144,23 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
         words, frozenset(apart), comma, variables, angle, sums, _masses(said), own, _refers_below(document.displays), lengths,
         frozenset(_SCREW.findall(text)), _own_unit(document.displays), frozenset(of_theta | of_q | of_cosine), _normals(said),
         dressed_letters(texts), starred_names(texts), _of_two_velocities(texts),
-        frozenset(f"{letter}_{axis}" for letter, axis in _LOAD.findall(said)),
+        frozenset(f"{letter}_{axis}" for letter, axis in _LOAD.findall(said)) | _moments(texts),
+        frozenset(_columns(document.displays)), bool(of_theta) and of_q == _QUATERNION,
     )  # fmt: skip
+
+
+def _columns(displays: Iterable[Display]) -> Iterator[str]:
+    """Yield the keys of what a document says to be columns of J, in words or as [J_1 J_2]."""
+    for display in displays:
+        told = [each.removeprefix(COLUMNS) for each in display.meant if each.startswith(COLUMNS)]
+        rows = [row for row in _ROW_OF_COLUMNS.findall(normalise_unicode(display.latex)) if len(_COLUMN.findall(row)) > 1]
+        yield from (f"J_{index}" for text in (*told, *rows) for index in _COLUMN.findall(text))
+
+
+def _moments(texts: Iterable[str]) -> frozenset[str]:
+    """Return the M that stands as a term beside torques: a moment of the load."""
+    beside = (text for text in texts if "\\tau" in text)
+    return frozenset({"M"} if any(_MOMENT.search(text.strip()) for text in beside) else ())
 
 
 def _normals(said: str) -> str:

@@ -358,11 +358,6 @@ class DocumentState:
         if names and names <= set(lengths) and set(chain.relations) <= {"<", "≤", ">", "≥"}:
             self.comparisons.append(chain)
 
-    def forget_text(self, key: str) -> None:
-        """Take back what the text said of a name: a display says it."""
-        if key in self.definitions and self.definitions[key].in_text:
-            del self.definitions[key]
-
     def copy(self) -> DocumentState:
         """Return the state as it is now."""
         return DocumentState(

@@ -111,9 +111,6 @@ def test_what_was_consulted_tells_where_its_meaning_comes_from() -> None:
         "c": Definition(lambda _: 0, 3, exercise="Exercise 2", in_text=True),
     }
     assert state.foreign() == [A] and state.from_text() == ["b", "c"]
-    for key in "abx":
-        state.forget_text(key)
-    assert set(state.definitions) == {"a", "c"}
 
 
 # -- which definitions count -----------------------------------------------------------------------------------------------

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from armproof import verify_text
+from armproof.verification.document.told_convention import told_convention
 from armproof.verification.verdict import DocumentResult, Role
 
 ROWS = "| 1 | $l_1$ | 0 | 0 | $\\theta_1$ |\n| 2 | $l_2$ | 0 | 0 | $\\theta_2$ |\n"
@@ -94,6 +95,29 @@ def test_the_author_breaks_a_tie() -> None:
     for convention, verdict in (("classic", "refuted"), ("modified", "unchecked")):  # one entry is wrong, or two are
         result = verify_text(f"---\nconvention: {convention}\n---\n{PLAIN}\n" + wrong)
         assert result.arms[0].convention == convention and result.equations[0].verdict == verdict
+
+
+@pytest.mark.parametrize(
+    ("text", "convention"),
+    [
+        ("The frames follow the modified DH convention.", "modified"),
+        ("Les repères sont placés selon la convention de Craig.", "modified"),
+        ("We use the standard Denavit-Hartenberg parameters.", "classic"),
+        ("We use the classical, and not the modified convention.", ""),
+        ("See W. Khalil, E. Dombre, Modélisation et commande.", ""),
+        ("The parameters are modified below.", ""),
+    ],
+)
+def test_the_text_names_a_convention(text: str, convention: str) -> None:
+    assert told_convention(f"# Arm\n\n{text}\n\nThe arm has two joints.\n") == convention
+
+
+def test_equations_that_speak_against_the_convention_of_the_text_decide_nothing() -> None:
+    text = "The frames follow the modified DH convention of Craig.\n\n"
+    of_both = CLASSIC + craig(1, FIRST) + craig(2, "T_2")
+    assert "refuted" in verdicts(verify_text(PLAIN + "\n" + of_both))
+    assert set(verdicts(verify_text(text + PLAIN + "\n" + of_both))) == {"unchecked"}
+    assert verdicts(verify_text(text + PLAIN + "\n" + CRAIG)) == ["proved"] * 2
 
 
 SINGULAR = "$$ J = \\begin{bmatrix} -l_1 s_1 - l_2 s_{12} & -l_2 s_{12} \\\\ l_1 c_1 + l_2 c_{12} & l_2 c_{12} \\end{bmatrix} $$\n\n"
