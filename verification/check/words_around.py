@@ -61,17 +61,20 @@ class WordsAround:
         return arm is not None and bool(frames - {arm.frames[-1] if self._has_hand() else WRIST, arm.frames[-1]})
 
     def _has_hand(self) -> bool:
-        """Whether the arm has joints behind its wrist: more than three, or three in the plane x, y."""
+        """Whether the arm has joints behind its wrist: more than three, or three in the plane x, y of which the last moves the tool."""
         arm = self.names.arm
         if arm is None or len(arm.joints) != PLANAR_WITH_HAND:
             return arm is not None and len(arm.joints) > PLANAR_WITH_HAND
         whole = self.circumstances.checker.exact.jacobian(arm.frames[-1], arm.frames[0])
-        return all(cell.is_zero() for row in whole.rows[2:5] for cell in row)
+        moves = any(not row[-1].is_zero() for row in whole.rows[:2])  # else the wrist is where the tool is
+        return moves and all(cell.is_zero() for row in whole.rows[2:5] for cell in row)
 
     def _is_in_base(self, name: n.Name) -> bool:
-        """Whether a name is taken as of the base, and no index and no front matter says so."""
+        """Whether a name is taken as of the base, and no index, no front matter and no matrix of the document says so."""
+        state = self.names.state
         return (
             name.key not in self.names.quantities
+            and name.key not in state.inferred.keys() - state.conventional
             and self.names.quantity(replace(name, dots=0)) is not None
             and not re.search(r"\^|_[bs]\b", name.key)
         )

@@ -137,7 +137,12 @@ class Circumstances:
     def vanishes_there(self, chain: n.Chain, equation: int) -> Outcome | None:
         """Return det J = 0 as a claim that is proved at the values that lead to it; None where it is none."""
         told = self.names.state.told
-        if not told.is_direct or not told.conditions or set(chain.relations) != {"="} or not is_number(chain.members[-1]):
+        if (
+            not told.is_direct
+            or not told.conditions
+            or set(chain.relations) != {"="}
+            or not is_number(chain.members[-1])
+        ):
             return None
         if not any(n.is_call(below, "det") for member in chain.members for below in n.walk(member)):
             return None

@@ -14,6 +14,7 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.holding_there import holds_where
 from armproof.verification.document.heading import sections_around
 from armproof.verification.document.joint_values import in_letters, is_joint_value
+from armproof.verification.document.moving_on import MOVED_BEHIND, OF_MOTION, RESIZED
 from armproof.verification.document.postures import SINGULAR, THERE, kind_of_joints
 from armproof.verification.document.sentences import FROM_VALUES, GENERAL, NOT_THERE, values_of
 from armproof.verification.equations.case_conditions import comparisons_of
@@ -93,10 +94,14 @@ class Heeding:
                 continue
             if latex == GENERAL:
                 self._end_configuration(line)
+            elif latex in OF_MOTION:
+                self._move_on(latex, heard)
             elif latex.startswith("\\text{") and (of_joints := kind_of_joints(latex)):
                 heard.kind = of_joints
             else:
                 self._hear(latex, heard, line)
+        if MOVED_BEHIND in said and any(map(self.moves, heard.conditions)):
+            heard.conditions, heard.in_words = [], True
         self._begin(heard.names, heard.conditions, heard.in_words, line)
         before, is_last = self.names.state.told, said[-1:] == (SINGULAR,)
         self.names.state.told = replace(
@@ -112,6 +117,19 @@ class Heeding:
         told = self._values(heard.conditions)
         self.names.state.given_last |= told
         self.names.state.told_lengths |= {name: told[name] for name in told if name in self.given.lengths}
+
+    def _move_on(self, said: str, heard: _Heard) -> None:
+        """The arm has moved, or grown: values given before are no longer its own, and numbers behind are of a posture that nobody can tell."""
+        state = self.names.state
+        if not (state.configuration or state.given_last or state.told.standing):
+            return
+        heard.in_words = True
+        state.given_last = {}
+        if said == RESIZED:
+            state.told_lengths = {}
+            state.configuration = {
+                key: each for key, each in state.configuration.items() if key not in self.given.lengths
+            }
 
     def _hear(self, latex: str, heard: _Heard, line: int) -> None:
         """Take an equation, a bound or a posture: what is none of the first two is one in words."""

@@ -21,6 +21,8 @@ from armproof.verification.document.hearing import words_of
 from armproof.verification.document.listings import assignments, with_listings
 from armproof.verification.document.markdown import read_markdown_file
 from armproof.verification.document.model import CODE, INLINE, Display, Document, Listing
+from armproof.verification.document.moving_on import OF_MOTION
+from armproof.verification.document.named_quantities import NAMED
 from armproof.verification.document.notebook import read_notebook, read_percent
 from armproof.verification.document.other_meanings import MAY_MEAN, with_other_meanings
 from armproof.verification.document.rst import read_rst
@@ -34,6 +36,7 @@ from armproof.verification.document.sentences import (
     OF_NEXT,
     OTHER_FRAME,
     OTHER_POINT,
+    PROSE,
     STRANGE,
     STRANGE_ABOVE,
     SUPPOSED,
@@ -43,6 +46,7 @@ from armproof.verification.document.sentences import (
 )
 from armproof.verification.document.strange import is_in_known_language
 from armproof.verification.document.struck_out import MAY_STRIKE, with_struck_out
+from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
 from armproof.verification.document.told_convention import MAY_TELL, told_convention
 from armproof.verification.errors import DocumentError
@@ -73,6 +77,7 @@ _IMAGE = re.compile(  # by what it is called or where it is made: ![equation 3](
 )
 _HEADING = re.compile(r"[ ]{0,3}#{1,6}[ \t]+(.*?)[ \t#]*$|[ \t]*\\(?:chapter|(?:sub)*section|paragraph)\*?\s*\{(.*)\}")
 SUFFIXES = tuple(_READERS)
+OF_QUANTITY = tuple(MEANT + each for each in (NAMED, OPERATED, ACCELERATION))
 
 
 def read_document(path: Path) -> Document:
@@ -140,18 +145,26 @@ def _with_what_is_said(document: Document) -> Document:
     marked = {each.section for each in document.displays if each.erratum}  # where the reader is told which is wrong
     displays: list[Display] = []
     between: list[list[Display]] = [[]]  # what is said before each display, and behind the last
+    led = frozenset[str]()  # what the sentence says that leads to the one at hand, and to those right behind it
+    has_words = True
     for display in document.displays:
         if display.opening == CODE:
             continue
         if display.opening != INLINE:
-            displays.append(_with_what_is_before(display, between[-1], display.section in marked))
+            goes_on = not has_words and bool(displays) and _is_of_same_text(displays[-1], display)
+            led = _inherited(led) if goes_on else _of_next(between[-1], display)
+            displays.append(_with_what_is_before(display, between[-1], led, display.section in marked))
             between.append([])
+            has_words = display.erratum  # what leads to what is quoted leads to nothing else
+        elif display.latex == PROSE:
+            has_words = True
         elif display.latex.startswith(OF_ABOVE):
             displays[-1:] = [
                 each if each.erratum else _with_what_is_above(each, display.latex) for each in displays[-1:]
             ]
         elif _SAYS.search(display.latex):
             between[-1].append(display)
+        has_words |= display.opening == INLINE and not display.latex.startswith("\\text{")
     told = _with_options(tuple(_with_what_is_behind(displays, between[1:])))
     listings = [*_listings(document)]
     works_out = any(display.latex.count("=") > 1 for display in told)
@@ -182,8 +195,23 @@ def _listings(document: Document) -> Iterator[Listing]:
             yield Listing(display.line, values, display.section)
 
 
-def _with_what_is_before(display: Display, all_said: Sequence[Display], is_marked: bool) -> Display:
-    of_it = {each.latex for each in all_said if each.section == display.section}
+def _is_of_same_text(one: Display, other: Display) -> bool:
+    return (one.section, one.cell, one.file) == (other.section, other.cell, other.file)
+
+
+def _of_next(all_said: Sequence[Display], display: Display) -> frozenset[str]:
+    return frozenset(each.latex for each in all_said if each.section == display.section)
+
+
+def _inherited(led: frozenset[str]) -> frozenset[str]:
+    """Return what holds of a second display of what a sentence says: not which quantity the first one is."""
+    return frozenset(each for each in led if each.startswith(OF_NEXT) and not each.startswith(OF_QUANTITY))
+
+
+def _with_what_is_before(
+    display: Display, all_said: Sequence[Display], led: frozenset[str], is_marked: bool
+) -> Display:
+    of_it = {*led}
     within = [each for found in _WORDS.finditer(display.latex) for each in said_within(found[1])]
     of_it |= {*within, *(said_by_heading(display.section) if display.section else ())}
     strange = [each.removeprefix(STRANGE) for each in of_it if each.startswith(STRANGE)]
@@ -221,7 +249,9 @@ def _with_what_is_behind(displays: Sequence[Display], behind: Sequence[Sequence[
     found: list[Display] = []
     for display, said in zip(reversed(displays), reversed(behind), strict=True):
         own = tuple(
-            each.latex for each in said if each.section == display.section and not each.latex.startswith(OF_NEXT)
+            each.latex
+            for each in said
+            if each.section == display.section and not each.latex.startswith((*OF_NEXT, *OF_MOTION))
         )
         later = found[-1].said_behind if found and found[-1].section == display.section else ()
         found.append(replace(display, said_next=own, said_behind=own or later))

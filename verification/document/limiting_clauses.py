@@ -76,7 +76,9 @@ def _limits_near(clause: Clause) -> bool:
         return True
     is_local = clause.has("inside") and clause.has("frame") and clause.has("local") and not clause.has("base")
     is_of_arm = clause.subject in ("arm", "letter", "writer") or (clause.begins("of") and clause.has("arm", "letter"))
-    is_planar = clause.subject == "arm" and not _PLANE.isdisjoint(clause.words)  # what it moves in it moves in everywhere
+    is_planar = clause.subject == "arm" and not _PLANE.isdisjoint(
+        clause.words
+    )  # what it moves in it moves in everywhere
     is_limited = (clause.has("neglect") and not is_planar) or is_local or (clause.has("held") and is_of_arm)
     return is_limited and not clause.has("general")
 

@@ -42,7 +42,9 @@ _ENTRIES = re.compile(  # (r, \theta)^T of a formula that is a tuple, or equates
     r"(?:^|(?P<name>[^=]*)=)\s*(?:\\left)?\s*(?:[\[(]|\\begin\{[bp]?matrix\})(?P<entries>[^()\[\]=]*?)(?:\\right)?\s*(?:[\])]|\\end\{)"
 )
 _NAME_OF_JOINTS = re.compile(r"[\s{]*(?:\\(?:mathbf|boldsymbol|vec|bm|underline|dot)\s*[\s{]*)*(?:q|\\[tT]heta)[\s}]*")
-_ROW = re.compile(r"(?:[vV]_\{?|\\dot\s*\{?\s*)([xyz])\}?|\\omega_\{?([xyz])\}?|(\\omega|\\dot\s*\{?\s*\\(?:var)?(?:phi|psi|theta)\}?)")
+_ROW = re.compile(
+    r"(?:[vV]_\{?|\\dot\s*\{?\s*)([xyz])\}?|\\omega_\{?([xyz])\}?|(\\omega|\\dot\s*\{?\s*\\(?:var)?(?:phi|psi|theta)\}?)"
+)
 _OF_TWO_FRAMES = re.compile(r"\s*(?:\\\w+\s*\{)?[TAHR]\}?\s*_\s*\{\s*([a-z0-9])\s*,?\s*([a-z0-9])\s*\}\s*")
 _FORMULA = re.compile(r"\$([^$]*)\$|\\\((.*?)\\+\)")
 _AXIS_TURNED = re.compile(  # about $x$, the z-axis, $\hat Y_A$, x'' and the angle of it
@@ -52,7 +54,9 @@ _OMEGA_ABOVE = re.compile(  # (ω, v), [ω; v]
     r"(?:[(\[]|matrix\})\s*(?:\\(?:boldsymbol|mathbf|vec|bm)\s*\{?\s*)?\\omega\b(?:_\w)?\}?(?:\^T)?\s*(?:,|;|&|\\\\)\s*(?:\\[,;: ])?(?:\\(?:boldsymbol|mathbf|vec|bm|dot)\s*\{?\s*)?[vp]\b"
 )
 _LENGTH = re.compile(r"[lLaAdDhHrR]\s*_")  # which is no angle from anything
-_SUM = re.compile(r"(?:\\theta|q)_\{?1\}?\s*\+\s*(?:\\theta|q)_\{?2")  # that turns the second link, as both are relative
+_SUM = re.compile(
+    r"(?:\\theta|q)_\{?1\}?\s*\+\s*(?:\\theta|q)_\{?2"
+)  # that turns the second link, as both are relative
 _IS = re.compile(r"(?:is|ist|est|es|è|beträgt|vale|equals|thus|then|also|somit|damit|donc|simply|[,:\\ ])*¤ ")
 _ANGLE = re.compile(r"\\(?!hat|vec)[a-z]+(?:_\{?\w\}?)?|(?:q|t)_\{?\d\}?")  # α, θ_1, q_2
 _TELLS = re.compile(  # what a sentence begins with that is of the display beside it
@@ -86,7 +90,10 @@ TURNS = "turns"  # the order of the factors of rotations one after another, as t
 OMEGA_FIRST = "omega first"  # a Jacobian, or a twist, whose first rows are those of ω
 ALL, BEHIND = "all", "behind"  # the angles of all joints; those that turn about the direction of one before
 UPRIGHT = "upright"  # an angle from the vertical: what it moves stands up at 0
-PASSIVE, OUTWARDS = "passive", "outwards"  # R that turns axes; T_{ij} whose first index is the frame that the second sees
+PASSIVE, OUTWARDS = (
+    "passive",
+    "outwards",
+)  # R that turns axes; T_{ij} whose first index is the frame that the second sees
 COLUMNS = "columns"  # J_1, J_2 that are columns of J
 ORDER = "order"  # the joint variables as q holds them
 ANEW = "anew"  # a letter that is something else for a while
@@ -184,7 +191,11 @@ def _meanings(text: str) -> Iterator[Meaning]:
         )
         if letters := tuple(_letters(words, formulas)):
             would_be = says_what_would_be(words)
-            yield Meaning(line, letters, reach=_paragraph(text, found.end() - len(sentence.lstrip()), found.end()) if would_be else None)
+            yield Meaning(
+                line,
+                letters,
+                reach=_paragraph(text, found.end() - len(sentence.lstrip()), found.end()) if would_be else None,
+            )
         earlier = [each[0] or each[1] for each in _FORMULA.findall(before)]
         renamed, is_of_section = letters_anew(words_of(before) + words, [*earlier, *formulas])
         if renamed and (known := tuple(_that_stand_in(text[: found.start()], renamed))):
@@ -258,7 +269,9 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         else:
             which = UPRIGHT if _VERTICAL.search(words) and not _OTHERWISE.search(words) else ALL
             yield from (f"{which} {each}" for each in subjects)
-        is_of_other = "¤" in words[: begin.end()] and not subjects  # "The angle φ is absolute, the joint angles are not"
+        is_of_other = (
+            "¤" in words[: begin.end()] and not subjects
+        )  # "The angle φ is absolute, the joint angles are not"
         of_all = words[: begin.end()] if is_of_other else words
         if _PLURAL.search(of_all) and not any(re.search(r"\d", each) for each in subjects):  # all θ_i, too
             yield BEHIND if name != "TURNED" else ALL
@@ -278,7 +291,9 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         yield " ".join((COLUMNS, *(each.strip() for each in formulas if re.fullmatch(r"\s*J_\{?\d\}?\s*", each))))
     if says("PASSIVE", words):
         yield PASSIVE
-    if says("SEEN_FROM", words) and any(_are_indices(each, formulas) for each in map(_OF_TWO_FRAMES.fullmatch, formulas) if each):
+    if says("SEEN_FROM", words) and any(
+        _are_indices(each, formulas) for each in map(_OF_TWO_FRAMES.fullmatch, formulas) if each
+    ):
         yield OUTWARDS
     if says("OMEGA_FIRST", _with_velocities(words, formulas)) or any(map(_OMEGA_ABOVE.search, formulas)):
         yield OMEGA_FIRST
@@ -296,7 +311,9 @@ def _orders(formulas: Sequence[str], words: str) -> Iterator[str]:
     orders = [_indices(at[1]) for formula in formulas if words for at in _OF_Q.finditer(formula)]
     if (columns := hears("OTHER_COLUMNS", words)) is not None:
         orders.append(_indices(" ".join(formulas[words.count("¤", 0, columns.start()) :])) + [1][: "first" in words])
-    orders += [_rows(entries) for _, entries in tuples] + [_rows([*filter(_ROW.fullmatch, listed)])] * says("OF_ROWS", words)
+    orders += [_rows(entries) for _, entries in tuples] + [_rows([*filter(_ROW.fullmatch, listed)])] * says(
+        "OF_ROWS", words
+    )
     if any(indices != sorted(indices) for indices in orders) or says("COLUMNS_REVERSED", words):
         yield JACOBIAN
     of_joints = [entries for name, entries in tuples if _NAME_OF_JOINTS.fullmatch(name)]

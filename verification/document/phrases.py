@@ -335,6 +335,8 @@ prismatique/rotoïde au/plutôt (lieu) (que) (d') (de)
 (to/for/of/pour/du/für/para/del/per) (an/the/un/l'/den/el/l') other/another/different/autre/anderen/otro/altro/outro arm/robot/manipulator/bras/roboter/brazo/braccio/braço
 """
 OTHER_FRAME = """
+resolved/expressed/components/decomposed/projected … along/onto/on (and) (across) (the/its) (first/second/third/last/upper) forearm/link/bar/rod/segment
+exprimée/exprimées/composantes/décomposée/décomposées/projetée/projetées … selon/suivant/sur (l'/le/la) (premier/deuxième/second/dernier) avant-bras/segment/barre/bras
 in/from/dans/relative/respect (to) (the/le) frame/repère 1/2/3/4/5/6/7/8/9
 ^ (expressed/written/resolved) in/with (respect) (to) (the/a) tool/tool'/body/moving/gripper/gripper'/end-effector/effector/effector'/hand/wrist (s) frame/coordinates/axes
 expressed/resolved/written/given/computed/measured/represented/described/components/coordinates/vectors/quantities/everything … in/along/to (respect) (to) (the/a/its/their) (axes/frame) (of) (the) (end) tool/tool'/body/moving/gripper/gripper'/end-effector/effector/effector'/hand/wrist (s) (frame/coordinates/axes) $
@@ -403,6 +405,8 @@ x-axis … vers la gauche
 # -- angles that are not those of the arm
 
 LEVEL = """
+¤ is/are that/those/the (angle/direction/orientation/inclination) of (the) (first/second/third/last) forearm/link/bar/rod/segment in space
+¤ est celui/celle/l' (angle/orientation/inclinaison) de (l'/la/le) (deuxième/dernier) avant-bras/segment/barre dans l' espace
 angle/angles/winkel/ángulo/ángulos/both/all/each/¤ * to/from/with/against/of/and/à/depuis/desde/avec/et/l'/gegen/zur/zum/con/mit/und/la/die (the/l'/la/le/die/der) (fixed/base/world) horizontal/horizontale/horizontalen/ground/floor/sol/boden/suelo/x-axis
 respect to (the) horizontal/ground/floor/x-axis
 ¤ * direction/orientation/inclination of * in the base frame

@@ -32,6 +32,7 @@ from armproof.verification.document.limiting_clauses import (
     limits_what_is_near,
 )
 from armproof.verification.document.model import INLINE, Display
+from armproof.verification.document.moving_on import said_of_motion
 from armproof.verification.document.named_quantities import NAMED
 from armproof.verification.document.postures import SINGULAR, is_of_singularities
 from armproof.verification.document.strange import is_strange_before, is_strange_behind, strange_words
@@ -47,6 +48,7 @@ OTHER_POINT = r"\text{of another point}"  # what is no coordinate of the tool in
 OTHER_FRAME = r"\text{in another frame}"  # what is none of anything in the base
 # what is not understood of the display above it, or of the one below; the sentence follows
 STRANGE_ABOVE, STRANGE = r"\text{strange above}", r"\text{strange}"
+PROSE = r"\text{prose}"  # that there are words between two displays: without them what leads to one leads to the next
 MEANT = r"\text{meant}"  # of which link it is, which quantity, or what is done to it; that follows
 WOULD_BE = "would be"  # of another case than that at hand: it says there what a letter is
 ABOVE = r"\text{above}"  # before a place or a quantity that is said of the display above
@@ -67,6 +69,7 @@ _GENERAL = re.compile(
     r"|quel(?:le)?s? que soi(?:en)?t (?:la|les) (?:configuration|position|angles?|valeurs?))\b",
     re.IGNORECASE,
 )
+_WORD = re.compile(r"[^\W\d_]+")
 _ALTERNATIVES = re.compile(  # $s_3 = 0$ or; a blank is of one part alone, or a list of twenty formulas has a million ways to be none
     r"(?:\s*+(?>\$[^$]+\$|\\\(.+?\\\)|:math:`[^`]+`)(?:\s*+,)?+(?:\s*+(?:oder|or|ou|o|and|und|et|y))?+)+\s*\Z"
 )
@@ -74,6 +77,7 @@ _ARGUMENTS = re.compile(  # \begin{frame}<2->[fragile]{Title}, \section{Inverse}
     r"\\begin\s*\{\w+\*?\}(?:<[^<>]*>|\[[^\[\]]*\]|\{[^{}]*\})*|\\(?:(?:sub)*section|chapter|paragraph|label|\w*ref|cite|includegraphics|caption|[vh]space|setcounter)\*?"
     r"(?:\[[^\[\]]*\])?\{[^{}]*\}|!\[[^\[\]]*\]\([^()]*\)|<[^<>\s][^<>]{0,200}>"
 )
+_JOINING = frozenset("and or et ou und oder y o e ed bzw resp".split())
 _FOR = re.compile(r"(?<!\S)(?:for|pour|für|para|per) ")  # "The formula for the ordinate follows"
 _MOST_OF_LABEL = 4  # words with their stop: "The elbow."
 MOST_KNOWN = 4096  # sentences, so that those of a text that is read again are heard once
@@ -112,9 +116,19 @@ def quoted(sentence: str) -> str:
 
 
 def said_in_general(text: str, line: int, section: str) -> Iterator[Display]:
-    """Yield that a text speaks of every configuration, if it does."""
+    """Yield that a text speaks of every configuration, or of another than before, if it does."""
     if _GENERAL.search(" ".join(text.split())):
         yield Display(line, GENERAL, section=section, opening=INLINE)
+    for each in said_of_motion(text):
+        yield Display(line, each, section=section, opening=INLINE)
+    if _is_prose(text):
+        yield Display(line, PROSE, section=section, opening=INLINE)
+
+
+def _is_prose(text: str) -> bool:
+    """Whether a text says anything: more than "and", "(b)" or a command that sets it apart."""
+    words = words_of(_ARGUMENTS.sub(" ", text)).lower()
+    return any(len(word) > 1 and word not in _JOINING for word in _WORD.findall(words)) or "¤" in words
 
 
 def said_below(text: str, line: int, section: str) -> Iterator[Display]:

@@ -324,7 +324,11 @@ class ChainChecker:
         """Return a definition, left open where it is a slip away from a skew matrix, tells other torques than J^T F, or a determinant that is none."""
         outcome = unless_skewed(outcome, self.names)
         value = outcome.true.value if outcome.true is not None else None
-        if isinstance(value, Scalar) and value.is_zero() and any(n.is_call(b, "det") for b in n.walk(outcome.true.node)):  # type: ignore[union-attr]
+        if (
+            isinstance(value, Scalar)
+            and value.is_zero()
+            and any(n.is_call(b, "det") for b in n.walk(outcome.true.node))
+        ):  # type: ignore[union-attr]
             doubt = say(Kind.DEFINES_ZERO, name=outcome.defines[0] if outcome.defines else "")
             for key in outcome.defines:
                 self.names.leave_open(key, doubt)

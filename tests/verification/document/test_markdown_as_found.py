@@ -9,6 +9,8 @@ from armproof.verification.check import verify_text
 from armproof.verification.document import parse_document
 from armproof.verification.document.formula_links import formulas_in_html
 from armproof.verification.document.markdown import read_markdown
+from armproof.verification.document.model import Display
+from armproof.verification.document.sentences import PROSE
 
 FRONT = r"""---
 arm: {dh: classic, rows: [{a: l_1, alpha: 0, d: 0, theta: theta_1}, {a: l_2, alpha: 0, d: 0, theta: theta_2}]}
@@ -28,6 +30,11 @@ FORMS = {
 }
 
 
+def found_in(text: str) -> list[Display]:
+    """Return what a text holds but the marks for words between."""
+    return [each for each in read_markdown(text, 1)[0] if each.latex != PROSE]
+
+
 @pytest.mark.parametrize("form", FORMS)
 def test_a_display_is_found_in_every_form_and_a_false_twin_refuted(form: str):
     for right, verdict in (("l_1 c_1 + l_2 c_{12}", "proved"), ("l_1 c_1 - l_2 c_{12}", "refuted")):
@@ -37,7 +44,7 @@ def test_a_display_is_found_in_every_form_and_a_false_twin_refuted(form: str):
 
 def test_the_places_of_displays_without_dollars_are_known():
     text = "Words\n\\[\n1 = 1\n\\]\n> \\begin{align}\n> 2 &= 2\n> \\end{align}\n\n$`3 = 3`$\n"
-    displays, _ = read_markdown(text, 1)
+    displays = found_in(text)
     lines = text.split("\n")
     assert [display.line for display in displays] == [2, 5, 9]
     for display in displays:
@@ -58,7 +65,7 @@ def test_what_is_no_display_is_none(text: str):
 
 def test_displays_in_a_paragraph_pair_as_they_are_written():
     text = "Here $$ a\n= 1\n$$ and\n$$\nb = 2\n\n= 2\n$$\u200b\nwords\n\n$$ c = 3\n$$\nwords, $$ d = 4 $$ and\n\n$$ e = 5 $$\n"
-    displays, _ = read_markdown(text, 1)
+    displays = found_in(text)
     assert [" ".join(display.latex.split()) for display in displays] == [
         "a = 1",
         "b = 2 = 2",
@@ -67,9 +74,9 @@ def test_displays_in_a_paragraph_pair_as_they_are_written():
         "e = 5",
     ]
     assert all(display.closed for display in displays)
-    displays, _ = read_markdown("Words\n$$\na = 1\n$$$$\nb = 2\n$$\nwords\n\n$$\nc = 3 \\\n$$\n", 1)
+    displays = found_in("Words\n$$\na = 1\n$$$$\nb = 2\n$$\nwords\n\n$$\nc = 3 \\\n$$\n")
     assert [" ".join(display.latex.split()) for display in displays] == ["a = 1", "b = 2", "c = 3 \\"]
-    open_one, other = read_markdown("Words\n$$\na = 1\n\nwords\n\nwords\n", 1)[0][0], "a = 1"
+    open_one, other = found_in("Words\n$$\na = 1\n\nwords\n\nwords\n")[0], "a = 1"
     assert not open_one.closed and other in open_one.latex
 
 
@@ -129,7 +136,7 @@ def test_a_picture_that_has_its_latex_in_its_address_is_a_display(form: str):
 def test_a_picture_within_text_or_of_one_letter_is_no_display():
     link = "https://latex.codecogs.com/gif.latex?"
     text = f'with <img src="{link}p_x=1"/> here\n\n<img src="{link}p_x"/>\n\n| x | ![]({link}a_1) |\n|--|--|\n| $$a = 1$$ | $$0$$ |\n'
-    displays, _ = read_markdown(text, 1)
+    displays = found_in(text)
     assert [each.latex for each in displays if each.opening != "$"] == ["a = 1"]
     assert [each.latex for each in displays if each.opening == "$"] == ["p_x=1", "p_x", "a_1"]
 

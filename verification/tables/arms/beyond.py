@@ -21,7 +21,9 @@ def with_point_beyond(document: Document, best: Reading) -> Reading:
         return best
     with_tool = {**best.front, "arm": {**arm, "tool": {"xyz": [letter, 0, 0]}}}
     first, *others = weigh(document, [best.front, with_tool])
-    gained = (2 * (first.held - each.held) - 2 * (first.failed - each.failed) + first.near - each.near for each in others)
+    gained = (
+        2 * (first.held - each.held) - 2 * (first.failed - each.failed) + first.near - each.near for each in others
+    )
     return first if first.front is with_tool and all(each > 0 for each in gained) else best
 
 
