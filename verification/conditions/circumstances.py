@@ -157,8 +157,8 @@ class Circumstances:
         """Return the joints and lengths to which a condition gives values, or all that it relates."""
         if values := self.given.values_of(condition):
             return {*values}
-        values = [self.checker.member(node).value for node in condition.members]
-        return {*symbols_in([each for each in values if isinstance(each, Scalar)])}
+        sides = [self.checker.member(node).value for node in condition.members]
+        return {*symbols_in([each for each in sides if isinstance(each, Scalar)])}
 
     def as_usual_there(self, outcome: Outcome) -> Outcome | None:
         """Return what is proved of a name as it is usually meant at the values that lead to the equation; None where nothing is."""

@@ -69,9 +69,9 @@ class Heeding:
             if texts:
                 before, around = state.told, sections_around(state.section)
                 self._heed(texts, line)
-                own = next((each for each in around if values_of(each) == _equations(texts)), None)
-                told = before if is_outside else replace(state.told, section=own or next(iter(around), ""))
-                told = _of_all_below(told) if own and not is_outside else told
+                case = next((each for each in around if values_of(each) == _equations(texts)), None)
+                told = before if is_outside else replace(state.told, section=case or next(iter(around), ""))
+                told = _of_all_below(told) if case and not is_outside else told
                 state.told = told if told.holds_below else Told()
         if below := said[above:]:
             own = values_of(state.section)
@@ -314,13 +314,13 @@ class Heeding:
 
 
 def _equations(said: Sequence[str]) -> tuple[str, ...]:
-    """Return what a text says but for postures in words and for how a sentence leads to what comes: under a heading with values they say no more than these."""
-    return tuple(each for each in said if not (each in (FROM_VALUES, NOT_THERE) or _is_posture(each)))
+    """Return what a text says but for postures in words and that it leads to what comes: under a heading with values they say no more than these."""
+    return tuple(each for each in said if not (each == FROM_VALUES or _is_posture(each)))
 
 
 def _is_posture(latex: str) -> bool:
     """Whether what a text says is a posture in words."""
-    is_told = latex in (FROM_VALUES, NOT_THERE, GENERAL, SINGULAR) or is_joint_value(latex)
+    is_told = latex in (FROM_VALUES, NOT_THERE, GENERAL, SINGULAR, *OF_MOTION) or is_joint_value(latex)
     return latex.startswith("\\text{") and not is_told
 
 

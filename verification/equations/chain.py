@@ -323,12 +323,9 @@ class ChainChecker:
     def _defined(self, outcome: Outcome) -> Outcome:
         """Return a definition, left open where it is a slip away from a skew matrix, tells other torques than J^T F, or a determinant that is none."""
         outcome = unless_skewed(outcome, self.names)
-        value = outcome.true.value if outcome.true is not None else None
-        if (
-            isinstance(value, Scalar)
-            and value.is_zero()
-            and any(n.is_call(b, "det") for b in n.walk(outcome.true.node))
-        ):  # type: ignore[union-attr]
+        true = outcome.true
+        is_zero = true is not None and isinstance(true.value, Scalar) and true.value.is_zero()
+        if true is not None and is_zero and any(n.is_call(b, "det") for b in n.walk(true.node)):
             doubt = say(Kind.DEFINES_ZERO, name=outcome.defines[0] if outcome.defines else "")
             for key in outcome.defines:
                 self.names.leave_open(key, doubt)
