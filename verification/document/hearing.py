@@ -20,6 +20,9 @@ _LAYOUT = re.compile(
     r"\\(?:begin|end)\s*\{\w+\*?\}|\\[A-Za-z]+\*?|[{}()\[\]\"“”«»*~>|¿¡]|(?<!\w)_+(?=\w)|(?<=\w)_+(?!\w)|(?<!\S)[-–—]+(?!\S)"
 )
 STOP = re.compile(r"(?<!\\)[.;!?](?=\s+\S)")
+_LABEL = re.compile(
+    r"(?<=\n)[ \t]*(?:[-*+][ \t]+)?(?:\(?[A-Za-z0-9]{1,2}[.)]|\\item(?:\[[^\]\n]*\])?)?\s*\Z"
+)  # "A." of an item that is a display
 IS_OVER = re.compile(r"[.!]\W*\Z")
 _GAP = r"(?<![,:;] )(?:(?!(?:true|right|correct|valid|holds?|vraie?|exacte?|correcte|richtig|wahr) )[^\s,:;.!?]\S* ){0,4}?"  # no comma, no verdict
 MOST_CHARACTERS = 500  # of a sentence that is read
@@ -35,12 +38,19 @@ def first_sentence(text: str) -> str:
 
 def leading(text: str) -> str:
     """Return the last sentence of a text on one line, which leads to what comes next."""
-    return STOP.split(" ".join(text.split()))[-1][-MOST_CHARACTERS:]
+    return _sentences(text)[-1][-MOST_CHARACTERS:]
+
+
+def _sentences(text: str) -> list[str]:
+    """Return the sentences of a text on one line, without the label of an item that the next display is."""
+    found = _LABEL.search(text)
+    plain = text if found is None or not text[: found.start()].strip() else text[: found.start()]
+    return STOP.split(" ".join(plain.split()))
 
 
 def before_leading(text: str) -> str:
     """Return the sentence that a short last one goes on from: "Then we get" says little alone, nor does "Its velocity is"."""
-    *before, last = STOP.split(" ".join(text.split()))
+    *before, last = _sentences(text)
     words = words_of(last)
     is_short = words.count(" ") <= _SHORT or hears("THEN", words) or hears("OF_THE_ONE_BEFORE", words)
     return before[-1][-MOST_CHARACTERS:] if before and is_short else ""

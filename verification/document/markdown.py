@@ -62,6 +62,7 @@ _OPTIONS = re.compile(r"[\s>]*(?::[\w-]+:.*|---.*|[\w-]+:.*)?")
 Rule = Callable[[StateBlock, int, int, bool], bool]
 MOST_LINES = 100  # of an environment without dollars
 MOST_NESTED = 12  # directives, each in another: every one is read anew
+_BEGINS = re.compile(r"(?:\(?[A-Za-z0-9]{1,2}[.)]\s+)?\$\$")  # a display, with the label of its item: "A. $$ … $$"
 FARTHEST = 12  # lines between the opening of a display and its LaTeX: blank, or a directive's options
 ADMONITIONS = frozenset(["admonition", "note", "warning", "tip", "important", "caution", "error", "hint", "attention", "danger",
                          "seealso", "erratum", "errata", "card", "dropdown", "proof", "topic", "sidebar", "margin", "figure", "table",
@@ -216,7 +217,7 @@ def _read_blocks(
         line = line if token.map is None else first + token.map[0]  # what closes has no place of its own
         is_indented = bool(lead) and token.type == "code_block" and _INDENTED.match(content) is not None
         is_next = token.type in _AFTER_A_LEAD or is_indented
-        if is_next or (token.type == "inline" and (content[:2] == "$$" or _stands_alone(token))):
+        if is_next or (token.type == "inline" and (_BEGINS.match(content) or _stands_alone(token))):
             displays.extend(said_below(lead, lead_line, section) if lead else ())
             lead = ""
         if token.type == "html_block" and (heading := _HTML_HEADING.match(content)) is not None:

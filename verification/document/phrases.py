@@ -101,6 +101,17 @@ was/formel/gleichung/zeile (,) die folgt
 lo/fórmula/ecuación que sigue
 following/below/underneath/suivante/suivant/ci-dessous/ci-après/folgende/folgenden/nachstehende/nachstehenden/siguiente
 """
+ASKS_WHICH = """
+which (one) (of) (the) (following/these/statements/formulas/expressions) is/are
+(lequel/laquelle/lesquels/lesquelles/quelle/quelles) (des/parmi) (les) (formules/relations/expressions/affirmations/propositions/réponses) suivantes (est/sont)
+true/vrai/vraie/richtig/verdadero/vero (V) (¤) or/ou/oder/o false/faux/fausse/falsch/falso
+right/correct/juste/exacte or/ou wrong/incorrect/not/fausse
+for/pour/für/para each/every/chaque/jede/cada (of) (the) (following) statement/claim/affirmation/proposition/aussage/afirmación
+dire/dites/indiquer/indiquez/préciser si
+tick/check/choose/select/cocher/cochez/entourez (the/la/le/l'/les) (right/correct/true/bonne/bonnes) (one/ones/answer/answers/réponse/réponses)
+welche der (folgenden)
+cuál/cuáles de las/los (siguientes)
+"""
 THEN = """
 ^ then/alors/dann/entonces/allora/então/so/thus/hence/therefore/donc/also/ainsi/daher/así/luego/dunque/portanto (,) … (:) $
 ^ (in) (dans) (en) this/that/such/ce/in/im/ese/tal (a) (diesem) case/cas/fall/caso (,) … (:) $
