@@ -16,6 +16,7 @@ from armproof.verification.document.other_meanings import (
     ALL,
     ANEW,
     BEHIND,
+    EQUAL,
     JACOBIAN,
     OMEGA_FIRST,
     ORDER,
@@ -31,6 +32,7 @@ from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.verdict import Verdict
 
 _VELOCITIES = ("v", "V")
 _MOVING = (*_VELOCITIES, *"xyzpPXYZ")  # what has an acceleration
@@ -62,6 +64,9 @@ class OtherMeanings:
             return outcome.left_open(say(Kind.OMEGA_IS_FIRST))
         symbols = symbols_in(cell for side in sides for cell in side.cells if isinstance(cell, Scalar))
         written |= {each.rpartition(" ")[2] for each in symbols}  # dot d_3 is written with d_3
+        lengths = written & {*self.given.lengths}
+        if EQUAL in meant and outcome.verdict is Verdict.REFUTED and lengths and len(self.given.lengths) > 1:
+            return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=min(lengths)))
         for each in meant:
             letters = self._meant_by(each)
             if not written.isdisjoint(letters):

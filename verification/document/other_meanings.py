@@ -20,7 +20,7 @@ from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, sub
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
     r"horizontal|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
-    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|transpos|invers|masse?\b|gravit|bar[iy]c|schwerp|acc[eé]l|beschl|jacobi|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from|convention|mirror|miroir|spiegel|espejo|repli|gefalt|plegad|ripieg|eingeklappt|\border\b|\bordre\b|reihenfolge|\borden\b|\bordine\b|q\}*\s*=|\\omega_|passiv|pasiv|left and right|inches|feet|pouces|zoll|pulgadas|pollici"
+    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|transpos|invers|masse?\b|gravit|bar[iy]c|schwerp|acc[eé]l|beschl|jacobi|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from|convention|mirror|miroir|spiegel|espejo|repli|gefalt|plegad|ripieg|eingeklappt|\border\b|\bordre\b|reihenfolge|\borden\b|\bordine\b|q\}*\s*=|\\omega_|passiv|pasiv|equal (?:bar|link|length|segment|arm)|[ée]gaux|[ée]gales|gleiche|iguales|uguali|left and right|inches|feet|pouces|zoll|pulgadas|pollici"
 )
 _SENTENCE = re.compile(r"(?:\$[^$\n]+\$|\\[;!]|[^.;!?\n]|[.;!?](?!\s)|\n(?![^\S\n]*\n))+[.;!?]?")
 _SHOWN = re.compile(  # what is no sentence
@@ -31,6 +31,7 @@ _SHOWN = re.compile(  # what is no sentence
     re.DOTALL | re.MULTILINE,
 )
 _HEADING = re.compile(r"\s*(?:(#{1,6})\s|\\((?:sub)*)section)")
+_MARKS_OF_HEADING = re.compile(r"^\s*#+|\\(?:sub)*section\*?|[{}]")
 _LETTER = re.compile(r"(?:\\?[A-Za-z]+)\s*_\s*(?:\{?\s*[\dijk]\s*\}?)")
 _OF_FRAME = re.compile(
     r"\b(?:origine? (?:of|de|du) (?:the )?(?:frame|repère)|Ursprung von System) \$?\\?\{?(\d)\b", re.IGNORECASE
@@ -76,6 +77,7 @@ TURNS = "turns"  # the order of the factors of rotations one after another, as t
 OMEGA_FIRST = "omega first"  # a Jacobian, or a twist, whose first rows are those of ω
 ALL, BEHIND = "all", "behind"  # the angles of all joints; those that turn about the direction of one before
 PASSIVE, OUTWARDS = "passive", "outwards"  # R that turns axes; T_{ij} whose first index is the frame that the second sees
+EQUAL = "equal"  # lengths that are, where two letters have two lengths elsewhere
 COLUMNS = "columns"  # J_1, J_2 that are columns of J
 ORDER = "order"  # the joint variables as q holds them
 ANEW = "anew"  # a letter that is something else for a while
@@ -87,7 +89,7 @@ _NEAR_ABOVE, _NEAR_BELOW = 4, 8  # lines between a sentence and a display beside
 class Meaning:
     """What a sentence says on a line: letters that have another meaning, the frame whose origin it is of, what it is of `beside`, another point, frame or origin.
 
-    Letters `anew` have it from the sentence on, to the end of its section where `is_of_section`, and only where they have stood above it.
+    Letters `anew` have it from the sentence on, to the end of its section where `is_of_section`, and only where they have stood above it. What a heading says is of its section.
     """
 
     line: int
@@ -98,11 +100,12 @@ class Meaning:
     is_origin: bool = False
     anew: tuple[str, ...] = ()
     is_of_section: bool = False
+    is_heading: bool = False
 
 
 def with_other_meanings(document: Document, text: str) -> Document:
     """Return a document whose displays know which letters its text gives another meaning than usual, and where it is of another place."""
-    found = [*_meanings(text)]
+    found = [*_meanings(text), *_of_headings(text)]
     for display in document.displays:
         if letters := tuple(_orders([display.latex], "")):  # q = [r; θ]
             found.append(Meaning(display.line, letters))
@@ -145,7 +148,7 @@ def _with(display: Display, said: Iterable[tuple[Meaning, int, float]]) -> Displ
             letters.append(each.beside)
         if each.anew and each.line - _NEAR_ABOVE <= display.line < (ends if each.is_of_section else inf):
             letters += each.anew
-        if each.letters and (display.line >= begins or display.file):
+        if each.letters and (display.line >= begins or display.file) and not (each.is_heading and display.line >= ends):
             letters += each.letters
         is_elsewhere |= each.is_place and is_near
         is_elsewhere |= each.is_origin and display.line >= begins
@@ -189,6 +192,17 @@ def _meanings(text: str) -> Iterator[Meaning]:
             yield Meaning(line, is_place=True)
         if says("OTHER_ORIGIN", words) or _has_base_elsewhere(words.lower(), formulas):
             yield Meaning(line, is_origin=True)
+
+
+def _of_headings(text: str) -> Iterator[Meaning]:
+    """Yield what the headings of a text say of letters: "Absolute angles", "Equal bars"."""
+    lines = text.split("\n")
+    for line, _ in _headings(text):
+        said = _MARKS_OF_HEADING.sub(" ", with_axes(lines[line - 1]))
+        words, formulas = words_of(said), [each[0] or each[1] for each in _FORMULA.findall(said)]
+        equal = (EQUAL,) if says("EQUAL_LENGTHS", words) else ()
+        if letters := (*_letters(words, formulas), *equal):
+            yield Meaning(line, letters, is_heading=True)
 
 
 def _that_stand_in(text: str, letters: Sequence[str]) -> Iterator[str]:

@@ -483,6 +483,14 @@ SEEN_FROM = """
 frame/repère/system/koordinatensystem/sistema/referencial/marco ¤ … seen/viewed/described/expressed/given/relative/respect/vu/exprimé/rapport/gesehen/bezüglich/ausgedrückt/visto/respecto/rispetto/relação … (frame/repère/system/koordinatensystem/sistema/referencial/marco) ¤
 coordinates/coordonnées/koordinaten/coordenadas/coordinate … ¤ … into/to/en/in/a … ¤
 """
+EQUAL_LENGTHS = """
+equal/identical/equally (long) link/links/bar/bars/length/lengths/segment/segments/arms
+links/bars/segments/arms of (equal/the) (same) length
+bras/segments/corps/maillons/liens/longueurs égaux/égales/identiques (longueurs)
+gleich/gleiche lange/glieder/stäbe/längen/segmente (glieder/stäbe)
+eslabones/brazos/longitudes/barras iguales
+bracci/membri/lunghezze/aste uguali
+"""
 OF_COLUMNS = """
 columns/colonnes/spalten/columnas/colonne/colunas (of/de/von/di) (¤) (are/be/called/named/denoted/by/as/sont/sind/seien/son/sono) ¤
 ¤ (,/and/et/und/y/e) ¤ (are/be/for/sont/sind/seien/son/sono) (the/its/les/ses/die/seine/las/sus/le) (two/deux/zwei/dos/due) columns/colonnes/spalten/columnas/colonne/colunas
