@@ -64,9 +64,9 @@ class OtherMeanings:
             return outcome.left_open(say(Kind.OMEGA_IS_FIRST))
         symbols = symbols_in(cell for side in sides for cell in side.cells if isinstance(cell, Scalar))
         written |= {each.rpartition(" ")[2] for each in symbols}  # dot d_3 is written with d_3
-        lengths = written & {*self.given.lengths}
-        if EQUAL in meant and outcome.verdict is Verdict.REFUTED and lengths and len(self.given.lengths) > 1:
-            return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=min(lengths)))
+        lengths = {*self.given.lengths}
+        if EQUAL in meant and outcome.verdict is Verdict.REFUTED and len(lengths) > 1 and written & lengths:
+            return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=min(written & lengths)))
         for each in meant:
             letters = self._meant_by(each)
             if not written.isdisjoint(letters):

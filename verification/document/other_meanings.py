@@ -41,7 +41,9 @@ _ENTRIES = re.compile(  # (r, \theta)^T of a formula that is a tuple, or equates
     r"(?:^|(?P<name>[^=]*)=)\s*(?:\\left)?\s*(?:[\[(]|\\begin\{[bp]?matrix\})(?P<entries>[^()\[\]=]*?)(?:\\right)?\s*(?:[\])]|\\end\{)"
 )
 _NAME_OF_JOINTS = re.compile(r"[\s{]*(?:\\(?:mathbf|boldsymbol|vec|bm|underline|dot)\s*[\s{]*)*(?:q|\\[tT]heta)[\s}]*")
-_ROW = re.compile(r"(?:[vV]_\{?|\\dot\s*\{?\s*)([xyz])\}?|\\omega_\{?([xyz])\}?|(\\omega|\\dot\s*\{?\s*\\(?:var)?(?:phi|psi|theta)\}?)")
+_ROW = re.compile(
+    r"(?:[vV]_\{?|\\dot\s*\{?\s*)([xyz])\}?|\\omega_\{?([xyz])\}?|(\\omega|\\dot\s*\{?\s*\\(?:var)?(?:phi|psi|theta)\}?)"
+)
 _OF_TWO_FRAMES = re.compile(r"\s*(?:\\\w+\s*\{)?[TAHR]\}?\s*_\s*\{\s*([a-z0-9])\s*,?\s*([a-z0-9])\s*\}\s*")
 _FORMULA = re.compile(r"\$([^$]*)\$|\\\((.*?)\\\)")
 _AXIS_TURNED = re.compile(  # about $x$, the z-axis, $\hat Y_A$, x'' and the angle of it
@@ -76,7 +78,8 @@ _OF_EULER = re.compile(  # angles of an orientation, and of no joint
 TURNS = "turns"  # the order of the factors of rotations one after another, as their axes, and their angles where they are told: zyx α β γ
 OMEGA_FIRST = "omega first"  # a Jacobian, or a twist, whose first rows are those of ω
 ALL, BEHIND = "all", "behind"  # the angles of all joints; those that turn about the direction of one before
-PASSIVE, OUTWARDS = "passive", "outwards"  # R that turns axes; T_{ij} whose first index is the frame that the second sees
+PASSIVE = "passive"  # R that turns axes
+OUTWARDS = "outwards"  # T_{ij} whose first index is the frame that the second sees
 EQUAL = "equal"  # lengths that are, where two letters have two lengths elsewhere
 COLUMNS = "columns"  # J_1, J_2 that are columns of J
 ORDER = "order"  # the joint variables as q holds them
@@ -257,7 +260,8 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         yield " ".join((COLUMNS, *(each.strip() for each in formulas if re.fullmatch(r"\s*J_\{?\d\}?\s*", each))))
     if says("PASSIVE", words):
         yield PASSIVE
-    if says("SEEN_FROM", words) and any(_are_indices(each, formulas) for each in map(_OF_TWO_FRAMES.fullmatch, formulas) if each):
+    pairs = filter(None, map(_OF_TWO_FRAMES.fullmatch, formulas))
+    if says("SEEN_FROM", words) and any(_are_indices(each, formulas) for each in pairs):
         yield OUTWARDS
     if says("OMEGA_FIRST", _with_velocities(words, formulas)) or any(map(_OMEGA_ABOVE.search, formulas)):
         yield OMEGA_FIRST
@@ -275,7 +279,8 @@ def _orders(formulas: Sequence[str], words: str) -> Iterator[str]:
     orders = [_indices(at[1]) for formula in formulas if words for at in _OF_Q.finditer(formula)]
     if (columns := hears("OTHER_COLUMNS", words)) is not None:
         orders.append(_indices(" ".join(formulas[words.count("¤", 0, columns.start()) :])) + [1][: "first" in words])
-    orders += [_rows(entries) for _, entries in tuples] + [_rows([*filter(_ROW.fullmatch, listed)])] * says("OF_ROWS", words)
+    orders += [_rows(entries) for _, entries in tuples]
+    orders += [_rows([*filter(_ROW.fullmatch, listed)])] * says("OF_ROWS", words)
     if any(indices != sorted(indices) for indices in orders) or says("COLUMNS_REVERSED", words):
         yield JACOBIAN
     of_joints = [entries for name, entries in tuples if _NAME_OF_JOINTS.fullmatch(name)]

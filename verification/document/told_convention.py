@@ -5,9 +5,13 @@ from __future__ import annotations
 import re
 
 MAY_TELL = re.compile(r"craig|modifi|khalil|proximal|classi|standard|distal|spong|paul|original", re.IGNORECASE)
-_OF_FRAMES = re.compile(r"conven[tcz]|denavit|\bd-?h\b|\b(?:notations?|param[eè]\w+) (?:of|de|von) (?:craig|khalil)", re.IGNORECASE)
+_OF_FRAMES = re.compile(
+    r"conven[tcz]|denavit|\bd-?h\b|\b(?:notations?|param[eè]\w+) (?:of|de|von) (?:craig|khalil)", re.IGNORECASE
+)
 _MODIFIED = re.compile(r"\b(?:craig|modifi\w+|khalil|proximal)\b", re.IGNORECASE)
-_CLASSIC = re.compile(r"\b(?:classi(?:c|cal|que|ques|sche\w*|co|ca|cos|cas)|standard|distal|spong|paul|original)\b", re.IGNORECASE)
+_CLASSIC = re.compile(
+    r"\b(?:classi(?:c|cal|que|ques|sche\w*|co|ca|cos|cas)|standard|distal|spong|paul|original)\b", re.IGNORECASE
+)
 _CONTRAST = re.compile(
     r"\b(?:unlike|not|instead|rather|contrary|contrast|others?|both|compar\w+|some|sometimes|differ\w*|contrairement|pas|non|autres?"
     r"|statt|nicht|andere\w*|unterschied|no|otros?|otras?|diferencia|altr[io])\b",

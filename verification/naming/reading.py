@@ -152,7 +152,9 @@ def _columns(displays: Iterable[Display]) -> Iterator[str]:
     """Yield the keys of what a document says to be columns of J, in words or as [J_1 J_2]."""
     for display in displays:
         told = [each.removeprefix(COLUMNS) for each in display.meant if each.startswith(COLUMNS)]
-        rows = [row for row in _ROW_OF_COLUMNS.findall(normalise_unicode(display.latex)) if len(_COLUMN.findall(row)) > 1]
+        rows = [
+            row for row in _ROW_OF_COLUMNS.findall(normalise_unicode(display.latex)) if len(_COLUMN.findall(row)) > 1
+        ]
         yield from (f"J_{index}" for text in (*told, *rows) for index in _COLUMN.findall(text))
 
 
