@@ -15,6 +15,7 @@ from armproof.verification.document.other_arms import OF_ARM, is_other_arm
 from armproof.verification.document.other_meanings import (
     ALL,
     ANEW,
+    ASKED,
     BEHIND,
     EQUAL,
     JACOBIAN,
@@ -52,6 +53,8 @@ class OtherMeanings:
 
     def judge(self, outcome: Outcome, meant: Sequence[str]) -> Outcome:
         """Leave open what is written with a letter that the text gives another meaning than the arm has for it."""
+        if ASKED in meant:
+            return outcome.left_open(say(Kind.IS_SUPPOSED))
         written = {below.undotted.key for node in outcome.nodes for below in n.names(node)}
         of_order = next((b for node in outcome.nodes for b in n.names(node) if b.base in _IN_ORDER), None)
         if of_order is not None and (JACOBIAN in meant or any(map(self._is_permuted, meant))):

@@ -22,6 +22,9 @@ MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in 
     r"horizontal|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
     r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|transpos|invers|masse?\b|gravit|bar[iy]c|schwerp|acc[eé]l|beschl|jacobi|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from|convention|mirror|miroir|spiegel|espejo|repli|gefalt|plegad|ripieg|eingeklappt|\border\b|\bordre\b|reihenfolge|\borden\b|\bordine\b|q\}*\s*=|\\omega_|passiv|pasiv|equal (?:bar|link|length|segment|arm)|[ée]gaux|[ée]gales|gleiche|iguales|uguali|left and right|inches|feet|pouces|zoll|pulgadas|pollici"
 )
+MAY_ASK = re.compile(
+    r"following|suivant|folgend|siguiente|seguent|seguinte|true|vrai|richtig|wahr|verdader|vero|verdadeir"
+)
 _SENTENCE = re.compile(r"(?:\$[^$\n]+\$|\\[;!]|[^.;!?\n]|[.;!?](?!\s)|\n(?![^\S\n]*\n))+[.;!?]?")
 _SHOWN = re.compile(  # what is no sentence
     r"\$\$.{0,MOST}?\$\$|\\\[.{0,MOST}?\\\]|\\begin\{((?:equation|align|gather|multline|eqnarray|flalign|alignat|displaymath|verbatim|lstlisting|tabular)\*?)\}.{0,MOST}?\\end\{\1\}"
@@ -80,6 +83,7 @@ OMEGA_FIRST = "omega first"  # a Jacobian, or a twist, whose first rows are thos
 ALL, BEHIND = "all", "behind"  # the angles of all joints; those that turn about the direction of one before
 PASSIVE = "passive"  # R that turns axes
 OUTWARDS = "outwards"  # T_{ij} whose first index is the frame that the second sees
+ASKED = "asked"  # what the reader is to call true or false
 EQUAL = "equal"  # lengths that are, where two letters have two lengths elsewhere
 COLUMNS = "columns"  # J_1, J_2 that are columns of J
 ORDER = "order"  # the joint variables as q holds them
@@ -151,7 +155,8 @@ def _with(display: Display, said: Iterable[tuple[Meaning, int, float]]) -> Displ
             letters.append(each.beside)
         if each.anew and each.line - _NEAR_ABOVE <= display.line < (ends if each.is_of_section else inf):
             letters += each.anew
-        if each.letters and (display.line >= begins or display.file) and not (each.is_heading and display.line >= ends):
+        since = each.line if ASKED in each.letters else begins
+        if each.letters and (display.line >= since or display.file) and not (each.is_heading and display.line >= ends):
             letters += each.letters
         is_elsewhere |= each.is_place and is_near
         is_elsewhere |= each.is_origin and display.line >= begins
@@ -166,6 +171,9 @@ def _meanings(text: str) -> Iterator[Meaning]:
         sentence = found.group()
         before, goes_on = goes_on, sentence if sentence.endswith(";") else ""
         small = (before + sentence).lower()
+        if MAY_ASK.search(small) and says("ASKS_WHICH", words_of(sentence)):
+            line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
+            yield Meaning(line, (ASKED,), is_heading=True)
         if len(sentence) > MOST_CHARACTERS or not (MAY_MEAN.search(small) or MAY_RENAME.search(small)):
             continue
         line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1

@@ -483,6 +483,21 @@ SEEN_FROM = """
 frame/repère/system/koordinatensystem/sistema/referencial/marco ¤ … seen/viewed/described/expressed/given/relative/respect/vu/exprimé/rapport/gesehen/bezüglich/ausgedrückt/visto/respecto/rispetto/relação … (frame/repère/system/koordinatensystem/sistema/referencial/marco) ¤
 coordinates/coordonnées/koordinaten/coordenadas/coordinate … ¤ … into/to/en/in/a … ¤
 """
+ASKS_WHICH = """
+true or false
+right/correct or wrong/false
+vrai~ (v) ou faux/fausse/fausses
+juste~ (j) ou faux/fausse/fausses
+richtig/wahr (oder) (r) oder falsch
+verdadero~/verdadera~ (v) o falso~/falsa~
+vero/vera (v) o falso/falsa
+verdadeiro~/verdadeira~ (v) ou falso~/falsa~
+which (one/ones) of (the/these) (two/three/four/five/following) (following/equations/formulas/expressions/statements/answers)
+laquelle/lequel/lesquelles/lesquels des (…) suivantes/suivants/propositions/formules/réponses
+welche/welcher/welches der folgenden/beiden/drei/vier
+cuál/cuáles de las/los (…) siguientes
+quale/quali delle/dei/tra (le/i) (…) seguenti
+"""
 EQUAL_LENGTHS = """
 equal/identical/equally (long) link/links/bar/bars/length/lengths/segment/segments/arms
 links/bars/segments/arms of (equal/the) (same) length
