@@ -80,7 +80,8 @@ class Heeding:
                 state.told = replace(before, line=line)
             else:
                 self._heed([each for each in below if not own or each in own or not _is_posture(each)], line)
-            if own and own == _equations(below)[: len(own)]:
+            leads_away = not {NOT_THERE, *OF_MOTION}.isdisjoint(below)
+            if own and own == _equations(below)[: len(own)] and not leads_away:
                 state.told = _of_all_below(state.told)
 
     def _heed(self, said: Iterable[str], line: int) -> None:

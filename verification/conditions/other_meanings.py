@@ -15,7 +15,9 @@ from armproof.verification.document.other_arms import OF_ARM, is_other_arm
 from armproof.verification.document.other_meanings import (
     ALL,
     ANEW,
+    ASKED,
     BEHIND,
+    EQUAL,
     JACOBIAN,
     OMEGA_FIRST,
     ORDER,
@@ -32,6 +34,7 @@ from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.verdict import Verdict
 
 _VELOCITIES = ("v", "V")
 _MOVING = (*_VELOCITIES, *"xyzpPXYZ")  # what has an acceleration
@@ -51,6 +54,8 @@ class OtherMeanings:
 
     def judge(self, outcome: Outcome, meant: Sequence[str]) -> Outcome:
         """Leave open what is written with a letter that the text gives another meaning than the arm has for it."""
+        if ASKED in meant:
+            return outcome.left_open(say(Kind.IS_SUPPOSED))
         written = {below.undotted.key for node in outcome.nodes for below in n.names(node)}
         of_order = next((b for node in outcome.nodes for b in n.names(node) if b.base in _IN_ORDER), None)
         if of_order is not None and (JACOBIAN in meant or any(map(self._is_permuted, meant))):
@@ -63,6 +68,9 @@ class OtherMeanings:
             return outcome.left_open(say(Kind.OMEGA_IS_FIRST))
         symbols = symbols_in(cell for side in sides for cell in side.cells if isinstance(cell, Scalar))
         written |= {each.rpartition(" ")[2] for each in symbols}  # dot d_3 is written with d_3
+        lengths = {*self.given.lengths}
+        if EQUAL in meant and outcome.verdict is Verdict.REFUTED and len(lengths) > 1 and written & lengths:
+            return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=min(written & lengths)))
         for each in meant:
             letters = self._meant_by(each)
             if not written.isdisjoint(letters):

@@ -37,9 +37,9 @@ def either_reading(
     held = next((k for k, read in enumerate(chains) if _is_held(decide(read, equation, line, False))), None)
     chosen = held or 0
     outcomes = decide(chains[chosen], equation, line, define)
-    if (sort := next((each for each in _LEFT_OPEN if choices[chosen].get(each)), None)) is not None:
-        text = next(below.text for below in unclear if below.sort == sort)
-        return [outcome.left_open(say(_KINDS[sort][1], text=text)) for outcome in outcomes]
+    if (left_open := next((each for each in _LEFT_OPEN if choices[chosen].get(each)), None)) is not None:
+        text = next(below.text for below in unclear if below.sort == left_open)
+        return [outcome.left_open(say(_KINDS[left_open][1], text=text)) for outcome in outcomes]
     for outcome in outcomes:
         for sort in sorts:
             below = next(each for each in unclear if each.sort == sort)

@@ -24,7 +24,7 @@ from armproof.verification.document.model import CODE, INLINE, Display, Document
 from armproof.verification.document.moving_on import OF_MOTION
 from armproof.verification.document.named_quantities import NAMED
 from armproof.verification.document.notebook import read_notebook, read_percent
-from armproof.verification.document.other_meanings import MAY_MEAN, with_other_meanings
+from armproof.verification.document.other_meanings import MAY_ASK, MAY_MEAN, with_other_meanings
 from armproof.verification.document.rst import read_rst
 from armproof.verification.document.sentences import (
     ABOVE,
@@ -108,7 +108,7 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
         words_of(text[:_TELLS_LANGUAGE])
     ):
         document = replace(document, displays=tuple(replace(each, strange="") for each in document.displays))
-    if MAY_MEAN.search(text.lower()):
+    if MAY_MEAN.search(text.lower()) or MAY_ASK.search(text.lower()):
         document = with_other_meanings(document, text)
     if (images := sum(not shows_its_latex(each) for each in _IMAGE.findall(text))) and suffix != ".py":
         told = say(Kind.IMAGES, count=images) if images > 1 else say(Kind.IMAGE)

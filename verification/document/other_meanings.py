@@ -20,7 +20,10 @@ from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, sub
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
     r"horizontal|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
-    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|transpos|invers|masse?\b|gravit|bar[iy]c|schwerp|acc[eé]l|beschl|jacobi|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from|convention|mirror|miroir|spiegel|espejo|repli|gefalt|plegad|ripieg|eingeklappt|\border\b|\bordre\b|reihenfolge|\borden\b|\bordine\b|q\}*\s*=|\\omega_|passiv|pasiv|left and right|inches|feet|pouces|zoll|pulgadas|pollici"
+    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|transpos|invers|masse?\b|gravit|bar[iy]c|schwerp|acc[eé]l|beschl|jacobi|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from|convention|mirror|miroir|spiegel|espejo|repli|gefalt|plegad|ripieg|eingeklappt|\border\b|\bordre\b|reihenfolge|\borden\b|\bordine\b|q\}*\s*=|\\omega_|passiv|pasiv|equal (?:bar|link|length|segment|arm)|[ée]gaux|[ée]gales|gleiche|iguales|uguali|left and right|inches|feet|pouces|zoll|pulgadas|pollici"
+)
+MAY_ASK = re.compile(
+    r"following|suivant|folgend|siguiente|seguent|seguinte|true|vrai|richtig|wahr|verdader|vero|verdadeir"
 )
 _SENTENCE = re.compile(  # an item of a list is one of its own
     r"(?:\$[^$\n]+\$|\\[;!]|[^.;!?\n]|[.;!?](?!\s)|\n(?![^\S\n]*(?:\n|[*+-][^\S\n]|\d+[.)][^\S\n])))+[.;!?]?"
@@ -33,6 +36,7 @@ _SHOWN = re.compile(  # what is no sentence
     re.DOTALL | re.MULTILINE,
 )
 _HEADING = re.compile(r"\s*(?:(#{1,6})\s|\\((?:sub)*)section)")
+_MARKS_OF_HEADING = re.compile(r"^\s*#+|\\(?:sub)*section\*?|[{}]")
 _LETTER = re.compile(r"(?:\\?[A-Za-z]+)\s*_\s*(?:\{?\s*[\dijk]\s*\}?)")
 _OF_FRAME = re.compile(
     r"\b(?:origine? (?:of|de|du) (?:the )?(?:frame|repère)|Ursprung von System) \$?\\?\{?(\d)\b", re.IGNORECASE
@@ -90,10 +94,10 @@ TURNS = "turns"  # the order of the factors of rotations one after another, as t
 OMEGA_FIRST = "omega first"  # a Jacobian, or a twist, whose first rows are those of ω
 ALL, BEHIND = "all", "behind"  # the angles of all joints; those that turn about the direction of one before
 UPRIGHT = "upright"  # an angle from the vertical: what it moves stands up at 0
-PASSIVE, OUTWARDS = (
-    "passive",
-    "outwards",
-)  # R that turns axes; T_{ij} whose first index is the frame that the second sees
+PASSIVE = "passive"  # R that turns axes
+OUTWARDS = "outwards"  # T_{ij} whose first index is the frame that the second sees
+ASKED = "asked"  # what the reader is to call true or false
+EQUAL = "equal"  # lengths that are, where two letters have two lengths elsewhere
 COLUMNS = "columns"  # J_1, J_2 that are columns of J
 ORDER = "order"  # the joint variables as q holds them
 ANEW = "anew"  # a letter that is something else for a while
@@ -105,7 +109,7 @@ _NEAR_ABOVE, _NEAR_BELOW = 4, 8  # lines between a sentence and a display beside
 class Meaning:
     """What a sentence says on a line: letters that have another meaning, the frame whose origin it is of, what it is of `beside`, another point, frame or origin.
 
-    Letters under a heading, or of what would be, have it within the lines of `reach` alone. Letters `anew` have it from the sentence on, to the end of its section where `is_of_section`, and only where they have stood above it.
+    Letters of what would be, under a heading or to be called true or false, have it within the lines of `reach` alone. Letters `anew` have it from the sentence on, to the end of its section where `is_of_section`, and only where they have stood above it.
     """
 
     line: int
@@ -121,7 +125,7 @@ class Meaning:
 
 def with_other_meanings(document: Document, text: str) -> Document:
     """Return a document whose displays know which letters its text gives another meaning than usual, and where it is of another place."""
-    found = [*_meanings(text)]
+    found = [*_meanings(text), *_of_headings(text)]
     for display in document.displays:
         if letters := tuple(_orders([display.latex], "")):  # q = [r; θ]
             found.append(Meaning(display.line, letters))
@@ -175,12 +179,14 @@ def _with(display: Display, said: Iterable[tuple[Meaning, int, float]]) -> Displ
 def _meanings(text: str) -> Iterator[Meaning]:
     """Yield what the sentences of a text say of letters and places that is not what an arm has for them."""
     shown = _SHOWN.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
-    yield from _of_headings(text)
     goes_on = ""  # what stands before a semicolon: "In this section …; $\\theta_3$ is then …"
     for found in _SENTENCE.finditer(shown):
         sentence = found.group()
         before, goes_on = goes_on, sentence if sentence.endswith(";") else ""
         small = (before + sentence).lower()
+        if MAY_ASK.search(small) and says("ASKS_WHICH", words_of(sentence)):
+            line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
+            yield Meaning(line, (ASKED,), reach=(line, _reach(line, text)[1]))
         if len(sentence) > MOST_CHARACTERS or not (MAY_MEAN.search(small) or MAY_RENAME.search(small)):
             continue
         line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
@@ -218,11 +224,14 @@ def _meanings(text: str) -> Iterator[Meaning]:
 
 
 def _of_headings(text: str) -> Iterator[Meaning]:
-    """Yield that angles are counted from a fixed direction in the sections whose headings say so: "Absolute angles"."""
+    """Yield what the headings of a text say of letters: "Absolute angles", "Equal bars"."""
     lines = text.split("\n")
-    for at, _ in _headings(text):
-        if hears("OF_ABSOLUTE_ANGLES", words_of(lines[at - 1])):
-            yield Meaning(at, (BEHIND,), reach=_reach(at, text))
+    for line, _ in _headings(text):
+        said = _MARKS_OF_HEADING.sub(" ", with_axes(lines[line - 1]))
+        words, formulas = words_of(said), [each[0] or each[1] for each in _FORMULA.findall(said)]
+        equal = (EQUAL,) if says("EQUAL_LENGTHS", words) else ()
+        if letters := (*_letters(words, formulas), *equal):
+            yield Meaning(line, letters, reach=_reach(line, text))
 
 
 def _paragraph(text: str, start: int, end: int) -> tuple[int, int]:
@@ -291,9 +300,8 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         yield " ".join((COLUMNS, *(each.strip() for each in formulas if re.fullmatch(r"\s*J_\{?\d\}?\s*", each))))
     if says("PASSIVE", words):
         yield PASSIVE
-    if says("SEEN_FROM", words) and any(
-        _are_indices(each, formulas) for each in map(_OF_TWO_FRAMES.fullmatch, formulas) if each
-    ):
+    pairs = filter(None, map(_OF_TWO_FRAMES.fullmatch, formulas))
+    if says("SEEN_FROM", words) and any(_are_indices(each, formulas) for each in pairs):
         yield OUTWARDS
     if says("OMEGA_FIRST", _with_velocities(words, formulas)) or any(map(_OMEGA_ABOVE.search, formulas)):
         yield OMEGA_FIRST
@@ -311,9 +319,8 @@ def _orders(formulas: Sequence[str], words: str) -> Iterator[str]:
     orders = [_indices(at[1]) for formula in formulas if words for at in _OF_Q.finditer(formula)]
     if (columns := hears("OTHER_COLUMNS", words)) is not None:
         orders.append(_indices(" ".join(formulas[words.count("¤", 0, columns.start()) :])) + [1][: "first" in words])
-    orders += [_rows(entries) for _, entries in tuples] + [_rows([*filter(_ROW.fullmatch, listed)])] * says(
-        "OF_ROWS", words
-    )
+    orders += [_rows(entries) for _, entries in tuples]
+    orders += [_rows([*filter(_ROW.fullmatch, listed)])] * says("OF_ROWS", words)
     if any(indices != sorted(indices) for indices in orders) or says("COLUMNS_REVERSED", words):
         yield JACOBIAN
     of_joints = [entries for name, entries in tuples if _NAME_OF_JOINTS.fullmatch(name)]

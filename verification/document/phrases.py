@@ -101,17 +101,6 @@ was/formel/gleichung/zeile (,) die folgt
 lo/fórmula/ecuación que sigue
 following/below/underneath/suivante/suivant/ci-dessous/ci-après/folgende/folgenden/nachstehende/nachstehenden/siguiente
 """
-ASKS_WHICH = """
-which (one) (of) (the) (following/these/statements/formulas/expressions) is/are
-(lequel/laquelle/lesquels/lesquelles/quelle/quelles) (des/parmi) (les) (formules/relations/expressions/affirmations/propositions/réponses) suivantes (est/sont)
-true/vrai/vraie/richtig/verdadero/vero (V) (¤) or/ou/oder/o false/faux/fausse/falsch/falso
-right/correct/juste/exacte or/ou wrong/incorrect/not/fausse
-for/pour/für/para each/every/chaque/jede/cada (of) (the) (following) statement/claim/affirmation/proposition/aussage/afirmación
-dire/dites/indiquer/indiquez/préciser si
-tick/check/choose/select/cocher/cochez/entourez (the/la/le/l'/les) (right/correct/true/bonne/bonnes) (one/ones/answer/answers/réponse/réponses)
-welche der (folgenden)
-cuál/cuáles de las/los (siguientes)
-"""
 THEN = """
 ^ then/alors/dann/entonces/allora/então/so/thus/hence/therefore/donc/also/ainsi/daher/así/luego/dunque/portanto (,) … (:) $
 ^ (in) (dans) (en) this/that/such/ce/in/im/ese/tal (a) (diesem) case/cas/fall/caso (,) … (:) $
@@ -140,13 +129,6 @@ wrong $
 
 # -- what supposes a display, asks for it, quotes it, or says that it is of a case or nearly so
 
-OF_ABSOLUTE_ANGLES = """
-angle/angles/winkel/ángulos/angoli/ângulos (with) (par) (con) (respect/rapport/respecto) from/to/against/gegen/depuis/desde/à/zur/a/dalla (the/la/l'/die/der) horizontal~/vertical~/vertikal~/orizzontal~
-absolute (link/joint) angle/angles
-angle/angles/winkel/ángulos/angoli/ângulos absolus/absolu/absolute/absolutos/assoluti
-absolute/absoluten winkel
-angle/angles/winkel/ángulos/angoli/ângulos (#) (all) measured/counted/taken/reckoned/mesurés/comptés/repérés/gemessen/gezählt/medidos/contados/misurati/contati from/to/against/à/par/depuis/von/gegen/desde/da/dalla/dall'/a
-"""
 CASE = """
 special/particular/limiting/limit/degenerate case/cases
 cas particulier~/limite~/dégénéré~
@@ -156,10 +138,6 @@ only joint
 joint # alone/only/locked/fixed/blocked
 unit/equal/identical (link) length/lengths
 longueurs unitaire~/égale~
-(two/both) equal/identical/unit bars/links/segments/arms
-(deux) barres/segments/bras/corps égaux/égales/identiques/unitaires
-gleiche/gleichen/gleich längen/lange/langen
-eslabones/barras/segmentos/brazos iguales/iguais
 true/vrai or/ou false/faux
 """
 OF_A_PART = """
@@ -520,6 +498,29 @@ axes are/being turned/rotated (,) (and) not
 SEEN_FROM = """
 frame/repère/system/koordinatensystem/sistema/referencial/marco ¤ … seen/viewed/described/expressed/given/relative/respect/vu/exprimé/rapport/gesehen/bezüglich/ausgedrückt/visto/respecto/rispetto/relação … (frame/repère/system/koordinatensystem/sistema/referencial/marco) ¤
 coordinates/coordonnées/koordinaten/coordenadas/coordinate … ¤ … into/to/en/in/a … ¤
+"""
+ASKS_WHICH = """
+true or false
+right/correct or wrong/false
+vrai~ (v) ou faux/fausse/fausses
+juste~ (j) ou faux/fausse/fausses
+richtig/wahr (oder) (r) oder falsch
+verdadero~/verdadera~ (v) o falso~/falsa~
+vero/vera (v) o falso/falsa
+verdadeiro~/verdadeira~ (v) ou falso~/falsa~
+which (one/ones) of (the/these) (two/three/four/five/following) (following/equations/formulas/expressions/statements/answers)
+laquelle/lequel/lesquelles/lesquels des (…) suivantes/suivants/propositions/formules/réponses
+welche/welcher/welches der folgenden/beiden/drei/vier
+cuál/cuáles de las/los (…) siguientes
+quale/quali delle/dei/tra (le/i) (…) seguenti
+"""
+EQUAL_LENGTHS = """
+equal/identical/equally (long) link/links/bar/bars/length/lengths/segment/segments/arms
+links/bars/segments/arms of (equal/the) (same) length
+bras/segments/corps/maillons/liens/longueurs égaux/égales/identiques (longueurs)
+gleich/gleiche lange/glieder/stäbe/längen/segmente (glieder/stäbe)
+eslabones/brazos/longitudes/barras iguales
+bracci/membri/lunghezze/aste uguali
 """
 OF_COLUMNS = """
 columns/colonnes/spalten/columnas/colonne/colunas (of/de/von/di) (¤) (are/be/called/named/denoted/by/as/sont/sind/seien/son/sono) ¤

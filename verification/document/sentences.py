@@ -147,7 +147,6 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
     if (
         _supposes(words, IS_OVER.search(sentence) is not None)
         or hears("MAY_LIMIT", words_before)
-        or any(hears("ASKS_WHICH", each) for each in (words, words_before))
         or limits_what_is_near(words_before)
         or (hears("THEN", words) and says_what_would_be(words_before))
     ):

@@ -29,7 +29,14 @@ TOOL tip tool~ tcp effector end-effector end endpoint hand gripper~ robot~ arm a
 OTHER knee knie rodilla ginocchio genou hip ankle elbow~ joint shoulder~ base camera~ load payload~ motor~ mass masses gravity centroid~ articulation giunto gelenk gelenks articulación midpoint~ mid-point~ upper-arm counterweight~ sensor~ obstacle~ ground crank~ carriage~ coude épaule~ base caméra charge moteur~ gravité barycentre~ inertie ellbogen~ ellenbogen~ schulter~ basis kamera~ motors schwerpunkt~ masse massenmittelpunkt~ codo hombro cámara carga gravedad masas gomito spalla baricentro massa carico cotovelo ombro
 WRIST forearm avant-bras unterarm~ antebrazo avambraccio antebraço wrist~ poignet~ handgelenk~ muñeca polso pulso
 MIDDLE centre center middle milieu mitte mittelpunkt~ centro medio mezzo meio half
-NUMBERED link links frame frames segment~ body bodies rod bar repère~ corps solide~ maillon~ bras segment~ glied~ glieds gliedes koordinatensystem~ system eslabón cuerpo marco braccio membro corpo terna elo
+HAS has have hat haben tiene tienen ha hanno tem têm possède
+PLACED coordinate~ coordonnée~ koordinaten coordenadas abscissa~ abscisse~ abszisse~ abscisa~ ascissa~ ordinate~ ordonnée~ ordenada~ ordinata~ position~ location~ height hauteur höhe altura altezza velocit~ speed~ vitesse~ geschwindigkeit~ velocidad~
+WAY way halfway half-way mi-chemin chemin wegs weges camino strada
+BETWEEN between entre zwischen tra fra
+ANGLE angle winkel ángulo angolo ângulo
+PROJECTION projection~ projektion~ proyección proiezione projeção
+AXIS x-axis y-axis z-axis horizontal~ vertical~ horizontale~ verticale~ horizontalen vertikalen waagerechten orizzontale verticale
+NUMBERED link links frame frames segment~ body bodies rod rods bar bars repère~ corps solide~ maillon~ bras segment~ glied~ glieds gliedes koordinatensystem~ system eslabón cuerpo marco braccio membro corpo terna elo
 ORDINAL first second third fourth premier première deuxième second seconde troisième ersten zweiten dritten primer primero segundo tercer primo secondo terzo primeiro terceiro
 BASE base basis world ground fixed inertial reference origin 0 monde fixe absolu référence welt inertialsystem mondo mundo fijo fisso
 BE is are reads becomes equals est sont s'écrit vaut ist lautet liegt sind es está son è sono é
@@ -88,6 +95,7 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
         if _is(word, "VECTOR") and _is((*said[place + 1 :], "")[0], "FROM"):
             yield from _of_thing(_phrase(said[place + 2 :])[:1])
     yield from _of_those(said)
+    yield from _of_subject(said)
     label = [each for each in _unskipped(said) if each not in _ENDS]
     if (
         0 < len(label) <= MOST_OF_LABEL
@@ -107,6 +115,25 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
     if named := named_quantity(said):
         yield f"{NAMED} {named}"
     yield from (f"{OF_ARM} {each}" for each in arms_named(words))
+
+
+def _of_subject(said: Sequence[str]) -> Iterator[str]:
+    """Yield of what place a sentence is that begins with it: "The middle of the bar has the coordinates", "Halfway from the elbow to the tip"."""
+    for place, word in enumerate(said):
+        behind = said[place + 1 : place + 5]
+        has = _is(word, "HAS") or (word in ("a", "ont") and _is((*behind, "")[0], "FOR"))
+        if has and place and any(_is(each, "PLACED") for each in behind):
+            yield from _of_place(_phrase(said[:place]))
+        beside = said[place + 1 : place + 9]
+        points = [each for each in beside if each not in _JOINT]  # and not "from joint space to the plane"
+        if _is(word, "WAY") and any(_is(each, kind) for each in points for kind in ("OTHER", "WRIST", "TOOL")):
+            yield OTHER_PLACE
+        joins = any(_is(each, "BETWEEN") for each in behind[:2]) or behind[:2] == ["que", "font"]
+        of_links = _is(word, "ANGLE") and joins and any(_is(each, "NUMBERED") for each in beside)
+        if of_links and not any(_is(each, "AXIS") or _is(each, "BASE") for each in beside):  # as the tool's angle has
+            yield OTHER_PLACE
+        if _is(word, "PROJECTION") and _number(_phrase(behind)):
+            yield OTHER_PLACE
 
 
 def _for_the_tool(said: Sequence[str]) -> int:
@@ -237,7 +264,7 @@ def _seen_from(said: Sequence[str], place: int) -> Iterator[str]:
         if _is(word, "BASE") or word in _ENDS or (_is(word, "NUMBERED") and _number(behind) == "0"):
             return
         if any(_is(word, each) for each in ("TOOL", "OTHER", "WRIST", "NUMBERED")) or (
-            word in _ORDINALS and behind[-1] == word
+            word in _ORDINALS and ({behind[-1], *behind[behind.index(word) + 1 :][:1]} & {word, "one"})
         ):
             yield OTHER_BASE
             return

@@ -323,9 +323,7 @@ class ChainChecker:
     def _defined(self, outcome: Outcome) -> Outcome:
         """Return a definition, left open where it is a slip away from a skew matrix, tells other torques than J^T F, or a determinant that is none."""
         outcome = unless_skewed(outcome, self.names)
-        true = outcome.true
-        is_zero = true is not None and isinstance(true.value, Scalar) and true.value.is_zero()
-        if true is not None and is_zero and any(n.is_call(b, "det") for b in n.walk(true.node)):
+        if outcome.true is not None and _is_vanishing_determinant(outcome.true):
             doubt = say(Kind.DEFINES_ZERO, name=outcome.defines[0] if outcome.defines else "")
             for key in outcome.defines:
                 self.names.leave_open(key, doubt)
@@ -534,3 +532,9 @@ def _labels(now: _Pass) -> Iterator[Outcome]:
             if isinstance(brace, n.Labelled):
                 equation = now.first + max(0, index - 1)
                 yield from now.definitions.label(brace, equation, partial(now.check, first_equation=equation))
+
+
+def _is_vanishing_determinant(member: Member) -> bool:
+    """Whether a side is made of a determinant and zero at every configuration: det(J^T J) of a J with more columns than rows."""
+    is_zero = isinstance(member.value, Scalar) and member.value.is_zero()
+    return is_zero and any(n.is_call(below, "det") for below in n.walk(member.node))

@@ -308,12 +308,8 @@ def _at_one_value(evaluator: Evaluating, whole: n.Node, name: n.Name, argument: 
     moving, is_zero = symbols_in(cells) & names.joints.keys(), is_nought((argument,))
     if not moving and not is_zero:
         return multiply(evaluator.evaluate(whole), "", evaluator.evaluate(argument))
-    is_value = (moving or isinstance(value, Matrix) or whole is not name) and name.key not in (
-        "x",
-        "y",
-        "z",
-        "p",
-    )  # which are so at a time
+    is_of_time = name.key in ("x", "y", "z", "p")
+    is_value = not is_of_time and (moving or isinstance(value, Matrix) or whole is not name)
     is_factor = isinstance(bare(argument), n.Number) and not is_zero  # T(2) may be 2 T
     if not is_value or is_factor or names.offset_joints or not (is_zero or len(moving) == 1):
         raise EvaluationError(say(Kind.WRONG_NUMBER_OF_VALUES, name=name.key, given=1, joints=len(names.joints)))

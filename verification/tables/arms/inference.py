@@ -182,10 +182,10 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
         return Inference(document)
     if is_told:
         return _taken(document, found, best, bool(more)) if found[0].told_by in best.joints else Inference(document)
-    said = document.convention if found[0].source == "table" else ""
-    if best.failed and any(each.convention == said != best.convention and each.held for each in others):
+    named = document.convention if found[0].source == "table" else ""
+    if best.failed and any(each.convention == named != best.convention and each.held for each in others):
         return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line)  # its equations speak against its text
-    best, rivals, is_shown = _shown_best(document, said or found[0].stated, best, others)
+    best, rivals, is_shown = _shown_best(document, named or found[0].stated, best, others)
     best = with_point_beyond(document, best) if best.held and not rivals else best
     if best.held and not rivals:
         best, found = with_ends(document, plain_names(document), best, found)
