@@ -18,6 +18,7 @@ from armproof.verification.check.beforehand import Beforehand, lacks_base, shown
 from armproof.verification.check.display import DisplayChecker
 from armproof.verification.check.limits import SECONDS_TO_DECIDE
 from armproof.verification.check.parts import joined, unless_of_another_arm
+from armproof.verification.check.points import Points
 from armproof.verification.diagnosis.accepted import with_accepted
 from armproof.verification.display.statements import Statements
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
@@ -197,6 +198,8 @@ class DocumentChecker:
         if any(record.if_shown is not None for record in equations):
             equations = settle_usual(equations)
         equations = settle_used_otherwise(equations, self._usual)
+        if any(each.usual for record in equations for each in record.outcomes):
+            equations = Points(self.exact, self._usual).settle(equations)
         if any(each.order for record in equations for each in record.outcomes):
             from armproof.verification.equations.argument_order import settle_orders
 
