@@ -17,7 +17,7 @@ from armproof.verification.algebra.ring import Ring
 from armproof.verification.check.beforehand import Beforehand, lacks_base, shown_transforms
 from armproof.verification.check.display import DisplayChecker
 from armproof.verification.check.limits import SECONDS_TO_DECIDE
-from armproof.verification.check.parts import joined, unless_of_another_arm
+from armproof.verification.check.parts import joined, unless_called_another, unless_of_another_arm
 from armproof.verification.check.points import Points
 from armproof.verification.diagnosis.accepted import with_accepted
 from armproof.verification.display.statements import Statements
@@ -93,6 +93,7 @@ def check_document(
     results = [DocumentChecker(p.document, arm or load_arm_of(p.document), *options, p).run() for p in parts]
     if samples and len(parts) > 1:
         results = [unless_of_another_arm(k, parts, result, plainly) for k, result in enumerate(results)]
+        results = [unless_called_another(k, parts, result) for k, result in enumerate(results)]
     if seeks and samples:
         results = [unless_disputed(part, result, plainly) for part, result in zip(parts, results, strict=True)]
         results = [with_armless(part, result, plainly) for part, result in zip(parts, results, strict=True)]
