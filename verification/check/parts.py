@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import accumulate
 
-from armproof.verification.document import Document
+from armproof.verification.document import Display, Document, Table
 from armproof.verification.document.arms_called import called_in
 from armproof.verification.document.hearing import words_of
 from armproof.verification.findings import Kind, say
@@ -63,7 +63,8 @@ def _own_names(place: int, parts: Sequence[Inference]) -> frozenset[str]:
     before = parts[place - 1].arm if place else None
     begin = _place(before) if before is not None else (0, 0)
     above = [each for each in document.called if begin < each.place <= _place(arm)]
-    sections = {each.section for each in (*document.displays, *document.tables) if each.line == arm.line}
+    shown: list[Display | Table] = [*document.displays, *document.tables]
+    sections = {each.section for each in shown if each.line == arm.line}
     names = {*(above[-1].names if above else ()), *(name for each in sections for name in called_in(words_of(each)))}
     return frozenset(names if any(map(str.isdigit, names)) else {*names, str(place + 1)})
 
