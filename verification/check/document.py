@@ -17,7 +17,8 @@ from armproof.verification.algebra.ring import Ring
 from armproof.verification.check.beforehand import Beforehand, lacks_base, shown_transforms
 from armproof.verification.check.display import DisplayChecker
 from armproof.verification.check.limits import SECONDS_TO_DECIDE
-from armproof.verification.check.parts import joined, unless_of_another_arm
+from armproof.verification.check.parts import joined, unless_called_another, unless_of_another_arm
+from armproof.verification.check.points import Points
 from armproof.verification.diagnosis.accepted import with_accepted
 from armproof.verification.display.statements import Statements
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
@@ -92,6 +93,7 @@ def check_document(
     results = [DocumentChecker(p.document, arm or load_arm_of(p.document), *options, p).run() for p in parts]
     if samples and len(parts) > 1:
         results = [unless_of_another_arm(k, parts, result, plainly) for k, result in enumerate(results)]
+        results = [unless_called_another(k, parts, result) for k, result in enumerate(results)]
     if seeks and samples:
         results = [unless_disputed(part, result, plainly) for part, result in zip(parts, results, strict=True)]
         results = [with_armless(part, result, plainly) for part, result in zip(parts, results, strict=True)]
@@ -197,6 +199,8 @@ class DocumentChecker:
         if any(record.if_shown is not None for record in equations):
             equations = settle_usual(equations)
         equations = settle_used_otherwise(equations, self._usual)
+        if any(each.usual for record in equations for each in record.outcomes):
+            equations = Points(self.exact, self._usual).settle(equations)
         if any(each.order for record in equations for each in record.outcomes):
             from armproof.verification.equations.argument_order import settle_orders
 

@@ -6,10 +6,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import accumulate
 
-from armproof.verification.document import Document
+from armproof.verification.document import Display, Document, Table
+from armproof.verification.document.arms_called import called_in
+from armproof.verification.document.hearing import words_of
 from armproof.verification.findings import Kind, say
 from armproof.verification.tables.arms import Inference
-from armproof.verification.verdict import HOLDS, DocumentResult, Record, Verdict
+from armproof.verification.verdict import DECIDED, HOLDS, DocumentResult, Record, TakenArm, Verdict
 
 
 def unless_of_another_arm(
@@ -34,6 +36,48 @@ def unless_of_another_arm(
         )
         result = replace(result, equations=tuple(found))
     return result
+
+
+def unless_called_another(place: int, parts: Sequence[Inference], result: DocumentResult) -> DocumentResult:
+    """Leave open what is decided in the part of one arm, where the text says that it is of another: "Back to robot A:"."""
+    of_arms = [part for part in parts if part.arm is not None]
+    arm = parts[place].arm
+    if arm is None or len(of_arms) < 2 or not parts[place].document.called:
+        return result
+    own = {id(part): _own_names(k, of_arms) for k, part in enumerate(of_arms)}
+    here = own.pop(id(parts[place]))
+    others = frozenset[str]().union(*own.values()) - here
+    records = []
+    for record in result.equations:
+        names = _names_at(record, parts[place].document, _place(arm))
+        is_of_other = bool(names & others) and names.isdisjoint(here) and not record.erratum
+        doubt = say(Kind.OF_OTHER_ARM)
+        records.append(record.left_open(doubt, lambda one: one.verdict in DECIDED) if is_of_other else record)
+    return replace(result, equations=tuple(records))
+
+
+def _own_names(place: int, parts: Sequence[Inference]) -> frozenset[str]:
+    """Return what an arm is called above what shows it, by its heading too; a number it has by its place, if by nothing else."""
+    arm, document = parts[place].arm, parts[place].document
+    assert arm is not None
+    before = parts[place - 1].arm if place else None
+    begin = _place(before) if before is not None else (0, 0)
+    above = [each for each in document.called if begin < each.place <= _place(arm)]
+    shown: list[Display | Table] = [*document.displays, *document.tables]
+    sections = {each.section for each in shown if each.line == arm.line}
+    names = {*(above[-1].names if above else ()), *(name for each in sections for name in called_in(words_of(each)))}
+    return frozenset(names if any(map(str.isdigit, names)) else {*names, str(place + 1)})
+
+
+def _names_at(record: Record, document: Document, begin: tuple[int, int]) -> frozenset[str]:
+    """Return what the last sentence under a record's heading, behind what shows the arm, calls an arm, or the heading does."""
+    at = (record.cell or 0, record.line)
+    told = [each for each in document.called if each.section == record.section and begin < each.place <= at]
+    return told[-1].names if told else called_in(words_of(record.section))
+
+
+def _place(arm: TakenArm) -> tuple[int, int]:
+    return arm.cell or 0, arm.line
 
 
 def joined(document: Document, results: Sequence[DocumentResult]) -> DocumentResult:

@@ -11,6 +11,7 @@ from typing import Any
 from armproof.models.catalogue import arm_names
 from armproof.verification.document.accepts import MARK, with_accepts
 from armproof.verification.document.arm_in_words import MAY_NAME, planar_arms
+from armproof.verification.document.arms_called import CALLED
 from armproof.verification.document.cells import percent_cells
 from armproof.verification.document.code_tables import code_tables
 from armproof.verification.document.denials import denied_in, denies_above, denies_below, is_denied_by_headings
@@ -20,7 +21,7 @@ from armproof.verification.document.heading import encloses
 from armproof.verification.document.hearing import words_of
 from armproof.verification.document.listings import assignments, with_listings
 from armproof.verification.document.markdown import read_markdown_file
-from armproof.verification.document.model import CODE, INLINE, Display, Document, Listing
+from armproof.verification.document.model import CODE, INLINE, Called, Display, Document, Listing
 from armproof.verification.document.moving_on import OF_MOTION
 from armproof.verification.document.named_quantities import NAMED
 from armproof.verification.document.notebook import read_notebook, read_percent
@@ -158,6 +159,8 @@ def _with_what_is_said(document: Document) -> Document:
             has_words = display.erratum  # what leads to what is quoted leads to nothing else
         elif display.latex == PROSE:
             has_words = True
+        elif display.latex.startswith(CALLED):
+            continue
         elif display.latex.startswith(OF_ABOVE):
             displays[-1:] = [
                 each if each.erratum else _with_what_is_above(each, display.latex) for each in displays[-1:]
@@ -170,7 +173,9 @@ def _with_what_is_said(document: Document) -> Document:
     works_out = any(display.latex.count("=") > 1 for display in told)
     told = tuple(with_listings(told, listings)) if listings or works_out else told
     code = [each for each in document.displays if each.opening == CODE]
-    return replace(document, displays=told, in_code=tuple(code_tables(code)) if code else ())
+    return replace(
+        document, displays=told, called=tuple(_called(document)), in_code=tuple(code_tables(code)) if code else ()
+    )
 
 
 def _with_what_is_above(display: Display, latex: str) -> Display:
@@ -193,6 +198,18 @@ def _listings(document: Document) -> Iterator[Listing]:
     for display in document.displays:
         if display.opening == CODE and (values := assignments(display.latex)):
             yield Listing(display.line, values, display.section)
+
+
+def _called(document: Document) -> Iterator[Called]:
+    """Yield what the sentences of a document call arms; one that begins on the line of a display stands behind it."""
+    last = (0, 0)
+    for each in document.displays:
+        place = (each.cell or 0, each.line)
+        if each.opening != INLINE:
+            last = place
+        elif each.latex.startswith(CALLED):
+            place = (place[0], place[1] + (place == last))
+            yield Called(place, each.section, frozenset(each.latex[len(CALLED) : -1].split()))
 
 
 def _is_of_same_text(one: Display, other: Display) -> bool:

@@ -121,6 +121,15 @@ class Accept:
 
 
 @dataclass(frozen=True)
+class Called:
+    """What a sentence calls the arms that it speaks of: numbers, letters, kinds."""
+
+    place: tuple[int, int]  # cell (0 where there is none) and line
+    section: str
+    names: frozenset[str]
+
+
+@dataclass(frozen=True)
 class Document:
     """A document as read; `front` is its front matter, `lines` the line of each key in it."""
 
@@ -134,6 +143,7 @@ class Document:
     headings: tuple[tuple[int, str], ...] = ()  # with their lines, where its front matter has `arms` by section
     named: tuple[str, ...] = ()  # the arms of the catalogue that its text names
     in_code: tuple[Table, ...] = ()  # the DH tables in its pieces of code
+    called: tuple[Called, ...] = ()  # what its sentences call arms, in their order
     planar: frozenset[int] = frozenset()  # how many joints the planar arms have that its text names
     convention: str = ""  # that of a DH table which its text names, "classic" or "modified"
 

@@ -49,10 +49,15 @@ _COMPARED = re.compile(
 
 def arms_named(words: str) -> list[str]:
     """Return the numbers of joints and the types of the arms of which a sentence is; none where it compares."""
-    if _COMPARED.search(words):
+    if compares(words):
         return []
     found = [each for each in _ARMS.finditer(words) if _OF.search(words[: each.start()])]
     return [next(filter(None, each.groups())).lower() for each in found]
+
+
+def compares(words: str) -> bool:
+    """Whether a sentence speaks of an arm to compare with it: "as for the planar arm"."""
+    return _COMPARED.search(words) is not None
 
 
 def is_other_arm(named: str, arm: Arm) -> bool:

@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterator
 from functools import lru_cache
 
+from armproof.verification.document.arms_called import CALLED, arms_called
 from armproof.verification.document.clauses import is_of_display, says_what_would_be
 from armproof.verification.document.denials import denies_before, denies_behind, denies_later
 from armproof.verification.document.denying_clauses import leads_on
@@ -116,11 +117,13 @@ def quoted(sentence: str) -> str:
 
 
 def said_in_general(text: str, line: int, section: str) -> Iterator[Display]:
-    """Yield that a text speaks of every configuration, or of another than before, if it does."""
+    """Yield that a text speaks of every configuration, or of another than before, and of which arm, if it does."""
     if _GENERAL.search(" ".join(text.split())):
         yield Display(line, GENERAL, section=section, opening=INLINE)
     for each in said_of_motion(text):
         yield Display(line, each, section=section, opening=INLINE)
+    for names in arms_called(text):
+        yield Display(line, f"{CALLED}{' '.join(sorted(names))}}}", section=section, opening=INLINE)
     if _is_prose(text):
         yield Display(line, PROSE, section=section, opening=INLINE)
 

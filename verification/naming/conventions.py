@@ -160,7 +160,8 @@ def _all(base: str, index: str, reference: str, arm: Arm, placed: bool) -> Itera
             yield from _of_frame(base, index, origin, arm, placed)
         elif base in POSITIONS:
             yield _component(origin, component)
-        yield from _velocities(base, frame, given, component)
+        if given == reference:  # ω_{12} is that of a link relative to another
+            yield from _velocities(base, frame, given, component)
         if base in LINEAR_VELOCITIES and component is None and is_planar(arm):
             yield Quantity("velocity", frame, given, rows=(1, 2, 6))  # (v_x, v_y, ω)
     if base == "J":
@@ -262,9 +263,6 @@ def _indices(index: str, reference: str, arm: Arm) -> Iterator[tuple[str, str | 
             yield frame, first, reference
         elif (start := _frame(first, arm)) is not None and (frame := _frame(second, arm)) is not None:
             yield frame, None, start
-            if start == arm.frames[0]:
-                continue
-            yield frame, None, reference
 
 
 def _wrists(arm: Arm) -> list[str]:

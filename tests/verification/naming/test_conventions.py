@@ -117,7 +117,7 @@ MEANINGS = {
 p  ⟶  origin 2|0; task 2|0
 p_1  ⟶  origin 1|0; task 1|0
 p_{02}  ⟶  origin 2|0; task 2|0
-p_{12}  ⟶  origin 2|1; task 2|1; origin 2|0; task 2|0
+p_{12}  ⟶  origin 2|1; task 2|1
 p_e  ⟶  origin 2|0; task 2|0
 p_{e,x}  ⟶  origin 2|0 1.
 p_x  ⟶  origin 2|0 1.
@@ -143,7 +143,7 @@ a_z  ⟶  rotation 2|0 3 × 3.
 n  ⟶
 T  ⟶  pose 2|0
 T_1  ⟶  pose 1|0
-T_{12}  ⟶  pose 2|1; pose 2|0
+T_{12}  ⟶  pose 2|1
 {}^1T_2  ⟶  pose 2|1
 {}^1_2T  ⟶  pose 2|1
 T_2^1  ⟶  pose 2|1
@@ -157,7 +157,7 @@ g_1  ⟶  pose 1|0
 X_e  ⟶  origin 2|0 1.; origin 2|0; task 2|0; x axis 2|0; pose 2|0
 R  ⟶  rotation 2|0
 R_1  ⟶  rotation 1|0
-R_{12}  ⟶  rotation 2|1; rotation 2|0
+R_{12}  ⟶  rotation 2|1
 J  ⟶
 J_1  ⟶  jacobian 1|0
 J_v  ⟶  jacobian 2|0 123
@@ -166,7 +166,7 @@ J_{\omega_1}  ⟶  jacobian 1|0 456
 J_L  ⟶  jacobian 2|0 123
 J_{A,1}  ⟶  jacobian 1|0 456
 J_{geo}  ⟶  jacobian 2|0
-J_{12}  ⟶  jacobian 2|1; jacobian 2|0
+J_{12}  ⟶  jacobian 2|1
 {}^1J  ⟶
 {}^1J_2  ⟶  jacobian 2|1
 J_{v7}  ⟶
@@ -199,15 +199,15 @@ p_W  ⟶  origin 1|0; task 1|0; origin 2|0; task 2|0
 p_{W,x}  ⟶  origin 1|0 1.; origin 2|0 1.
 WC_x  ⟶  origin 1|0 1.; origin 2|0 1.
 O_{1to2}  ⟶  1 to 2|0
-T_{1to2}  ⟶  pose 2|1; pose 2|0
+T_{1to2}  ⟶  pose 2|1
 p_{1to7}  ⟶
 x_P  ⟶  origin 2|0 1.; origin 2|0; task 2|0; x axis 2|0
 x_{max}  ⟶
 p_{1ORG}  ⟶  origin 1|0; task 1|0
 {}^0P_{2ORG}  ⟶  origin 2|0
 p_7  ⟶
-p_{1,2}  ⟶  origin 2|1; task 2|1; origin 2|0; task 2|0
-p_{1-2}  ⟶  origin 2|1; task 2|1; origin 2|0; task 2|0
+p_{1,2}  ⟶  origin 2|1; task 2|1
+p_{1-2}  ⟶  origin 2|1; task 2|1
 p_{x,y}  ⟶
 T_0  ⟶  pose 0|0
 {}^1p_1  ⟶  origin 1|1; task 1|1
@@ -223,7 +223,7 @@ K  ⟶
     "spatial_rrr": r"""
 p  ⟶  origin P|0; origin 3|0
 p_3  ⟶  origin 3|0
-p_{3P}  ⟶  origin P|3; origin P|0
+p_{3P}  ⟶  origin P|3
 T  ⟶  pose P|0; pose 3|0
 {}^3T_P  ⟶  pose P|3; pose 3|3
 {}^3p  ⟶  origin P|3; origin 3|3
@@ -238,7 +238,7 @@ f  ⟶  origin P|0; pose P|0; origin 3|0; pose 3|0
 """,
     "rx90": r"""
 x  ⟶  origin 6|0 1.; origin 6|0
-p_{56}  ⟶  origin 6|5; origin 6|0
+p_{56}  ⟶  origin 6|5
 p_W  ⟶  origin 5|0; origin 6|0; origin 4|0; origin 3|0; origin 2|0; origin 1|0
 p_{W,z}  ⟶  origin 5|0 3.; origin 6|0 3.; origin 4|0 3.; origin 3|0 3.; origin 2|0 3.; origin 1|0 3.
 \varphi  ⟶
@@ -261,7 +261,7 @@ J  ⟶  jacobian 2|1; jacobian 2|B
 J_v  ⟶  jacobian 2|1 123; jacobian 2|B 123
 v_1  ⟶  velocity 1|1 123; velocity 1|1; velocity 1|1 126; velocity 1|B 123; velocity 1|B; velocity 1|B 126
 p_{B2}  ⟶  origin 2|B; task 2|B
-p_{12}  ⟶  origin 2|1; task 2|1; origin 2|B; task 2|B
+p_{12}  ⟶  origin 2|1; task 2|1
 r_{12}  ⟶  rotation 2|1 1 × 2.; rotation 2|B 1 × 2.
 n_x  ⟶  rotation 2|1 1 × 1.; rotation 2|B 1 × 1.
 f  ⟶  origin 2|1; pose 2|1; task 2|1; origin 2|B; pose 2|B; task 2|B
