@@ -69,6 +69,10 @@ class SampledErrors:
         """Return the errors where only samples count at which every entry agrees."""
         return replace(self, counted=self._equal(tolerance) & self.counted)
 
+    def where_holds(self, tolerance: float) -> frozenset[int]:
+        """Return the samples drawn at random at which every entry agrees."""
+        return frozenset(map(int, np.flatnonzero(self._equal(tolerance) & self.counted & self.at_random)))
+
     def on_a_branch(self, tolerance: float) -> tuple[int, int] | None:
         """Return at how many of how many configurations every entry agrees, or None where it is no branch.
 
