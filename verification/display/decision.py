@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import cached_property, partial
 
 from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.conditions.branches import never_with_others
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.equations.any_frames import direction_of_any_frames
 from armproof.verification.equations.any_jacobian import holds_of_any_jacobian, is_step_along_gradient, tells_jacobian
@@ -74,6 +75,8 @@ class Decision:
             outcomes = [self.circumstances.as_usual_there(each) or each for each in outcomes]
         if self.names.state.told.bounds:
             outcomes = [self.circumstances.within_bounds(outcome) for outcome in outcomes]
+        if define and self.names.arm is not None:
+            outcomes = [never_with_others(outcome, self.checker, line) for outcome in outcomes]
         if any(outcome.verdict is Verdict.PROVED for outcome in outcomes) and _multiplies_a_matrix(chain):
             outcomes = self._with_factors(chain, outcomes, equation)
         if any(outcome.tells(Kind.NOT_AS_USUAL_BOUND) for outcome in outcomes):

@@ -139,6 +139,15 @@ class PrintedError:
     cells: dict[tuple[int, int], str]
 
 
+@dataclass(frozen=True)
+class OnABranch:
+    """At which samples the solution for a joint holds that a display gives under a heading."""
+
+    line: int
+    section: str
+    where: frozenset[int]
+
+
 @dataclass
 class NamedSigns:
     """The named signs of a document, each with the value that it has on the branch at hand."""
@@ -227,6 +236,7 @@ class DocumentState:
         shown: the rows in which a Jacobian is read that only convention binds.
         tells_jacobian: whether a law that holds told that J is no transpose.
         signs: the named signs.
+        branches: joints whose solution holds on a branch → where that is.
         errors: the refuted equations.
         slips: definitions, each with its line and what it says with the one slip mended that an equation needed.
         consulted: the definitions that evaluation has met since this was emptied, each with the line of its display.
@@ -269,6 +279,7 @@ class DocumentState:
     shown: dict[str, JacobianRows] = field(default_factory=dict)
     tells_jacobian: bool = False
     signs: NamedSigns = field(default_factory=NamedSigns)
+    branches: dict[str, OnABranch] = field(default_factory=dict)
     consulted: set[tuple[str, int]] = field(default_factory=set)
     errors: list[PrintedError] = field(default_factory=list)
     slips: dict[Key, tuple[Finding, n.Node]] = field(default_factory=dict)

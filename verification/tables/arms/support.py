@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -38,6 +39,7 @@ class Inference:
 FRAMES, ORDER, TOLD = 0, -1, -2
 HEIGHTS = -6  # of which coordinates an equation tells what they hold without a joint, x first
 _MOVES = ("jacobian", "velocity", "determinant")
+_LENGTH = re.compile(r"(?<![A-Za-z\\])([adlrADLR])_\{?(\d)\}?")
 _TURNS = frozenset(["rotation", "axis"])
 
 
@@ -184,7 +186,18 @@ def links_that_explain(outcome: Outcome, members: Members) -> frozenset[int]:
     left_over = {k: pose(ends[0], near) @ value @ pose(far, ends[1]) for k, (near, far) in links.items()}
     moving = {joint.symbol for joint in arm.joints}
     own = {k: {joint.symbol for joint in arm.joints[depth(near) : depth(far)]} for k, (near, far) in links.items()}
-    return frozenset(k for k, link in left_over.items() if moving & _symbols(link) <= own[k])
+    may_be = {k: link for k, link in left_over.items() if moving & _symbols(link) <= own[k]}
+    convention = arm.dh.convention if arm.dh is not None else ""
+    return frozenset(k for k, link in may_be.items() if not own[k] or not convention or _has_row(link, convention))
+
+
+def _has_row(link: Matrix, convention: str) -> bool:
+    """Whether a pose may be that of a row in a DH table: it shifts along the new x and the old z, or the old x and the new z."""
+    rows = link.rows
+    flat, (one, other) = (rows[2][0], (0, 1)) if convention == "classic" else (rows[0][2], (1, 2))
+    along = 0 if convention == "classic" else 2
+    beside = rows[one][3] * rows[other][along] - rows[other][3] * rows[one][along]
+    return flat.is_zero() and beside.normal().is_zero()
 
 
 def is_rigid(pose: Matrix) -> bool:
@@ -390,6 +403,7 @@ class _Settled:
         is_own = self.taken.source == "matrices" and not (links - self.confirmed) & self.taken.mended
         is_own = is_own and not _links_at_fault(result, record, self.confirmed)
         is_slip = self._is_slip(links, result, record) or self._is_off_its_place(doubtful, result, record)
+        is_slip = is_slip or self._has_index_of_another(doubtful, result, record)
         is_sure = has_sides and (is_own or not doubtful or is_slip)
         is_sure = is_sure and (not self.taken.told_by or TOLD in self.confirmed)
         if result.verdict is not Verdict.REFUTED or record.erratum or _is_of_any_arm(result):
@@ -426,6 +440,21 @@ class _Settled:
         if doubtful != {FRAMES} or len(wrong) != 1 or wrong[0].column != 4 or not wrong[0].row:
             return False
         return AXES - (wrong[0].row - 1) in self.confirmed
+
+    def _has_index_of_another(self, doubtful: frozenset[int], result: EquationResult, record: Record) -> bool:
+        """Whether one length of a link is that of another row, d_6 for d_4, where the table has it, and in this row that of its own index."""
+        wrong = [entry for entry in record.entries if entry.equation == result.index]
+        if self.taken.source != "table" or len(doubtful) != 1 or len(wrong) != 1:
+            return False
+        link, rows = min(doubtful), self.taken.front["arm"]["rows"]
+        printed, correct = ({*_LENGTH.findall(text)} for text in (wrong[0].printed, wrong[0].correct))
+        if link < 1 or not len(printed) == len(correct) == 1 or wrong[0].finding is None:
+            return False
+        (letter, index), (own_letter, own) = printed.pop(), correct.pop()
+        own_indices = {link, link - 1} if own_letter == "a" and self.taken.convention == "modified" else {link}
+        elsewhere = {str(row[role]) for place, row in enumerate(rows, 1) for role in "ad" if place != link}
+        is_its_own = int(own) in own_indices and int(index) not in own_indices
+        return letter == own_letter and is_its_own and f"{letter}_{index}" in elsewhere
 
     @property
     def _pinned(self) -> frozenset[int]:

@@ -60,9 +60,15 @@ def test_what_a_wrong_entry_should_be_is_told_where_the_product_confirms_the_tab
 
 
 def test_where_nothing_tells_table_and_matrix_apart_neither_is_refuted() -> None:
-    result = verify_text(PLAIN + "\n" + link(1, FIRST) + link(2, SECOND, "-l_2 s_2"))
+    other = link(2, SECOND).replace("l_2", "l_1")  # as another row would give it
+    result = verify_text(PLAIN + "\n" + link(1, FIRST) + other)
     assert verdicts(result) == ["proved", "unchecked"]
     assert "differs from the table at line 1" in result.equations[1].message
+
+
+def test_a_matrix_that_no_row_gives_is_refuted_beside_its_table() -> None:
+    result = verify_text(PLAIN + "\n" + link(1, FIRST) + link(2, SECOND, "-l_2 s_2"))
+    assert verdicts(result) == ["proved", "refuted"]
     assert [(entry.row, entry.column) for entry in result.equations[1].entries] == [(2, 4)]
 
 
