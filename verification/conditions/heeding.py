@@ -14,7 +14,7 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.holding_there import holds_where
 from armproof.verification.document.heading import sections_around
 from armproof.verification.document.joint_values import in_letters, is_joint_value
-from armproof.verification.document.postures import SINGULAR, THERE, kind_of_joints
+from armproof.verification.document.postures import SINGULAR, THERE, is_bent, kind_of_joints
 from armproof.verification.document.sentences import FROM_VALUES, GENERAL, NOT_THERE, values_of
 from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
@@ -106,6 +106,7 @@ class Heeding:
             velocities=tuple(heard.velocities) or before.velocities,
             bounds=tuple(heard.bounds) or before.bounds,
             kind=heard.kind or before.kind,
+            is_bent=heard.in_words and all(map(is_bent, filter(_is_posture, said))),
             is_direct=bool(heard.conditions) and FROM_VALUES in said and not any(map(_NEARLY.search, said)),
             line=line if heard.velocities or is_last else before.line,
         )

@@ -267,6 +267,7 @@ OF_A_POSTURE = """
 """
 GIVES_VALUES = """
 ^ & (from) (here/now) (on) (,) (we) let/suppose/assume/consider/take/set/put/fix/keep/hold/soit/supposons/prenons/posons/considérons/fixons/sei/setzen/sea/supongamos/tomemos/sia/supponiamo * ¤ (and/et/und/y/e) (¤) $
+^ & (,) ¤ (and/et/und/y/e) (¤) $
 ^ & in/dans/en this/cette/ce/diesem/questo/este/esta section/subsection/paragraph/part/case/question/exercise/paragraphe/partie/cas/exercice/abschnitt/fall/sección/caso/sezione (,) (we) (have) (on) (a) ¤ (and/et/und/y/e) (¤) $
 ^ & (the/this/le/der/el/il) (is/est/ist/está/è) for/at/when/if/pour/en/si/quand/lorsque/für/bei/wenn/para/cuando/per/quando ¤ $
 """

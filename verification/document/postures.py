@@ -34,6 +34,8 @@ _POSTURE = re.compile(
     re.IGNORECASE,
 )
 
+_INNER = re.compile(r"stretched|folded|extended|retracted|extension|straight|tendu|plié|aligned|collinear|alignés?|colinéaires", re.IGNORECASE)
+_DIRECTION = re.compile(r"vertical|horizontal|verticaux|upright|along|at the origin|à l['’]origine|axis|axe", re.IGNORECASE)
 FARTHEST = 60  # characters of the words that lead to an angle
 THERE = "there: "  # before a posture with which its sentence begins: "With the elbow at 90°,", and not "it vanishes when stretched"
 _BEGINS = re.compile(
@@ -86,6 +88,11 @@ def kind_of_joints(text: str) -> str:
     """Return of which kind of joints a text speaks, "revolute" or "prismatic"; "" where of none, or of both."""
     found = [kind for kind, words in _KINDS.items() if re.search(rf"\b(?:{words})", text, re.IGNORECASE)]
     return found[0] if len(found) == 1 else ""
+
+
+def is_bent(latex: str) -> bool:
+    """Whether a posture in words is how the inner joints are bent, "stretched", and says nothing of directions."""
+    return _INNER.search(latex) is not None and _DIRECTION.search(latex) is None
 
 
 def postures(text: str, line: int, section: str) -> Iterator[Display]:

@@ -104,6 +104,8 @@ class Told:
         kind: of which joints it speaks alone, "revolute" or "prismatic".
         line: of the display behind it.
         is_direct: whether the display follows from them in the sentence that leads to it: "For ¤ and ¤ we get".
+        is_bent: whether the posture in words is how the inner joints are bent, "stretched", and tells nothing of the first.
+        holds: whether a display of numbers holds at the values that it gives.
         is_over: whether the conditions are those of a configuration that the text ends: "In general,".
         section, holds_below: under which heading it says so, and whether it holds under those below it: of lengths alone.
     """
@@ -121,6 +123,8 @@ class Told:
     section: str = ""
     holds_below: bool = False
     is_direct: bool = False
+    is_bent: bool = False
+    holds: bool = False
     is_over: bool = False
 
     @property
