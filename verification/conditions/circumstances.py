@@ -150,7 +150,12 @@ class Circumstances:
     def vanishes_there(self, chain: n.Chain, equation: int) -> Outcome | None:
         """Return det J = 0 as a claim that is proved at the values that lead to it; None where it is none."""
         told = self.names.state.told
-        if not told.is_direct or not told.conditions or set(chain.relations) != {"="} or not is_number(chain.members[-1]):
+        if (
+            not told.is_direct
+            or not told.conditions
+            or set(chain.relations) != {"="}
+            or not is_number(chain.members[-1])
+        ):
             return None
         if not any(n.is_call(below, "det") for member in chain.members for below in n.walk(member)):
             return None
@@ -165,8 +170,8 @@ class Circumstances:
         """Return the joints and lengths to which a condition gives values, or all that it relates."""
         if values := self.given.values_of(condition):
             return {*values}
-        values = [self.checker.member(node).value for node in condition.members]
-        return {*symbols_in([each for each in values if isinstance(each, Scalar)])}
+        sides = [self.checker.member(node).value for node in condition.members]
+        return {*symbols_in([each for each in sides if isinstance(each, Scalar)])}
 
     def as_usual_there(self, outcome: Outcome) -> Outcome | None:
         """Return what is proved of a name as it is usually meant at the values that lead to the equation; None where nothing is."""

@@ -73,13 +73,13 @@ class Heeding:
                 told = _of_all_below(told) if own and not is_outside else told
                 state.told = told if told.holds_below else Told()
         if below := said[above:]:
-            own = values_of(state.section)
-            before, again = state.told, own and not set(_equations(below)) - set(own)
-            if again and before.section == state.section and before.conditions:  # "Here the arm is stretched."
-                state.told = replace(before, line=line)
+            values = values_of(state.section)
+            before, equations = state.told, _equations(below)
+            if values and set(equations) <= {*values} and before.section == state.section and before.conditions:
+                state.told = replace(before, line=line)  # "Here the arm is stretched." says no more than its heading
             else:
-                self._heed([each for each in below if not own or each in own or not _is_posture(each)], line)
-            if own and own == _equations(below)[: len(own)]:
+                self._heed([each for each in below if not values or each in values or not _is_posture(each)], line)
+            if values and values == equations[: len(values)]:
                 state.told = _of_all_below(state.told)
 
     def _heed(self, said: Iterable[str], line: int) -> None:

@@ -166,7 +166,11 @@ def _meanings(text: str) -> Iterator[Meaning]:
         )
         if letters := tuple(_letters(words, formulas)):
             would_be = says_what_would_be(words)
-            yield Meaning(line, letters, reach=_paragraph(text, found.end() - len(sentence.lstrip()), found.end()) if would_be else None)
+            yield Meaning(
+                line,
+                letters,
+                reach=_paragraph(text, found.end() - len(sentence.lstrip()), found.end()) if would_be else None,
+            )
         earlier = [each[0] or each[1] for each in _FORMULA.findall(before)]
         renamed, is_of_section = letters_anew(words_of(before) + words, [*earlier, *formulas])
         if renamed and (known := tuple(_that_stand_in(text[: found.start()], renamed))):
@@ -230,7 +234,9 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         else:
             which = UPRIGHT if _VERTICAL.search(words) and not _OTHERWISE.search(words) else ALL
             yield from (f"{which} {each}" for each in subjects)
-        is_of_other = "¤" in words[: begin.end()] and not subjects  # "The angle φ is absolute, the joint angles are not"
+        is_of_other = (
+            "¤" in words[: begin.end()] and not subjects
+        )  # "The angle φ is absolute, the joint angles are not"
         of_all = words[: begin.end()] if is_of_other else words
         if _PLURAL.search(of_all) and not any(re.search(r"\d", each) for each in subjects):  # all θ_i, too
             yield BEHIND if name != "TURNED" else ALL

@@ -34,8 +34,13 @@ _POSTURE = re.compile(
     re.IGNORECASE,
 )
 
-_INNER = re.compile(r"stretched|folded|extended|retracted|extension|straight|tendu|plié|aligned|collinear|alignés?|colinéaires", re.IGNORECASE)
-_DIRECTION = re.compile(r"vertical|horizontal|verticaux|upright|along|at the origin|à l['’]origine|axis|axe", re.IGNORECASE)
+_INNER = re.compile(
+    r"stretched|folded|extended|retracted|extension|straight|tendu|plié|aligned|collinear|alignés?|colinéaires",
+    re.IGNORECASE,
+)
+_DIRECTION = re.compile(
+    r"vertical|horizontal|verticaux|upright|along|at the origin|à l['’]origine|axis|axe", re.IGNORECASE
+)
 FARTHEST = 60  # characters of the words that lead to an angle
 THERE = "there: "  # before a posture with which its sentence begins: "With the elbow at 90°,", and not "it vanishes when stretched"
 _BEGINS = re.compile(
