@@ -130,11 +130,13 @@ class Circumstances:
             return replace(outcome, pair=pair, wrong=wrong, there=numbers) if wrong else outcome
         return outcome
 
-    def numbers_there(self, outcome: Outcome) -> Outcome | None:
+    def numbers_there(self, outcome: Outcome, line: int) -> Outcome | None:
         """Return what is proved, or refuted, of numbers at the values that lead to them; None where nothing is."""
         if outcome.true is None or outcome.printed is None or not outcome.tells(Kind.NUMBERS_OF_NOWHERE):
             return None
-        return self._proved_there(outcome) or self._vanishes_not(outcome)
+        told = self.names.state.told
+        is_near = told.line == line or told.holds_below
+        return self._proved_there(outcome) or (self._vanishes_not(outcome) if is_near else None)
 
     def _vanishes_not(self, outcome: Outcome) -> Outcome | None:
         """Return zeros refuted where what is printed beside them is another at the values that lead to them, whatever the lengths are."""
@@ -301,7 +303,7 @@ class Circumstances:
     def _is_told(self, outcome: Outcome, told: Told) -> bool:
         """Whether words such as "stretched" say no more of an equation than the values beside them: of all its joints but the first."""
         values = {name for each in told.conditions for name in self.given.values_of(each) or {}}
-        if not told.is_bent or outcome.pair is None or not values:
+        if outcome.pair is None or not self.text.fits(told, told.bent):
             return False
         moving = symbols_in(outcome.pair.true.cells) & {*self.given.joints}
         return moving <= {*values, *list(self.given.joints)[:1]}

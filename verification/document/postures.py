@@ -34,10 +34,13 @@ _POSTURE = re.compile(
     re.IGNORECASE,
 )
 
-_INNER = re.compile(
-    r"stretched|folded|extended|retracted|extension|straight|tendu|plié|aligned|collinear|alignés?|colinéaires",
-    re.IGNORECASE,
-)
+STRETCHED, FOLDED = "stretched", "folded"
+_BENT_AS = {
+    STRETCHED: re.compile(
+        r"stretched|straight|full extension|en extension|extended|tendu|dépli|aligned|alignés?", re.IGNORECASE
+    ),
+    FOLDED: re.compile(r"folded|retracted|repli", re.IGNORECASE),
+}
 _DIRECTION = re.compile(
     r"vertical|horizontal|verticaux|upright|along|at the origin|à l['’]origine|axis|axe", re.IGNORECASE
 )
@@ -95,9 +98,10 @@ def kind_of_joints(text: str) -> str:
     return found[0] if len(found) == 1 else ""
 
 
-def is_bent(latex: str) -> bool:
-    """Whether a posture in words is how the inner joints are bent, "stretched", and says nothing of directions."""
-    return _INNER.search(latex) is not None and _DIRECTION.search(latex) is None
+def bent_as(latex: str) -> str:
+    """Return how a posture in words bends the inner joints, STRETCHED or FOLDED; "" where it says both, neither, or of directions."""
+    found = [kind for kind, words in _BENT_AS.items() if words.search(latex)]
+    return found[0] if len(found) == 1 and _DIRECTION.search(latex) is None else ""
 
 
 def postures(text: str, line: int, section: str) -> Iterator[Display]:
