@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-from armproof.verification.document.clauses import OF_DISPLAY, Clause, clauses, goes_on, is_of_what_would_be
+from armproof.verification.document.clauses import OF_DISPLAY, Clause, clauses, goes_on, says_what_would_be
 
 _SHORT = 4  # words of "Discuss it.", with its stop
 
@@ -38,7 +38,13 @@ def limits_what_is_below(words: str) -> bool:
     is_asked = words[:1].isupper() and (
         found[0].begins("query", "instead") or any(each.has("inverted") for each in found)
     )
-    return asks or is_asked or is_of_what_would_be(found[-1]) or _is_supposed(found) or any(map(_limits_below, found))
+    return (
+        asks
+        or is_asked
+        or says_what_would_be(words, at_its_end=True)
+        or _is_supposed(found)
+        or any(map(_limits_below, found))
+    )
 
 
 def limits_what_is_near(words: str) -> bool:

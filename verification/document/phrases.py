@@ -186,7 +186,7 @@ approché~/approchée~/angenähert~/aproximad~
 point/place (here/considered/in) (question) (considered) is (not) (the)
 convention/conventions of/du/des/de (the) (la) manufacturer/vendor/constructeur/fabricant/herstellers/fabricante/costruttore
 conventions/convention … those/that/celles/celle of/de/d' (the) (another/second/other/un/une)
-holds/valid/applies/written/vaut/valable/valide/écrite/gilt/gültig/vale/válida/valida/válido (only) for/in/with/pour/dans/avec/für/in/para/con/per a/an/une/un/l'/eine/einen/einer/otro/otra/altra/altro/un' (another/other/different/autre/andere/anderen/anderer) convention/origin/choice/table/numbering/origine/choix/tableau/numérotation/konvention/wahl/ursprung/convención/origen/elección/convenzione/scelta
+holds/valid/applies/written/vaut/valable/valide/écrite/gilt/gültig/vale/válida/valida/válido (only) for/in/with/pour/dans/avec/für/in/para/con/per (a/an/the/une/un/l'/eine/einen/einer/un') another/other/different/autre/andere/anderen/anderer/otro/otra/altra/altro convention/origin/choice/table/numbering/origine/choix/tableau/numérotation/konvention/wahl/ursprung/convención/origen/elección/convenzione/scelta
 another/other/different/autre/anderen/anderer/otro/otra/altro/outro point/quantity/body/frame/joint/link/punkt/punktes/grandeur/größe/punto/magnitud
 ^ (…) find/determine/give/compute/state/trouver/trouvez/déterminer/déterminez/donner/donnez/bestimmen/finde/bestimme/hallar/determinar/encontrar … for/pour/für/para which/lesquelles/lesquels/laquelle/lequel/quelles/welche/los/las/qué
 keeps/keep/kept (…) (its/the) orientation/direction/horizontal/vertical/level
