@@ -17,6 +17,7 @@ from armproof.verification.conditions.implication import Implication
 from armproof.verification.conditions.postures import vanish_at_quarter_turns
 from armproof.verification.document.postures import THERE
 from armproof.verification.document.sentences import FROM_VALUES, NOT_THERE
+from armproof.verification.equations.alignment import align
 from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
@@ -53,7 +54,7 @@ class Circumstances:
             return self._proved_there(outcome) or outcome.left_open(say(Kind.HOLDS_AS_TOLD))
         if self.names.arm is None and told.conditions and any(map(bare_key, outcome.nodes)):
             return outcome.left_open(say(Kind.OTHER_AS_TOLD))  # what a name is, or is there: either may hold the slip
-        if told.in_words and self._may_hold_there(outcome, told.begins_there):
+        if told.in_words and not self._is_told(outcome, told) and self._may_hold_there(outcome, told.begins_there):
             return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
         if told.bounds and any(map(_has_a_sign, (outcome.true.node, outcome.printed.node))):
             return self._within(told.bounds, outcome)
@@ -129,10 +130,24 @@ class Circumstances:
             return replace(outcome, pair=pair, wrong=wrong, there=numbers) if wrong else outcome
         return outcome
 
-    def numbers_there(self, outcome: Outcome) -> Outcome | None:
-        """Return what is proved of numbers at the values that lead to them; None where nothing is."""
-        is_pair = outcome.true is not None and outcome.printed is not None
-        return self._proved_there(outcome) if is_pair and outcome.tells(Kind.NUMBERS_OF_NOWHERE) else None
+    def numbers_there(self, outcome: Outcome, line: int) -> Outcome | None:
+        """Return what is proved, or refuted, of numbers at the values that lead to them; None where nothing is."""
+        if outcome.true is None or outcome.printed is None or not outcome.tells(Kind.NUMBERS_OF_NOWHERE):
+            return None
+        told = self.names.state.told
+        is_near = told.line == line or told.holds_below
+        return self._proved_there(outcome) or (self._vanishes_not(outcome) if is_near else None)
+
+    def _vanishes_not(self, outcome: Outcome) -> Outcome | None:
+        """Return zeros refuted where what is printed beside them is another at the values that lead to them, whatever the lengths are."""
+        assert outcome.true is not None and outcome.printed is not None
+        told, zeros = self.names.state.told, as_matrix(outcome.printed.value)
+        if told.in_words or not all(isinstance(cell, Scalar) and cell.is_zero() for cell in zeros.cells):
+            return None
+        pairs = align(outcome.true.value, outcome.printed.value, self.checker.exact)
+        refuted = replace(outcome, verdict=Verdict.REFUTED, findings=(), pair=next(pairs, None))
+        found = self._wrong_there(refuted)
+        return found if found.there else None
 
     def vanishes_there(self, chain: n.Chain, equation: int) -> Outcome | None:
         """Return det J = 0 as a claim that is proved at the values that lead to it; None where it is none."""
@@ -284,6 +299,14 @@ class Circumstances:
         """Whether an equation holds, or nobody can tell, under conditions."""
         assert outcome.true is not None and outcome.printed is not None
         return holds_where(self.checker, conditions, n.Chain((outcome.true.node, outcome.printed.node), ("=",)))
+
+    def _is_told(self, outcome: Outcome, told: Told) -> bool:
+        """Whether words such as "stretched" say no more of an equation than the values beside them: of all its joints but the first."""
+        values = {name for each in told.conditions for name in self.given.values_of(each) or {}}
+        if outcome.pair is None or not self.text.fits(told, told.bent):
+            return False
+        moving = symbols_in(outcome.pair.true.cells) & {*self.given.joints}
+        return moving <= {*values, *list(self.given.joints)[:1]}
 
     def _may_hold_there(self, outcome: Outcome, begins_there: bool) -> bool:
         """Whether an equation may hold in a posture that words name.

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
+from math import pi
 
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_scalar
@@ -15,7 +16,7 @@ from armproof.verification.conditions.holding_there import holds_where
 from armproof.verification.document.heading import sections_around
 from armproof.verification.document.joint_values import in_letters, is_joint_value
 from armproof.verification.document.moving_on import MOVED_BEHIND, OF_MOTION, RESIZED
-from armproof.verification.document.postures import SINGULAR, THERE, kind_of_joints
+from armproof.verification.document.postures import SINGULAR, STRETCHED, THERE, bent_as, kind_of_joints
 from armproof.verification.document.sentences import FROM_VALUES, GENERAL, NOT_THERE, values_of
 from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
@@ -34,6 +35,7 @@ from armproof.verification.naming.state import Stated, Told
 
 POSTURE = r"\text{posture}"  # one that the text names, and nobody can tell
 _NEARLY = re.compile(r"[≈≃∼]|\\(?:approx|simeq|sim|to|rightarrow)(?![A-Za-z])")
+_CLOSE = 1e-9
 _HELD = re.compile(r"\s*(?:\\\{(?P<set>(?:(?!\\[{}]).)*=(?:(?!\\[{}]).)*)\\\}|\((?P<list>[^()]*=[^()]*)\))\s*")
 
 
@@ -74,15 +76,39 @@ class Heeding:
                 told = _of_all_below(told) if case and not is_outside else told
                 state.told = told if told.holds_below else Told()
         if below := said[above:]:
-            own = values_of(state.section)
-            before, again = state.told, own and not set(_equations(below)) - set(own)
-            if again and before.section == state.section and before.conditions:  # "Here the arm is stretched."
-                state.told = replace(before, line=line)
+            values = values_of(state.section)
+            if values:
+                self._heed_below(values, below, line)
             else:
-                self._heed([each for each in below if not own or each in own or not _is_posture(each)], line)
-            leads_away = not {NOT_THERE, *OF_MOTION}.isdisjoint(below)
-            if own and own == _equations(below)[: len(own)] and not leads_away:
-                state.told = _of_all_below(state.told)
+                self._heed(below, line)
+
+    def _heed_below(self, values: tuple[str, ...], said: Sequence[str], line: int) -> None:
+        """Take what a text says under a heading that gives values: a posture in words may say no more than these, "Here the arm is stretched."."""
+        state, equations = self.names.state, _equations(said)
+        postures = [each for each in said if _is_posture(each) and _words(each) not in state.section]
+        if not (set(equations) <= {*values} and state.told.section == state.section and state.told.conditions):
+            self._heed([each for each in said if each in values or not _is_posture(each)], line)
+        told = _of_all_below(state.told) if values == equations[: len(values)] else state.told
+        fits = all(THERE not in each or self.fits(told, bent_as(each)) for each in postures)
+        state.told = replace(
+            told,
+            line=line,
+            is_direct=told.is_direct and fits and {NOT_THERE, *OF_MOTION}.isdisjoint(said),
+            in_words=told.in_words or bool(postures),
+            begins_there=told.begins_there or any(THERE in each for each in postures),
+            bent=_bent_as(postures) or told.bent,
+        )
+
+    def fits(self, told: Told, bent: str) -> bool:
+        """Whether all joints that have values are bent so: stretched at 0, folded where one is half a turn."""
+        given = [self.given.values_of(each) or {} for each in told.conditions]
+        numbers = [
+            self.given.number(node) for each in given for name, node in each.items() if name in self.given.joints
+        ]
+        angles = [abs(each) for each in numbers if each is not None]
+        if not bent or not angles or len(angles) < len(numbers):
+            return False
+        return max(angles) < _CLOSE if bent == STRETCHED else any(abs(each - pi) < _CLOSE for each in angles)
 
     def _heed(self, said: Iterable[str], line: int) -> None:
         said = tuple(each for each in said if each != NOT_THERE)
@@ -112,6 +138,7 @@ class Heeding:
             velocities=tuple(heard.velocities) or before.velocities,
             bounds=tuple(heard.bounds) or before.bounds,
             kind=heard.kind or before.kind,
+            bent=_bent_as([each for each in said if _is_posture(each)]),
             is_direct=bool(heard.conditions) and FROM_VALUES in said and not any(map(_NEARLY.search, said)),
             line=line if heard.velocities or is_last else before.line,
         )
@@ -323,6 +350,15 @@ def _is_posture(latex: str) -> bool:
     """Whether what a text says is a posture in words."""
     is_told = latex in (FROM_VALUES, NOT_THERE, GENERAL, SINGULAR, *OF_MOTION) or is_joint_value(latex)
     return latex.startswith("\\text{") and not is_told
+
+
+def _words(posture: str) -> str:
+    return posture.removeprefix("\\text{").removeprefix(THERE).removesuffix("}")
+
+
+def _bent_as(postures: Sequence[str]) -> str:
+    found = {*map(bent_as, postures)}
+    return found.pop() if len(found) == 1 else ""
 
 
 def _of_all_below(told: Told) -> Told:

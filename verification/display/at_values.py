@@ -125,9 +125,10 @@ def at_told_values(
     wrong = [each for each in outcomes if each.verdict not in HOLDS]
     is_near = state.told.line == line
     times = 1 if is_near else MANY
-    is_led_to = is_near and state.told.is_direct and not state.told.in_words
+    is_led_to = (is_near or state.told.holds) and state.told.is_direct and not state.told.in_words
     if not wrong or all(is_mostly_right(each, times) or (is_led_to and _is_off(each, number)) for each in wrong):
         state.configuration = before.configuration
+        state.told = replace(state.told, holds=state.told.holds or not wrong)
         return outcomes
     state.become(before)
     return [each.left_open(say(Kind.OTHER_AS_TOLD)) for each in wrong if each.verdict is Verdict.REFUTED]

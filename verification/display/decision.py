@@ -67,7 +67,7 @@ class Decision:
         for outcome in outcomes if define else ():
             self.given.remember(outcome.gives, line)
         if self.names.state.told.is_direct:
-            outcomes = [self.circumstances.numbers_there(each) or each for each in outcomes]
+            outcomes = [self.circumstances.numbers_there(each, line) or each for each in outcomes]
         if define and any(o.tells(Kind.NUMBERS_OF_NOWHERE) for o in outcomes):
             self.circumstances.text.of_display(chain, holds_nowhere=True)
         outcomes = [self._understood(o, chain, define) if o.verdict is Verdict.REFUTED else o for o in outcomes]

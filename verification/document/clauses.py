@@ -31,6 +31,7 @@ _OF_NO_CLAIM = (
 _PARTS_OF_MORE = frozenset(
     "basis sum start beginning part consequence key somme début partie grundlage summe anfang teil folge suma inicio somma inizio soma início".split()
 )  # "It is the basis of"
+_FEW = 2  # words of a clause that is the end of the one before it
 _WOULD_BE = frozenset("would_have aurait auraient faudrait".split())  # what must have been, too
 OF_DISPLAY = ("this", "display", "part")
 _SHORT = 8  # words of what says little else than when the display above it holds
@@ -127,7 +128,10 @@ def mentions_only(words: str) -> bool:
 
 def says_what_would_be(words: str, at_its_end: bool = False) -> bool:
     """Whether a sentence, or its last clause, is of another case than that at hand: "Would it change for a prismatic joint? In that case"."""
-    return any(map(is_of_what_would_be, clauses(words)[-1 if at_its_end else 0 :]))
+    found = clauses(words)
+    if at_its_end and found:  # "we would" and "have", with "then" between them
+        found = found[-1 if len(found[-1].words) > _FEW else -2 :]
+    return any(map(is_of_what_would_be, found))
 
 
 def is_of_what_would_be(clause: Clause) -> bool:

@@ -17,6 +17,9 @@ _PARTICIPLES = ("ing", "ando", "endo", "ant", "ed")  # "changing the frame" is n
 _NONE = frozenset(
     "no aucun aucune kein keine keinen keiner ningún ninguna nessun nessuna nessuno nenhum nenhuma".split()
 )
+_OTHERS = frozenset(
+    "another other different opposite autre autres andere anderer anderes otro otra altro altra".split()
+)
 _HERE = frozenset("here ici hier aquí qui aqui".split())
 _LEADS = frozenset(
     ["claim", "have", "use", "that", "think", "good"]
@@ -159,7 +162,8 @@ def _is_to_be_changed(clause: Clause) -> bool:
     if not clause.has("change") or is_too:
         return False
     if not clause.has("must"):
-        is_order = clause.begins("change") and not clause.words[0].endswith(_PARTICIPLES)
+        first = clause.words[0]
+        is_order = clause.begins("change") and not first.endswith(_PARTICIPLES) and first not in _OTHERS
         return is_order and clause.has("letter", *OF_DISPLAY) and not clause.has("claim")
     if clause.subject == "writer":
         return clause.has(*OF_DISPLAY)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-from armproof.verification.document.clauses import OF_DISPLAY, Clause, clauses, goes_on, is_of_what_would_be
+from armproof.verification.document.clauses import OF_DISPLAY, Clause, clauses, goes_on, says_what_would_be
 
 _PLANE = frozenset("planar planaire plan eben ebener planare plano".split())
 _WHOLE = frozenset("full complete whole entire complète complet vollständige komplette completa completo".split())
@@ -41,7 +41,7 @@ def limits_what_is_below(words: str) -> bool:
     is_asked = words[:1].isupper() and (
         found[0].begins("query", "instead") or any(each.has("inverted") for each in found)
     )
-    would = is_of_what_would_be(found[-1]) and not is_whole(words)
+    would = says_what_would_be(words, at_its_end=True) and not is_whole(words)
     return asks or is_asked or would or _is_supposed(found) or any(map(_limits_below, found))
 
 

@@ -106,6 +106,12 @@ THEN = """
 ^ (in) (dans) (en) this/that/such/ce/in/im/ese/tal (a) (diesem) case/cas/fall/caso (,) … (:) $
 ^ this/it/cela/das/esto (then) gives/yields/leads/donne/ergibt/liefert/da/resulta … (:) $
 """
+AND_ITS = """
+^ (and/et/und/y/e) (the/its/one/whose/their/le/la/les/l'/son/sa/ses/dont/die/der/das/dessen/deren/el/las/los/su/cuyo/cuya/il/lo/i/gli/suo/sua) the/its/one/whose/their/le/la/les/l'/son/sa/ses/dont/die/der/das/dessen/deren/el/las/los/su/cuyo/cuya/il/lo/suo/sua
+"""
+LEADS_ON = """
+is/are/reads/read/becomes/gives/get/have/obtain/obtains/then/with/by/at/that/as/equals/needs/est/sont/devient/donne/obtient/écrit/vaut/alors/par/que/ist/sind/lautet/ergibt/gilt/wird/es/son/queda/da/è/sono/diventa $
+"""
 OF_THE_ONE_BEFORE = """
 it/he/she/il/elle/er/ella/esso/essa sees/moves/turns/travels/stands/lies/sits/describes/reaches/looks/voit/bouge/tourne/décrit/atteint/regarde/trouve/sieht/bewegt/dreht/liegt/steht/beschreibt/vede/muove/trova
 its/whose/dessen/deren/cuyo/cuya (own) position/coordinates/velocity/speed/height/abscissa/ordinate/jacobian/koordinaten/geschwindigkeit/höhe/posición/coordenadas/velocidad/altura
@@ -181,6 +187,7 @@ approché~/approchée~/angenähert~/aproximad~
 point/place (here/considered/in) (question) (considered) is (not) (the)
 convention/conventions of/du/des/de (the) (la) manufacturer/vendor/constructeur/fabricant/herstellers/fabricante/costruttore
 conventions/convention … those/that/celles/celle of/de/d' (the) (another/second/other/un/une)
+holds/valid/applies/written/vaut/valable/valide/écrite/gilt/gültig/vale/válida/valida/válido (only) for/in/with/pour/dans/avec/für/in/para/con/per (a/an/the/une/un/l'/eine/einen/einer/un') another/other/different/autre/andere/anderen/anderer/otro/otra/altra/altro convention/origin/choice/table/numbering/origine/choix/tableau/numérotation/konvention/wahl/ursprung/convención/origen/elección/convenzione/scelta
 another/other/different/autre/anderen/anderer/otro/otra/altro/outro point/quantity/body/frame/joint/link/punkt/punktes/grandeur/größe/punto/magnitud
 ^ (…) find/determine/give/compute/state/trouver/trouvez/déterminer/déterminez/donner/donnez/bestimmen/finde/bestimme/hallar/determinar/encontrar … for/pour/für/para which/lesquelles/lesquels/laquelle/lequel/quelles/welche/los/las/qué
 keeps/keep/kept (…) (its/the) orientation/direction/horizontal/vertical/level
@@ -261,6 +268,7 @@ OF_A_POSTURE = """
 """
 GIVES_VALUES = """
 ^ & (from) (here/now) (on) (,) (we) let/suppose/assume/consider/take/set/put/fix/keep/hold/soit/supposons/prenons/posons/considérons/fixons/sei/setzen/sea/supongamos/tomemos/sia/supponiamo * ¤ (and/et/und/y/e) (¤) $
+^ & (,) ¤ (and/et/und/y/e) (¤) $
 ^ & in/dans/en this/cette/ce/diesem/questo/este/esta section/subsection/paragraph/part/case/question/exercise/paragraphe/partie/cas/exercice/abschnitt/fall/sección/caso/sezione (,) (we) (have) (on) (a) ¤ (and/et/und/y/e) (¤) $
 ^ & (the/this/le/der/el/il) (is/est/ist/está/è) for/at/when/if/pour/en/si/quand/lorsque/für/bei/wenn/para/cuando/per/quando ¤ $
 """

@@ -34,6 +34,16 @@ _POSTURE = re.compile(
     re.IGNORECASE,
 )
 
+STRETCHED, FOLDED = "stretched", "folded"
+_BENT_AS = {
+    STRETCHED: re.compile(
+        r"stretched|straight|full extension|en extension|extended|tendu|dépli|aligned|alignés?", re.IGNORECASE
+    ),
+    FOLDED: re.compile(r"folded|retracted|repli", re.IGNORECASE),
+}
+_DIRECTION = re.compile(
+    r"vertical|horizontal|verticaux|upright|along|at the origin|à l['’]origine|axis|axe", re.IGNORECASE
+)
 FARTHEST = 60  # characters of the words that lead to an angle
 THERE = "there: "  # before a posture with which its sentence begins: "With the elbow at 90°,", and not "it vanishes when stretched"
 _BEGINS = re.compile(
@@ -86,6 +96,12 @@ def kind_of_joints(text: str) -> str:
     """Return of which kind of joints a text speaks, "revolute" or "prismatic"; "" where of none, or of both."""
     found = [kind for kind, words in _KINDS.items() if re.search(rf"\b(?:{words})", text, re.IGNORECASE)]
     return found[0] if len(found) == 1 else ""
+
+
+def bent_as(latex: str) -> str:
+    """Return how a posture in words bends the inner joints, STRETCHED or FOLDED; "" where it says both, neither, or of directions."""
+    found = [kind for kind, words in _BENT_AS.items() if words.search(latex)]
+    return found[0] if len(found) == 1 and _DIRECTION.search(latex) is None else ""
 
 
 def postures(text: str, line: int, section: str) -> Iterator[Display]:

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from functools import lru_cache
 
 from armproof.verification.document.arms_called import CALLED, arms_called
-from armproof.verification.document.clauses import is_of_display, says_what_would_be
+from armproof.verification.document.clauses import clauses, is_of_display, says_what_would_be
 from armproof.verification.document.denials import denies_before, denies_behind, denies_later
 from armproof.verification.document.denying_clauses import leads_on
 from armproof.verification.document.hearing import (
@@ -79,6 +79,9 @@ _ARGUMENTS = re.compile(  # \begin{frame}<2->[fragile]{Title}, \section{Inverse}
     r"(?:\[[^\[\]]*\])?\{[^{}]*\}|!\[[^\[\]]*\]\([^()]*\)|<[^<>\s][^<>]{0,200}>"
 )
 _JOINING = frozenset("and or et ou und oder y o e ed bzw resp".split())
+_OF_LETTERS = re.compile(
+    r"angle|ángulo|ângulo|angol|winkel|measur|count|mesur|compt|mess|zähl|medid|length|longu|läng|lungh|absol|assol|convention|letter|symbol|lettre|zeichen|letra|letter"
+)
 _FOR = re.compile(r"(?<!\S)(?:for|pour|für|para|per) ")  # "The formula for the ordinate follows"
 _MOST_OF_LABEL = 4  # words with their stop: "The elbow."
 MOST_KNOWN = 4096  # sentences, so that those of a text that is read again are heard once
@@ -246,8 +249,22 @@ def _supposes(words: str, is_over: bool) -> bool:
     return bool(is_no_claim) or limits_what_is_below(plain)
 
 
+def _is_of_next(words: str) -> bool:
+    """Whether a sentence leads to the next display, of which alone it says when, or where, it holds: what it says of angles or lengths holds of both."""
+    begins = words[:1].isupper() or hears("AND_ITS", words) is not None
+    if not begins or not (words.endswith(": ") or hears("LEADS_ON", words)):
+        return False
+    first = next(iter(clauses(words)), None)
+    if first is None or first.is_of_display or first.begins("pronoun"):
+        return False
+    limit = hears("MAY_LIMIT", words)
+    return limit is None or _OF_LETTERS.search(limit.group()) is None
+
+
 def _limits(words: str) -> bool:
     """Whether a sentence that goes on from the display above it says when, or how nearly, that holds; or asks whether."""
+    if _is_of_next(words):
+        return False
     is_question = words.endswith("? ") and not hears("OPEN_QUESTION", words)
     if is_question or any(hears(each, words) for each in ("ASKED_BEHIND", "SAYS_LIMITS")):
         return True

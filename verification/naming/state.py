@@ -104,6 +104,8 @@ class Told:
         kind: of which joints it speaks alone, "revolute" or "prismatic".
         line: of the display behind it.
         is_direct: whether the display follows from them in the sentence that leads to it: "For ¤ and ¤ we get".
+        bent: how the posture in words bends the inner joints, "stretched" or "folded", where it tells nothing else.
+        holds: whether a display of numbers holds at the values that it gives.
         is_over: whether the conditions are those of a configuration that the text ends: "In general,".
         section, holds_below: under which heading it says so, and whether it holds under those below it: of lengths alone.
     """
@@ -121,6 +123,8 @@ class Told:
     section: str = ""
     holds_below: bool = False
     is_direct: bool = False
+    bent: str = ""
+    holds: bool = False
     is_over: bool = False
 
     @property

@@ -14,17 +14,22 @@ _LENGTH = re.compile(r"([A-Za-z]+)_(\d+)")
 
 
 def with_point_beyond(document: Document, best: Reading) -> Reading:
-    """Return a reading with the point in which the last link ends, where more of the document holds with it than fails; one slip is half a failure."""
+    """Return a reading with the point in which the last link ends, where more of the document holds with it than fails.
+
+    What fails by one slip counts half.
+    """
     arm = best.front["arm"]
     letter = _next_length(arm, document) if best.convention == "modified" and "tool" not in arm else ""
     if not letter:
         return best
     with_tool = {**best.front, "arm": {**arm, "tool": {"xyz": [letter, 0, 0]}}}
     first, *others = weigh(document, [best.front, with_tool])
-    gained = (
-        2 * (first.held - each.held) - 2 * (first.failed - each.failed) + first.near - each.near for each in others
-    )
-    return first if first.front is with_tool and all(each > 0 for each in gained) else best
+    is_better = all(_weight(first) > _weight(each) for each in others)
+    return first if first.front is with_tool and is_better else best
+
+
+def _weight(reading: Reading) -> int:
+    return 2 * (reading.held - reading.failed) + reading.near
 
 
 def _next_length(arm: Mapping[str, Any], document: Document) -> str:
