@@ -5,9 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cached_property, partial
 
+from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.conditions.branches import never_with_others
 from armproof.verification.conditions.circumstances import Circumstances
+from armproof.verification.equations.alignment import is_near
 from armproof.verification.equations.any_frames import direction_of_any_frames
 from armproof.verification.equations.any_jacobian import holds_of_any_jacobian, is_step_along_gradient, tells_jacobian
 from armproof.verification.equations.chain import ChainChecker
@@ -152,7 +154,19 @@ class Decision:
         if self.names.arm is None and self.names.state.compares_lengths and self.ring.signs_chosen:
             outcome = outcome.unless_refuted(say(Kind.ROOTS_POSITIVE))  # a > b says which sign √((a − b)²) has
         speaks = self.names.state.told != Told() and outcome.verdict is Verdict.REFUTED
-        return self.circumstances.judge(outcome) if speaks else outcome
+        outcome = self.circumstances.judge(outcome) if speaks else outcome
+        return outcome.left_open(say(Kind.NUMBERS_OF_NOWHERE)) if self._is_at_rest(outcome) else outcome
+
+    def _is_at_rest(self, outcome: Outcome) -> bool:
+        """Whether a matrix that moves is printed without any joint, and not by one slip: p_2 = (l_2, l_1) is that of some configuration."""
+        if outcome.verdict is not Verdict.REFUTED or outcome.there or outcome.pair is None:
+            return False
+        if outcome.pair.is_scalar or is_near(outcome.pair):
+            return False
+        true, printed = (symbols_in(side.cells) for side in (outcome.pair.true, outcome.pair.printed))
+        told = (self.given.values_of(each) or {} for each in self.names.state.told.standing)
+        joints, given = {*self.given.joints}, {name for each in told for name in each}
+        return bool(printed) and printed.isdisjoint(joints) and not true.isdisjoint(joints - given)
 
     def _decided(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         outcomes = self.checker.check(chain, equation, line, define)

@@ -314,10 +314,11 @@ midway/halfway along/between/down/up
 à mi-chemin/mi-longueur
 auf halbem weg
 a mitad
+centro/centre/mitte/meio/mezzo (del/de/du/della/do/da/des) (primer/segundo/tercer/último/premier/deuxième/second/dernier/primo/secondo/terzo/ersten/zweiten/letzten/primeiro) eslabón/segment/bras/corps/braccio/membro/gliedes/elo
 position of joint #
 midpoint/mid-point/milieu/barycentre
 middle of (the) (first/second/third/last) link
-camera/sensor/lamp/caméra/capteur/lampe/kamera/sensor/lampe/cámara/sensor/telecamera/câmera (is/sits/hangs/est/ist/sitzt/está/è) bolted/mounted/fixed/attached/screwed/clamped/glued/welded/placed/fixée/fixé/montée/monté/vissée/montiert/befestigt/montada/fijada/fissata/from/on
+camera/sensor/lamp/caméra/capteur/lampe/kamera/sensor/lampe/cámara/sensor/telecamera/câmera (is/sits/hangs/est/ist/sitzt/está/è/va/se/si/é) (trouve/encuentra/trova) bolted/mounted/fixed/attached/screwed/clamped/glued/welded/placed/fixée/fixé/montée/monté/vissée/montiert/befestigt/montada/montado/fijada/fijado/colocada/fissata/montata/fixada/from/on/auf/am/en/sur/sul/sulla
 cent~ of mass/gravity
 cent~ of (the) (first/second/third/last) link/bar/rod
 centre de masse/gravité
