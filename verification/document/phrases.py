@@ -260,7 +260,10 @@ AT_VALUES = """
 ^ & (,) (c'/that/das/es/cioè/esto) est-à-dire/is/heißt/ist/es (,) ¤ * $
 ^ & (the/this/our/la/le/l'/die/das/el/il) jacobian/matrix/determinant/position/expression/result/jacobienne/matrice/déterminant/matriz/jacobi-matrix/jacobimatrix/determinante/jacobiano * becomes/reduces/simplifies/is/reads/devient/vaut/est/s'/wird/ist/lautet/es/queda/diventa (to/then/alors/écrit/simplifie/réduit) (to) for/at/when/if/with/pour/en/si/quand/lorsque/für/bei/wenn/para/cuando/per/quando ¤ $
 ^ & (the/first/second/third/1/2/3/4) case/cas/fall/caso/example/exemple/beispiel/ejemplo/esempio (#) (a/b/c/d/i/ii/iii/iv/one/two/three/un/deux) (:) (for/when/if/pour/si/quand/für/wenn/para) ¤ * $
-^ ¤ (and/et/und/y/e) (¤) : $
+^ & (in) (dans) (the/le/la/l'/im/en/el) first/second/third/latter/former/premier/deuxième/second/ersten/zweiten/primer/segundo (case/cas/fall/caso) ¤ * $
+^ & (for/par/zum/por/per) example/exemple/beispiel/ejemplo/esempio/instance (at/for/with/pour/avec/bei/für/mit/para/con/per) (we/on/wir) (take/prend/nehmen) ¤ * $
+^ & (now) (numbers) (we/on/wir/man) take/takes/put/prend/prenons/nehme/nehmen/nimmt ¤ * $
+^ % ¤ (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) : $
 """
 OF_A_POSTURE = """
 (the/an/a/le/la/l'/der/die/das/el/il) (fully/completely/straight/special/particular/singular/complètement/ganz) arm/robot/manipulator/configuration/posture/pose/singularity/elbow/angle/value/bras/coude/valeur/singularité/brazo/braccio

@@ -169,7 +169,9 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
     heard += (OTHER_POINT for each in places_of_those(words) if each == OTHER_PLACE)
     if DENIED not in heard and is_strange_before(_plain(sentence)):
         heard.append(STRANGE + sentence)
-    if _is_at_values(words, words_before) or (hears("AT_WORDS", words) and any(joint_values(sentence))):
+    if _is_at_values(words_of(_ARGUMENTS.sub(" ", sentence)), words_before) or (
+        hears("AT_WORDS", words) and any(joint_values(sentence))
+    ):
         heard.append(FROM_VALUES)
     elif hears("NOT_THERE", words) or hears("NOT_THERE", words_before):
         heard.append(NOT_THERE)
