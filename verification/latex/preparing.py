@@ -49,6 +49,10 @@ _LOST_BREAK = re.compile(
 _BROKEN = re.compile(  # a sum goes on: a - \\\\ b
     r"(?<=[\w)}])(?P<sign>\s*[-+]\s*)(?P<break>\\\\(?:\[[^\]]{0,20}\])?)(?=\s*(?:[\w({]|\\(?!\\|begin|end|hline)))"
 )
+_REPEATED = re.compile(
+    r"(?P<sign>\\(?:cdot|times)(?![A-Za-z]))(?P<again>\s*\\\\(?:\[[^\]]{0,20}\])?[\s&]*(?P=sign)(?![A-Za-z]))"
+)  # A \cdot \\ \cdot B
+_FULL_STOP = re.compile(r"\\ldotp(?![A-Za-z])")
 _APPLIED = re.compile(
     r"(?<![A-Za-z\\])J\{(?P<to>\s*(?:\\theta|\\Theta|[qQ])\s*)\}"
 )  # J{\theta}: a macro of one argument, or parentheses
@@ -76,6 +80,8 @@ def prepared(text: str) -> str:
     text = _APPLIED.sub(lambda found: f"J({found['to']})", text)
     text = _RATES_BELOW.sub(lambda found: found["of"] + _blank(found["break"]), text)
     text = _BROKEN.sub(lambda found: found["sign"] + _blank(found["break"]), text)
+    text = _REPEATED.sub(lambda found: found["sign"] + _blank(found["again"]), text)
+    text = _FULL_STOP.sub(lambda found: ".".ljust(len(found.group())), text)
     text = _REMARK.sub(_said_beside, _OF_PANDOC.sub(_scripts, text)) if "(" in text or "~" in text else text
     text = _without_boxes(text) if _BOX.search(text) or _BARS.search(text) else text
     return with_multiples(_SILENT.sub(_plain, _AT_THE_END.sub(_for, text)))
