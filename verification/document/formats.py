@@ -28,8 +28,10 @@ from armproof.verification.document.sentences import (
     ABOVE,
     DENIED,
     DENIED_ABOVE,
+    FROM_VALUES,
     LIMITED_ABOVE,
     MEANT,
+    NOT_THERE,
     OF_ABOVE,
     OF_NEXT,
     OTHER_FRAME,
@@ -222,7 +224,8 @@ def _with_what_is_behind(displays: Sequence[Display], behind: Sequence[Sequence[
             each.latex for each in said if each.section == display.section and not each.latex.startswith(OF_NEXT)
         )
         later = found[-1].said_behind if found and found[-1].section == display.section else ()
-        found.append(replace(display, said_next=own, said_behind=own or later))
+        says = any(each not in (FROM_VALUES, NOT_THERE) for each in own)
+        found.append(replace(display, said_next=own, said_behind=own if says else later))
     yield from reversed(found)
 
 
