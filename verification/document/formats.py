@@ -31,8 +31,10 @@ from armproof.verification.document.sentences import (
     ABOVE,
     DENIED,
     DENIED_ABOVE,
+    FROM_VALUES,
     LIMITED_ABOVE,
     MEANT,
+    NOT_THERE,
     OF_ABOVE,
     OF_NEXT,
     OTHER_FRAME,
@@ -271,7 +273,8 @@ def _with_what_is_behind(displays: Sequence[Display], behind: Sequence[Sequence[
             if each.section == display.section and not each.latex.startswith((*OF_NEXT, *OF_MOTION))
         )
         later = found[-1].said_behind if found and found[-1].section == display.section else ()
-        found.append(replace(display, said_next=own, said_behind=own or later))
+        says = any(each not in (FROM_VALUES, NOT_THERE) for each in own)
+        found.append(replace(display, said_next=own, said_behind=own if says else later))
     yield from reversed(found)
 
 

@@ -546,7 +546,8 @@ rows/lignes/zeilen/filas/righe/linhas
 in/dans/en (l'/the/this/that/der/dieser/cet/este/ese/questo) order/ordre/reihenfolge/orden/ordine
 """
 COLUMNS_REVERSED = """
-columns/columna~/colonnes/colonne/spalten … reverse/reversed/inverse/inversé/exchanged/swapped/interchanged/permuted/vertauscht/umgekehrt~/other/échangées/permutées/intercambiadas/invertidas/invertite/scambiate
+columns/columna~/colonnes/colonne/spalten … reverse/reversed/inverse/inversé/exchanged/swapped/interchanged/permuted/vertauscht/umgekehrt~/échangées/permutées/intercambiadas/invertidas/invertite/scambiate
+columns/columna~/colonnes/spalten * (the) (an) other/another/autre/otro/altro/anderer order/ordre/orden/ordine/reihenfolge
 joint/articulation/gelenk 2/3 first/zuerst/abord
 second joint/articulation/gelenk first
 first/première/erste/primera/prima column/colonne/spalte/columna/colonna … (second) joint/articulation/gelenk/giunto (2)
