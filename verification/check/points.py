@@ -5,11 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cached_property, partial
 
+from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.matrix import as_matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import is_planar
+from armproof.verification.check.limits import SECONDS_TO_DECIDE
 from armproof.verification.equations.alignment import equal_matrices
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, say
@@ -19,7 +21,7 @@ from armproof.verification.naming.quantities import numbered_frames
 from armproof.verification.naming.shown import letters_of_point
 from armproof.verification.verdict import DECIDED, HOLDS, EquationResult, Record
 
-_OF_WRIST = re.compile(rf"(?:.*_)?(?:{'|'.join(sorted(WRIST))})(?:[_,]?[{AXES}])?")
+_OF_WRIST = re.compile(rf"(?:.+_(?:{'|'.join(sorted(WRIST))})|WC|wc)(?:[_,]?[{AXES}])?")
 _HAND = {3: 1, 5: 2, 6: 3}  # joints behind the wrist: of a planar arm with three, of arms with five and six
 Usual = Callable[[str], Sequence[Quantity]]
 Point = tuple[str, str]  # a frame and the one in which it is seen
@@ -89,8 +91,12 @@ class Points:
         if _point(quantity) == point:
             return True
         other = replace(quantity, frame=point[0], reference=point[1])
-        one, two = (as_matrix(self.exact.quantity(each)) for each in (quantity, other))
-        return equal_matrices(one, two)
+        try:
+            with self.exact.ring.budget.of(SECONDS_TO_DECIDE):
+                one, two = (as_matrix(self.exact.quantity(each)) for each in (quantity, other))
+                return equal_matrices(one, two)
+        except (ArmproofError, RecursionError):  # nobody can tell
+            return False
 
     def _is_of_other(self, letters: str, kept: Point | None, outcome: EquationResult) -> bool:
         """Whether what is decided rests on a name for another point than the one that is kept."""
@@ -108,7 +114,7 @@ class Points:
     def _of_wrist(self, record: Record) -> Record:
         """Return a record with what is decided of a wrist left open that is none of the arm."""
         keys = {key for each in record.outcomes for key in each.usual if _OF_WRIST.fullmatch(key)}
-        if not keys or record.erratum or (wrist := self._wrist()) is None:
+        if not keys or record.erratum or (wrist := self._wrist) is None:
             return record
         return record.left_open(self._doubt_of_wrist(keys), partial(self._is_of_no_wrist, wrist))
 
@@ -121,6 +127,7 @@ class Points:
             isinstance(each, Quantity) and not self._is_same(each, (wrist, each.reference)) for each in meant
         )
 
+    @cached_property
     def _wrist(self) -> str | None:
         """Return the last frame whose origin the joints of the hand do not move; None of an arm whose hand nobody can tell."""
         arm = self.exact.arm

@@ -223,8 +223,8 @@ def _of_next(all_said: Sequence[Display], display: Display) -> frozenset[str]:
 
 
 def _inherited(led: frozenset[str]) -> frozenset[str]:
-    """Return what holds of a second display of what a sentence says: not which quantity the first one is."""
-    return frozenset(each for each in led if each.startswith(OF_NEXT) and not each.startswith(OF_QUANTITY))
+    """Return what holds of a second display of what a sentence says: not which quantity the first one is, nor that it is supposed."""
+    return frozenset(each for each in led if each.startswith(OF_NEXT) and not each.startswith((*OF_QUANTITY, SUPPOSED)))
 
 
 def _with_what_is_before(

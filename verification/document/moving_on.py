@@ -23,7 +23,7 @@ LENGTH link links bar bars rod rods segment~ length lengths longueur~ barre~ gli
 SIZE doubl~ halv~ tripl~ twice longer shorter lengthen~ shorten~ replac~ exchang~ swap~ grow grows shrink~ remplac~ échang~ allong~ raccourc~ longs longues courts courtes verdoppel~ halbier~ verläng~ verkürz~ ersetz~ duplic~ alarga~ acorta~ reemplaz~ raddoppi~ dimezz~ allung~ accorci~ sostitui~ dobra~ alonga~ encurta~ substitu~
 """).holds
 _LATER = re.compile(
-    r"(?<!\S)(?:(?:seconds?|minutes?|moments?|while|bit|steps?) later|halfway|midway|(?:after|at the end of) (?:the|this|that) (?:motion|movement|move|turn)|(?:secondes?|minutes?|instants?) plus tard"
+    r"(?<!\S)(?:(?:seconds?|minutes?|moments?|while|bit|steps?) later|halfway(?! between)|midway(?! between)|(?:after|at the end of) (?:the|this|that) (?:motion|movement|move|turn)|(?:secondes?|minutes?|instants?) plus tard"
     r"|à mi-(?:chemin|course)|(?:après|à la fin de|au bout de) (?:le|la|ce|cette) (?:mouvement|rotation)|à la fin du mouvement|(?:sekunden?|minuten?|schritte?) später|nach der bewegung|auf halbem weg"
     r"|(?:segundos?|minutos?) (?:más|mais) tarde|(?:después|depois) del? movimiento|depois do movimento|(?:secondi|minuti) (?:più tardi|dopo)|dopo il movimento) "
 )

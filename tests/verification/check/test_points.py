@@ -21,6 +21,11 @@ def test_the_wrist_of_a_planar_arm_is_where_its_last_joint_is(value: str, verdic
     assert verdicts(PLANAR, f"x_w = {value}") == [verdict]
 
 
+def test_the_letter_of_the_manipulability_is_of_no_wrist() -> None:
+    head = PLANAR.replace("planar_3r", "spherical_wrist")
+    assert verdicts(head, "w = |\\sin\\theta_5|") == verdicts(head, "\\mu = |\\sin\\theta_5|")
+
+
 def test_a_name_of_two_points_is_left_open_but_for_what_convention_says_first_where_it_stands_first() -> None:
     tool, elbow = "x = c_1 (l_2 c_2 + l_3 s_{23})", "y = l_2 s_1 c_2"
     assert verdicts(SPATIAL, tool, elbow) == ["proved", "unchecked"]
