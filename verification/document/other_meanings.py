@@ -102,6 +102,7 @@ COLUMNS = "columns"  # J_1, J_2 that are columns of J
 ORDER = "order"  # the joint variables as q holds them
 ANEW = "anew"  # a letter that is something else for a while
 FRAME, JACOBIAN = "link", "J"  # the origin of one; that whose columns are those of joints in another order
+_TURNED_ROWS = [3, 4, 5, 0, 1, 2]  # of (ω_x, ω_y, ω_z, v_x, v_y, v_z)
 _NEAR_ABOVE, _NEAR_BELOW = 4, 8  # lines between a sentence and a display beside it
 
 
@@ -321,6 +322,9 @@ def _orders(formulas: Sequence[str], words: str) -> Iterator[str]:
         orders.append(_indices(" ".join(formulas[words.count("¤", 0, columns.start()) :])) + [1][: "first" in words])
     orders += [_rows(entries) for _, entries in tuples]
     orders += [_rows([*filter(_ROW.fullmatch, listed)])] * says("OF_ROWS", words)
+    if _TURNED_ROWS in orders:
+        yield OMEGA_FIRST
+    orders = [indices for indices in orders if indices != _TURNED_ROWS]
     if any(indices != sorted(indices) for indices in orders) or says("COLUMNS_REVERSED", words):
         yield JACOBIAN
     of_joints = [entries for name, entries in tuples if _NAME_OF_JOINTS.fullmatch(name)]

@@ -119,20 +119,21 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
 
 def _of_subject(said: Sequence[str]) -> Iterator[str]:
     """Yield of what place a sentence is that begins with it: "The middle of the bar has the coordinates", "Halfway from the elbow to the tip"."""
+    leads = _is(([each for each in said if each not in _ENDS] or [""])[-1], "BE")
     for place, word in enumerate(said):
-        behind = said[place + 1 : place + 5]
+        behind, beside = said[place + 1 : place + 5], said[place + 1 : place + 9]
         has = _is(word, "HAS") or (word in ("a", "ont") and _is((*behind, "")[0], "FOR"))
         if has and place and any(_is(each, "PLACED") for each in behind):
             yield from _of_place(_phrase(said[:place]))
-        beside = said[place + 1 : place + 9]
         points = [each for each in beside if each not in _JOINT]  # and not "from joint space to the plane"
-        if _is(word, "WAY") and any(_is(each, kind) for each in points for kind in ("OTHER", "WRIST", "TOOL")):
+        part = len(word) > len("way") or any(_is(each, "OF") for each in said[max(0, place - 2) : place])
+        if _is(word, "WAY") and part and any(_is(e, kind) for e in points for kind in ("OTHER", "WRIST", "TOOL")):
             yield OTHER_PLACE
         joins = any(_is(each, "BETWEEN") for each in behind[:2]) or behind[:2] == ["que", "font"]
-        of_links = _is(word, "ANGLE") and joins and any(_is(each, "NUMBERED") for each in beside)
+        of_links = leads and _is(word, "ANGLE") and joins and any(_is(each, "NUMBERED") for each in beside)
         if of_links and not any(_is(each, "AXIS") or _is(each, "BASE") for each in beside):  # as the tool's angle has
             yield OTHER_PLACE
-        if _is(word, "PROJECTION") and _number(_phrase(behind)):
+        if leads and _is(word, "PROJECTION") and not word.endswith("s") and _number(_phrase(behind)):
             yield OTHER_PLACE
 
 

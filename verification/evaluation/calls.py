@@ -300,17 +300,17 @@ def _applied_to_one_value(node: n.Node) -> tuple[n.Name, n.Node] | None:
 def _at_one_value(evaluator: Evaluating, whole: n.Node, name: n.Name, argument: n.Node) -> Value:
     """Return what a number in brackets behind a name makes of it: T(0) is T in the zero pose, w(π/2) of θ_2 alone its value there.
 
-    A number is a factor only behind what does not depend on joints. What depends on several has no value at one of them.
+    A number is a factor behind what does not depend on joints, and T(2) is 2 T. What depends on several joints has no value at one.
     """
     names, exact = evaluator.names, evaluator.algebra.exact
     value = (evaluator if exact is None else evaluator.within(exact)).evaluate(whole)
     cells = [cell for cell in (value.cells if isinstance(value, Matrix) else (value,)) if isinstance(cell, Scalar)]
     moving, is_zero = symbols_in(cells) & names.joints.keys(), is_nought((argument,))
-    if not moving and not is_zero:
+    is_factor = isinstance(bare(argument), n.Number) and not is_zero
+    if (is_factor and whole is name) or not (moving or is_zero):
         return multiply(evaluator.evaluate(whole), "", evaluator.evaluate(argument))
     is_of_time = name.key in ("x", "y", "z", "p")
     is_value = not is_of_time and (moving or isinstance(value, Matrix) or whole is not name)
-    is_factor = isinstance(bare(argument), n.Number) and not is_zero  # T(2) may be 2 T
     if not is_value or is_factor or names.offset_joints or not (is_zero or len(moving) == 1):
         raise EvaluationError(say(Kind.WRONG_NUMBER_OF_VALUES, name=name.key, given=1, joints=len(names.joints)))
     given = names.joints if is_zero else moving

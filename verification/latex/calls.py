@@ -66,8 +66,9 @@ class CallReader(NameReader):
         if letter == "g" and node.sub and n.is_nought(arguments):
             return True  # g_{st}(0), the reference configuration
         may_be_applied = is_upper or (len(arguments) > 1 and (is_point or self.is_bound(node.key)))
-        if letter == "w" and len(arguments) == 1 and _is_constant(arguments[0]):
-            return True  # w(\\pi/2): the measure of manipulability is nobody's factor
+        is_value_alone = len(arguments) == 1 and not isinstance(arguments[0], n.Number) and _is_constant(arguments[0])
+        if letter == "w" and is_value_alone:
+            return True  # w(\pi/2): nobody has π/2 behind the measure of manipulability as a factor
         is_value = _is_constant if len(arguments) == 1 else _is_of_angles
         if arguments and may_be_applied and letter not in TRIG_LETTERS and all(map(is_value, arguments)):
             return True  # {}^0T_3(0, 90^\\circ, 0), J(θ_1, 0), p(0, 0), and w(0, 0) of a w that is bound: the arm there

@@ -31,7 +31,7 @@ def test_a_letter_of_the_text_has_its_meaning(said: str, display: str, verdict: 
 
 def test_a_display_gives_a_letter_of_the_text_another_meaning() -> None:
     lines = ["with $k = l_1 c_1$", "$$ k = l_1 s_1 $$", "$$ y = k + l_2 s_{12} $$", "$$ x = k + l_2 c_{12} $$"]
-    assert verdicts_of(*lines) == ["defined", "proved", "refuted"]
+    assert verdicts_of(*lines) == ["defined", "proved", "unchecked"]  # the text has the last one right
 
 
 @pytest.mark.parametrize(("sign", "verdict"), [("+", "proved"), ("-", "refuted")])
