@@ -15,7 +15,13 @@ from armproof.verification.errors import TooComplex
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.naming.state import Stated
 from armproof.verification.tables import TWIST
-from armproof.verification.tables.arms import Inference, entries_by_place, joints_used, letters_of_numbers, stated_lengths
+from armproof.verification.tables.arms import (
+    Inference,
+    entries_by_place,
+    joints_used,
+    letters_of_numbers,
+    stated_lengths,
+)
 
 
 def shown_transforms(inferred: Inference) -> str:

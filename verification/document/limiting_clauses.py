@@ -41,13 +41,24 @@ def limits_what_is_below(words: str) -> bool:
     is_asked = words[:1].isupper() and (
         found[0].begins("query", "instead") or any(each.has("inverted") for each in found)
     )
-    return asks or is_asked or (found[-1].has("would") and not is_whole(words)) or _is_supposed(found) or any(map(_limits_below, found))
+    return (
+        asks
+        or is_asked
+        or (found[-1].has("would") and not is_whole(words))
+        or _is_supposed(found)
+        or any(map(_limits_below, found))
+    )
 
 
 def is_whole(words: str) -> bool:
     """Whether a sentence of one clause leads to all of what stands in part before: "The full Jacobian would be"."""
     found = clauses(words)
-    return len(found) == 1 and found[0].words[0] in _ARTICLES and found[0].words[1] in _WHOLE and not found[0].has("person")
+    return (
+        len(found) == 1
+        and found[0].words[0] in _ARTICLES
+        and found[0].words[1] in _WHOLE
+        and not found[0].has("person")
+    )
 
 
 def limits_what_is_near(words: str) -> bool:
@@ -74,7 +85,9 @@ def _limits_near(clause: Clause) -> bool:
         return True
     is_local = clause.has("inside") and clause.has("frame") and clause.has("local") and not clause.has("base")
     is_of_arm = clause.subject in ("arm", "letter", "writer") or (clause.begins("of") and clause.has("arm", "letter"))
-    is_planar = clause.subject == "arm" and not _PLANE.isdisjoint(clause.words)  # what it moves in it moves in everywhere
+    is_planar = clause.subject == "arm" and not _PLANE.isdisjoint(
+        clause.words
+    )  # what it moves in it moves in everywhere
     is_limited = (clause.has("neglect") and not is_planar) or is_local or (clause.has("held") and is_of_arm)
     return is_limited and not clause.has("general")
 

@@ -80,7 +80,9 @@ _LABEL = re.compile(
 _BRACKETS = re.compile(
     r"^([ \t>]*)(\\{1,2})\[((?:(?!\$\$|^[ \t>]*$)[^\n]*\n){0,60}?(?!\$\$)[^\n$]*?)\2\](?=[ \t.,;]*$)", re.MULTILINE
 )
-_ROUND = re.compile(r"(\\{1,2})\(((?:(?!\1[()]|[$`]|\n[ \t>]*\n).){1,400}?)\1\)", re.DOTALL)  # \( … \) and \\( … \\) in a line
+_ROUND = re.compile(
+    r"(\\{1,2})\(((?:(?!\1[()]|[$`]|\n[ \t>]*\n).){1,400}?)\1\)", re.DOTALL
+)  # \( … \) and \\( … \\) in a line
 _FENCED = re.compile(r"^[ \t>]*(?:```|~~~)", re.MULTILINE)
 _UNSEEN = re.compile("[\u200b\u200c\ufeff]+$", re.MULTILINE)  # behind the $$ that ends a display
 _HTML_HEADING = re.compile(r"\s*<h(?P<level>[1-6])(?:\s[^<>]*)?>(?P<text>.*?)</h[1-6]>", re.IGNORECASE | re.DOTALL)

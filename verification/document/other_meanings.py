@@ -46,7 +46,9 @@ _OMEGA_ABOVE = re.compile(  # (ω, v), [ω; v]
     r"(?:[(\[]|matrix\})\s*(?:\\(?:boldsymbol|mathbf|vec|bm)\s*\{?\s*)?\\omega\b(?:_\w)?\}?(?:\^T)?\s*(?:,|;|&|\\\\)\s*(?:\\[,;: ])?(?:\\(?:boldsymbol|mathbf|vec|bm|dot)\s*\{?\s*)?[vp]\b"
 )
 _LENGTH = re.compile(r"[lLaAdDhHrR]\s*_")  # which is no angle from anything
-_SUM = re.compile(r"(?:\\theta|q)_\{?1\}?\s*\+\s*(?:\\theta|q)_\{?2")  # that turns the second link, as both are relative
+_SUM = re.compile(
+    r"(?:\\theta|q)_\{?1\}?\s*\+\s*(?:\\theta|q)_\{?2"
+)  # that turns the second link, as both are relative
 _IS = re.compile(r"(?:is|ist|est|es|è|beträgt|vale|equals|thus|then|also|somit|damit|donc|simply|[,:\\ ])*¤ ")
 _ANGLE = re.compile(r"\\(?!hat|vec)[a-z]+(?:_\{?\w\}?)?|(?:q|t)_\{?\d\}?")  # α, θ_1, q_2
 _TELLS = re.compile(  # what a sentence begins with that is of the display beside it

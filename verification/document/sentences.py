@@ -40,7 +40,9 @@ DENIED_ABOVE, LIMITED_ABOVE = r"\text{denies above}", r"\text{limits above}"  # 
 DENIED = r"\text{denies below}"  # and of the one that it leads to
 GENERAL = r"\text{in general}"  # what ends a configuration
 FROM_VALUES = r"\text{from values}"  # what leads to what holds at the values that it gives: "For ¤ and ¤ we get"
-NOT_THERE = r"\text{not there}"  # what may lead elsewhere than to the values that a heading gives: "Away from this case"
+NOT_THERE = (
+    r"\text{not there}"  # what may lead elsewhere than to the values that a heading gives: "Away from this case"
+)
 SUPPOSED = r"\text{under a hypothesis}"  # what is supposed, sought, quoted, of another case, or an approximation
 OTHER_POINT = r"\text{of another point}"  # what is no coordinate of the tool in the base
 OTHER_FRAME = r"\text{in another frame}"  # what is none of anything in the base

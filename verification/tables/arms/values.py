@@ -70,7 +70,9 @@ def letters_of_numbers(document: Document, taken: TakenArm, names: Names) -> Ite
     for display in document.displays if numbers else ():
         for text in (display.latex, *display.said, *display.said_behind):
             if given := _GIVEN.fullmatch(text.strip().rstrip(".,;")):
-                value = Fraction(given[2]) * Fraction(SCALES.get(given[3] or given[4] or "m", 1)).limit_denominator(1000)
+                value = Fraction(given[2]) * Fraction(SCALES.get(given[3] or given[4] or "m", 1)).limit_denominator(
+                    1000
+                )
                 for letter, index in re.findall(r"([A-Za-z])_\{?(\d)", given[1]):
                     found.setdefault(f"{letter}_{index}", set()).add(value)
     for key, values in found.items():
