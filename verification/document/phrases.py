@@ -240,6 +240,8 @@ true/false/right/wrong/correct/so/agree/think/it/case/vrai/faux/exact/juste/acco
 """
 OPEN_QUESTION = """
 ^ (and/but/so/et/mais/und/aber/y/e) what/how/where/when/who/whose/which/comment/que/qu'/quel/quelle/quels/quelles/où/quand/qui/wie/was/wo/wer/welche/welcher/welches/cómo/qué/dónde/cuál/cuáles/quién/come/che/cosa/dove/quale/quali/chi/como/onde/qual/quais/quem
+^ why/pourquoi/warum/perché/porquê ?
+^ por que/qué ?
 """
 SAYS_LIMITS = """
 ^ * counterexample/counter-example/contre-exemple/gegenbeispiel/contraejemplo/controesempio/contraexemplo

@@ -404,12 +404,15 @@ def _undoes(arc: n.Node, angle: n.Node) -> bool:
 
 
 def is_distance(node: n.Node) -> bool:
-    """Whether a tree is the root of a sum of squares."""
+    """Whether a tree is the root of a sum of squares, of which others may be taken, or that beside lengths: √(x² + y² − d²) − a."""
     node = bare(node)
+    if isinstance(node, n.Sum):
+        roots = [(sign, each) for sign, each in node.terms if not isinstance(bare(each), n.Name | n.Number)]
+        return [sign for sign, _ in roots] == ["+"] and is_distance(roots[0][1])
     inner = bare(node.arguments[0]) if n.is_call(node, "sqrt") else None
     terms = inner.terms if isinstance(inner, n.Sum) else ()
     squares = [isinstance(bare(t), n.Power) and bare(t).exponent == n.Number(Fraction(2)) for _, t in terms]  # type: ignore[attr-defined]
-    return len(squares) > 1 and all(squares) and all(sign == "+" for sign, _ in terms)
+    return all(squares) and sum(sign == "+" for sign, _ in terms) > 1
 
 
 def _is_root(node: n.Node) -> bool:

@@ -105,7 +105,7 @@ COMMANDS = {
     "sqrt": "SQRT", "partial": "PARTIAL", "dots": "DOTS", "ldots": "DOTS", "cdots": "DOTS", "vdots": "DOTS",
     "ddots": "DOTS", "dotsc": "DOTS", "dotsb": "DOTS", "dotsm": "DOTS", "prod": "DOTS", "sum": "DOTS", "int": "DOTS", "oplus": "DOTS", "ominus": "DOTS", "underbrace": "BRACE", "overbrace": "BRACE",
     "overset": "OVERSET", "underset": "OVERSET", "stackrel": "OVERSET",
-    "dot": "ACCENT", "ddot": "ACCENT", "dddot": "ACCENT", "quad": "SEP", "qquad": "SEP", "colon": "SEP",
+    "dot": "ACCENT", "ddot": "ACCENT", "dddot": "ACCENT", "quad": "SEP", "qquad": "SEP", "enskip": "SEP", "enspace": "SEP", "colon": "SEP",
     "{": "OPEN_SET", "}": "CLOSE_SET", "lbrace": "OPEN_SET", "rbrace": "CLOSE_SET", "|": "BAR", "vert": "BAR",
     "lvert": "OPEN_BAR", "rvert": "CLOSE_BAR", "lVert": "OPEN_BAR", "rVert": "CLOSE_BAR", "because": "TEXT", "Vert": "BAR", "mid": "BAR", "lbrack": "LPAR", "rbrack": "RPAR",
     "prime": "PRIME", "forall": "TEXT", "exists": "TEXT", "top": "LETTER", "infty": "LETTER",
