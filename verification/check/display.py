@@ -107,6 +107,8 @@ class DisplayChecker:
             with self.ring.budget.of(SECONDS_TO_DECIDE):
                 if display.said:
                     self.circumstances.text.heed(display.said, display.said_above, display.said_outside, display.line)
+                elif self.names.state.told.is_direct and not display.goes_on:
+                    self.circumstances.text.heed_words()
                 if TWIST.search(display.latex) and (table := check_array_table(self.checker, display)) is not None:
                     return self._with_array_corrected(table, display)
                 statements = self.names.reader.read(display.latex)

@@ -59,6 +59,11 @@ class Heeding:
         self.given = given
         self.names = checker.names
 
+    def heed_words(self) -> None:
+        """A text leads from the values given before to no more than its display, unless a heading gives them to all below it."""
+        told = self.names.state.told
+        self.names.state.told = replace(told, is_direct=told.is_direct and bool(values_of(told.section)))
+
     def heed(self, said: Sequence[str], above: int, outside: int, line: int) -> None:
         """The text before a display gives values or a condition: the configuration stated before it is over, perhaps.
 
@@ -66,7 +71,7 @@ class Heeding:
         it stands `outside`, in a section that is not around that of the display.
         """
         state = self.names.state
-        state.told = replace(state.told, is_direct=state.told.is_direct and bool(values_of(state.told.section)))
+        self.heed_words()
         for is_outside, texts in ((True, said[:outside]), (False, said[outside:above])):
             if texts:
                 before, around = state.told, sections_around(state.section)

@@ -156,7 +156,8 @@ def _with_what_is_said(document: Document) -> Document:
         if display.opening != INLINE:
             goes_on = not has_words and bool(displays) and _is_of_same_text(displays[-1], display)
             led = _inherited(led) if goes_on else _of_next(between[-1], display)
-            displays.append(_with_what_is_before(display, between[-1], led, display.section in marked))
+            one = _with_what_is_before(display, between[-1], led, display.section in marked)
+            displays.append(replace(one, goes_on=goes_on))
             between.append([])
             has_words = display.erratum  # what leads to what is quoted leads to nothing else
         elif display.latex == PROSE:

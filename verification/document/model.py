@@ -70,6 +70,7 @@ class Display:
     said: tuple[str, ...] = ()  # the equations and postures in the text between the display before and this one
     said_above: int = 0  # how many of them stand above the last heading
     said_outside: int = 0  # and how many of those in sections that are not around that of the display
+    goes_on: bool = False  # whether no words stand between it and the display before
     said_next: tuple[str, ...] = ()  # those of the text between it and the next display
     said_behind: tuple[str, ...] = ()  # those of the next text below it, under the same heading
     listed: tuple[Listing, ...] = ()  # the values in code under its heading, and those that are worked out above it

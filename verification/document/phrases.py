@@ -107,7 +107,7 @@ THEN = """
 ^ this/it/cela/das/esto (then) gives/yields/leads/donne/ergibt/liefert/da/resulta … (:) $
 """
 AND_ITS = """
-^ (and/et/und/y/e) (the/its/one/whose/their/le/la/les/l'/son/sa/ses/dont/die/der/das/dessen/deren/el/las/los/su/cuyo/cuya/il/lo/i/gli/suo/sua) the/its/one/whose/their/le/la/les/l'/son/sa/ses/dont/die/der/das/dessen/deren/el/las/los/su/cuyo/cuya/il/lo/suo/sua
+^ (and/et/und/y/e) (the/its/one/whose/their/le/la/les/l'/son/sa/ses/dont/seine/ihre/die/der/das/dessen/deren/el/las/los/su/sus/cuyo/cuya/il/lo/i/gli/suo/sua) the/its/one/whose/their/le/la/les/l'/son/sa/ses/dont/seine/ihre/die/der/das/dessen/deren/el/las/los/su/sus/cuyo/cuya/il/lo/suo/sua
 """
 LEADS_ON = """
 is/are/reads/read/becomes/gives/get/have/obtain/obtains/then/with/by/at/that/as/equals/needs/est/sont/devient/donne/obtient/écrit/vaut/alors/par/que/ist/sind/lautet/ergibt/gilt/wird/es/son/queda/da/è/sono/diventa $
@@ -117,6 +117,7 @@ it/he/she/il/elle/er/ella/esso/essa sees/moves/turns/travels/stands/lies/sits/de
 its/whose/dessen/deren/cuyo/cuya (own) position/coordinates/velocity/speed/height/abscissa/ordinate/jacobian/koordinaten/geschwindigkeit/höhe/posición/coordenadas/velocidad/altura
 (show/prove/check) (that) it is at/given (by) $
 sa/ses position/coordonnées/vitesse/hauteur/jacobienne
+su/sus/sua/sue/suas/seus/seine/ihre coordenadas/posición/velocidad/altura/koordinaten/lage/geschwindigkeit/höhe/coordinate/posizione/velocità/altezza/posição/velocidade
 """
 DENYING_HEADING = """
 common/frequent/typical/classic/usual/popular mistake~/error~/slip~/misconception~
