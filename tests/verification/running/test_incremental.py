@@ -18,7 +18,15 @@ from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex.nodes import Chain, Name
 from armproof.verification.latex.writer import Notation
-from armproof.verification.naming.state import Definition, DocumentState, JacobianRows, PrintedError, Stated, Told
+from armproof.verification.naming.state import (
+    Definition,
+    DocumentState,
+    JacobianRows,
+    OnABranch,
+    PrintedError,
+    Stated,
+    Told,
+)
 from armproof.verification.running.incremental import IncrementalChecker
 from armproof.verification.verdict import DocumentResult, Verdict
 
@@ -38,6 +46,7 @@ PARTS = [
 CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "transforms": lambda state: setattr(state, "transforms", "lower"),
     "angles": lambda state: setattr(state, "angles", "table"),
+    "branches": lambda state: state.branches.update({"theta_1": OnABranch(3, "", frozenset({1}))}),
     "section": lambda state: setattr(state, "section", "A title"),
     "exercise": lambda state: setattr(state, "exercise", "Exercise 1"),
     "apart": lambda state: setattr(state, "apart", 1),
