@@ -159,7 +159,7 @@ class Decision:
 
     def _is_at_rest(self, outcome: Outcome) -> bool:
         """Whether a matrix that moves is printed without any joint, and not by one slip: p_2 = (l_2, l_1) is that of some configuration."""
-        if outcome.verdict is not Verdict.REFUTED or outcome.there or outcome.pair is None:
+        if outcome.verdict is not Verdict.REFUTED or outcome.there or outcome.pair is None or self.is_closed:
             return False
         if outcome.pair.is_scalar or is_near(outcome.pair):
             return False

@@ -35,6 +35,7 @@ _OTHER_POSTURE = re.compile(
 _GIVES = re.compile(r"(?:\\(?:var)?(?:theta|phi|alpha|beta|gamma)|(?<![A-Za-z\\])[qdlarLt])(?![A-Za-z]).*=")
 # before by how much, or from where
 _BY = re.compile(r"(?<!\S)(?:by|from|de|d'|um|von|por|desde|di|da)\s*\Z", re.IGNORECASE)
+_NEAR = 12  # characters before a formula in which such a word stands
 _IDLE = re.compile(r"(?<!\S)(?:turn(?:s|ed)? out|in turn|half of|opposite (?:side|angle|direction) (?:of|to)) ")
 _STOP = re.compile(r"(?<!\\)[.;!?:](?=\s+\S)")
 
@@ -54,7 +55,7 @@ def said_of_motion(text: str) -> Iterator[str]:
 def _formulas(sentence: str) -> Iterator[str]:
     """Yield the formulas of a sentence but those that tell by how much, or from where, something moves."""
     for found in FORMULA.finditer(sentence):
-        if not _BY.search(sentence[: found.start()]):
+        if not _BY.search(sentence, max(0, found.start() - _NEAR), found.start()):
             yield found.group()
 
 
