@@ -182,7 +182,8 @@ class Circumstances:
             return None
         before = state.copy()
         self.names.forget(outcome.defines)  # what it is there is no meaning that the name has everywhere
-        state.inferred |= usual.meanings
+        for key, quantity in usual.meanings.items():
+            state.infer_usual(key, quantity)
         found = self._proved_there(usual.outcome)
         if found is None:
             state.become(before)

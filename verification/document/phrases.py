@@ -304,6 +304,7 @@ ASKED_FOR = """
 ^ (question/exercise/exercice/aufgabe/frage/ejercicio/esercizio) (#) (.) (:) calcolare/calcola/trovare/trova/determinare/determina/mostrare/ricavare
 """
 OTHER_POINT = """
+elbow/coude/codo/ellbogen/gomito/cotovelo at/in/bei/en/à/a $
 height/heights/abscissa~/ordinate~/hauteur/abscisse/ordonnée of/du/del (the) elbow/coude/codo
 elbow/elbow' (s) itself/position/coordinates/height/velocity/speed
 elbow/coude/codo/ellbogen is/lies/sits/has/est/se/a/está/tiene/liegt at/bei/en/in/position/velocity/height/with/pour/by/trouve/situe/given
