@@ -51,7 +51,8 @@ class ListedValues:
         What displays and the text have `stated` holds, whatever code says.
         """
         nearly = None
-        for listing in (*self.members.names.state.listed, *self._at_zero()):
+        is_printed = not any(n.names(numbers))  # d_4 of a table of numbers is so everywhere, and at zero as well
+        for listing in (*self.members.names.state.listed, *(self._at_zero() if is_printed else ())):
             for values in self._readings(listing):
                 known = {**values, **stated}
                 for pair in pairs:
