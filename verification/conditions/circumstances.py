@@ -303,7 +303,7 @@ class Circumstances:
 
     def _is_told(self, outcome: Outcome, told: Told) -> bool:
         """Whether words such as "stretched" say no more of an equation than the values beside them: of all its joints but the first."""
-        values = {name for each in told.conditions for name in self.given.values_of(each) or {}}
+        values = self.given.values_of_all(told.conditions)
         if outcome.pair is None or not self.text.fits(told, told.bent):
             return False
         moving = symbols_in(outcome.pair.true.cells) & {*self.given.joints}

@@ -208,9 +208,7 @@ class Heeding:
         return self.names.state.told_lengths | self._values(self.names.state.told.standing)
 
     def _values(self, conditions: Iterable[n.Chain]) -> dict[str, Stated]:
-        return self.given.stated(
-            {name: node for each in conditions for name, node in (self.given.values_of(each) or {}).items()}
-        )
+        return self.given.stated(self.given.values_of_all(conditions))
 
     def heed_behind(self, said: Iterable[str], statements: Iterable[n.Statement], line: int) -> None:
         """The text behind a display says what a letter of it is: "p_x = ρ c_1", where ρ = …."""

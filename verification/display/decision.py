@@ -164,8 +164,7 @@ class Decision:
         if outcome.pair.is_scalar or is_near(outcome.pair):
             return False
         true, printed = (symbols_in(side.cells) for side in (outcome.pair.true, outcome.pair.printed))
-        told = (self.given.values_of(each) or {} for each in self.names.state.told.standing)
-        joints, given = {*self.given.joints}, {name for each in told for name in each}
+        joints, given = {*self.given.joints}, self.given.values_of_all(self.names.state.told.standing).keys()
         return bool(printed) and printed.isdisjoint(joints) and not true.isdisjoint(joints - given)
 
     def _decided(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:

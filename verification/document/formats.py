@@ -111,7 +111,8 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
         words_of(text[:_TELLS_LANGUAGE])
     ):
         document = replace(document, displays=tuple(replace(each, strange="") for each in document.displays))
-    if MAY_MEAN.search(text.lower()) or MAY_ASK.search(text.lower()):
+    small = text.lower()
+    if MAY_MEAN.search(small) or MAY_ASK.search(small):
         document = with_other_meanings(document, text)
     if (images := sum(not shows_its_latex(each) for each in _IMAGE.findall(text))) and suffix != ".py":
         told = say(Kind.IMAGES, count=images) if images > 1 else say(Kind.IMAGE)

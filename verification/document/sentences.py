@@ -164,16 +164,15 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
     if says("OTHER_FRAME", words):
         heard.append(OTHER_FRAME)
     is_label = words.count(" ") <= _MOST_OF_LABEL
-    if is_label or IS_OVER.search(sentence) is None or hears("ASKED_FOR", words_of(_ARGUMENTS.sub(" ", sentence))):
+    own = words_of(_ARGUMENTS.sub(" ", sentence))
+    if is_label or IS_OVER.search(sentence) is None or hears("ASKED_FOR", own):
         heard += _subjects(sentence, words)
     heard += (OTHER_POINT for each in places_of_those(words) if each == OTHER_PLACE)
     if DENIED not in heard and is_strange_before(_plain(sentence)):
         heard.append(STRANGE + sentence)
-    if _is_at_values(words_of(_ARGUMENTS.sub(" ", sentence)), words_before) or (
-        hears("AT_WORDS", words) and any(joint_values(sentence))
-    ):
+    if _is_at_values(own, words_before) or (hears("AT_WORDS", words) and any(joint_values(sentence))):
         heard.append(FROM_VALUES)
-    elif hears("NOT_THERE", words) or hears("NOT_THERE", words_before):
+    elif _leads_away(words, words_before):
         heard.append(NOT_THERE)
     found = _ALTERNATIVES.search(sentence)
     if found is not None and is_of_singularities(sentence[: found.start()].rstrip()):
@@ -181,9 +180,14 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
     return tuple(heard)
 
 
+def _leads_away(words: str, words_before: str) -> bool:
+    """Whether a sentence, or the one before it where it is short, may lead elsewhere than to values that are given."""
+    return any(hears("NOT_THERE", each) for each in (words, words_before))
+
+
 def _is_at_values(words: str, words_before: str) -> bool:
     """Whether a sentence leads to what holds at the values that it gives, or, being short, the one before it."""
-    if hears("NOT_THERE", words) or hears("NOT_THERE", words_before):
+    if _leads_away(words, words_before):
         return False
     plain = without("OF_A_POSTURE", words)
     if hears("AT_VALUES", plain) or (IS_OVER.search(words) and hears("GIVES_VALUES", plain)):
@@ -225,6 +229,7 @@ def is_of_a_case(section: str) -> bool:
     return hears("CASE", words_of(section)) is not None
 
 
+@lru_cache(maxsize=MOST_KNOWN)
 def values_of(section: str) -> tuple[str, ...]:
     """Return the values at which all holds that stands under a heading, as formulas: those of "Case 1: $\\theta_2 = 0$"."""
     words = words_of(section)

@@ -47,6 +47,10 @@ class GivenValues:
             return self._together((name, others[-1]) for name in chain.members[:-1])
         return self.values(first, others[0]) if others and (len(others) == 1 or all(map(is_number, others))) else None
 
+    def values_of_all(self, chains: Iterable[n.Chain]) -> dict[str, n.Node]:
+        """Return the values that chains give together, the last one where a name has several."""
+        return {name: node for each in chains for name, node in (self.values_of(each) or {}).items()}
+
     def places_joints(self, chain: n.Chain) -> bool:
         """Whether a chain gives a joint a value."""
         return not set(self.values_of(chain) or ()).isdisjoint(self.joints)
