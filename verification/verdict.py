@@ -337,7 +337,7 @@ class TakenArm:
         transforms: which index of a transform's name is the reference, upper or lower.
         front: the keys of front matter that name this arm.
         lines: the places (cell, line) of all that it was taken from: data, not claims.
-        products: those of them where a product shows its factors.
+        products: those of them where a product shows its factors; of exponentials, where it, its axes and its pose at zero stand.
         several_tools: whether the table shows more end effectors than this arm's.
         is_part: whether the document speaks of joints behind its last one.
         mended: the links, from 1, whose printed matrices are none, and would be with another entry.
@@ -363,6 +363,11 @@ class TakenArm:
     def __str__(self) -> str:
         """Return "arm of the table at line 12, classic DH"."""
         return str(say(Kind.ARM_OF, source=self.source, line=self.line, convention=self.convention))
+
+    @property
+    def is_of_screws(self) -> bool:
+        """Whether it was taken from a product of exponentials."""
+        return self.source == "closed form" and bool(self.products)
 
     @property
     def front_matter(self) -> str:

@@ -75,7 +75,7 @@ def twist_in(matrix: Matrix) -> Twist:
 
 def twist_value(evaluator: Evaluating, node: n.Node) -> Twist | None:
     r"""Return the twist that \hat\xi_1 or [S_1] writes as a matrix; None of anything else. Raises UnboundName."""
-    node = _in_brackets(node) or node
+    node = in_brackets(node) or node
     name = node.inner if isinstance(node, n.Group) else node
     if not isinstance(name, n.Name):
         return None
@@ -142,7 +142,7 @@ def jacobian_of_screws(evaluator: Evaluating, name: n.Name) -> Matrix | None:
         return None
     pose, exponents = factors
     parts = [split(exponent) for exponent in exponents]
-    direction_first = any(_in_brackets(written) for written, _ in parts)
+    direction_first = any(in_brackets(written) for written, _ in parts)
     if name.primes == 1 and not name.sup:
         keys = [key_of(written) for written, _ in parts]
         place = keys.index(replace(name, primes=0).key) if replace(name, primes=0).key in keys else None
@@ -214,10 +214,11 @@ def exponents_in(node: n.Node) -> Iterator[n.Node]:
     return (each for each in found if _is_written(split(each)[0]))
 
 
-def _in_brackets(node: n.Node) -> n.Group | None:
+def in_brackets(node: n.Node) -> n.Group | None:
+    """Return the [S_1] that a node is, or None."""
     return node if isinstance(node, n.Group) and node.brackets == "[]" and isinstance(node.inner, n.Name) else None
 
 
 def _is_written(node: n.Node) -> bool:
     """Whether a factor is a name, perhaps with a hat or in brackets."""
-    return _in_brackets(node) is not None or isinstance(node, n.Name)
+    return in_brackets(node) is not None or isinstance(node, n.Name)

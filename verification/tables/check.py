@@ -47,9 +47,14 @@ class ArrayTable:
 
 
 def read_array(display: Display) -> ArrayTable | None:
-    """Return the table of a display that holds one array and nothing else, or None."""
+    """Return the DH table of a display that holds one array and nothing else, or None."""
+    return array_in(display) if TWIST.search(display.latex) else None
+
+
+def array_in(display: Display) -> ArrayTable | None:
+    """Return the table of a display that holds one array and nothing else, whatever it is of, or None."""
     latex = display.latex
-    if "&" not in latex or not TWIST.search(latex):
+    if "&" not in latex:
         return None
     opening = _OPENING.match(latex)
     cut = _cut(latex, opening.end()) if opening is not None else None

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from armproof.verification.document import Display
+from armproof.verification.findings import Kind
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.tables.arms.inference import joints_used
 from armproof.verification.tables.arms.support import Inference
@@ -17,24 +18,34 @@ _NAME = re.compile(r"[A-Za-z]+(?:_\w+)?")
 
 
 def with_armless(part: Inference, result: DocumentResult, check: Check) -> DocumentResult:
-    """Return the verdicts of a part whose arm was inferred, those left open in sections that speak of none of it as they are without an arm."""
+    """Return the verdicts of a part whose arm was inferred, those left open in sections that speak of none of it as they are without an arm.
+
+    Where the arm is that of a product of exponentials, whose factors tell the same by their definitions, so are all.
+    """
     if part.arm is None:
         return result
-    displays = _armless(part)
+    of_screws = part.arm.is_of_screws
+    displays = part.document.displays if of_screws else _armless(part)
     places = {each.place for each in displays}
     if not any(_is_open(record) for record in result.equations if record.place in places):
         return result
     front = {key: value for key, value in part.document.front.items() if key not in part.arm.front}
     there = check(Inference(replace(part.document, front=front, displays=displays, tables=())))
-    decided = {each.place: each for each in there.equations if each.is_decided}
+    tell = {each.place: each for each in there.equations if each.is_decided or (of_screws and _tells_more(each))}
     return replace(
         result,
-        equations=tuple(decided.get(each.place, each) if _is_open(each) else each for each in result.equations),
+        equations=tuple(tell.get(each.place, each) if _is_open(each) else each for each in result.equations),
     )
 
 
 def _is_open(record: Record) -> bool:
     return record.verdict is Verdict.UNCHECKED and not (record.is_remark or record.erratum)
+
+
+def _tells_more(record: Record) -> bool:
+    """Whether a display gives what is used, or what is printed elsewhere speaks against it."""
+    kinds = {finding.kind for each in record.outcomes for finding in each.findings}
+    return record.verdict is Verdict.DEFINED or not kinds.isdisjoint((Kind.OTHER_SCREWS, Kind.CONTRADICTED))
 
 
 def _armless(part: Inference) -> tuple[Display, ...]:

@@ -30,6 +30,7 @@ from armproof.verification.tables.arms.matrices import (
 from armproof.verification.tables.arms.other_case import in_other_case
 from armproof.verification.tables.arms.rates import rates_in
 from armproof.verification.tables.arms.rows import candidates
+from armproof.verification.tables.arms.screws import candidate_of_screws
 from armproof.verification.tables.arms.support import Inference
 from armproof.verification.tables.arms.variables import in_variables, told_variables
 from armproof.verification.tables.arms.witnesses import Reading, weigh
@@ -61,6 +62,8 @@ def _inferred(document: Document) -> Inference:
     of_table = _of_tables(document)
     if of_table.arm is not None:
         return of_table
+    if (of_screws := candidate_of_screws(document, plain_names(document))) is not None:
+        return _settle(document, [of_screws])
     try:
         found = candidates_of_matrices(document, plain_names(document))
     except EvaluationError as error:

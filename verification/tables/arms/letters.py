@@ -50,13 +50,20 @@ def value_in_letters(node: n.Node, names: Names, algebra: ExactAlgebra) -> tuple
     """
     if any(_is_of_half_an_angle(below) for below in n.walk(node)):
         return None
-    letters = tuple(below for below in n.names(node) if below.key != "pi")
+    letters = tuple(below for below in n.names(node) if below.key not in ("pi", *_unit_blocks(node)))
     try:
         return Evaluator(replace(names, symbols={name.key: name.key for name in letters}), algebra).evaluate(
             node
         ), letters
     except (EvaluationError, RecursionError):
         return None
+
+
+def _unit_blocks(node: n.Node) -> set[str]:
+    """Return the I of [I, p; 0, 1], where a matrix stands beside it."""
+    cells = [[n.bare(cell) for cell in each.cells] for each in n.walk(node) if isinstance(each, n.Matrix)]
+    blocks = (row for row in cells if any(isinstance(cell, n.Matrix) for cell in row))
+    return {cell.key for row in blocks for cell in row if isinstance(cell, n.Name) and cell.key == "I"}
 
 
 def _is_of_half_an_angle(node: n.Node) -> bool:

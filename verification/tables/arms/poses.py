@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial, reduce
 from itertools import product
 
@@ -72,16 +72,24 @@ def _of_matrix(node: n.Node, count: int, display: Display, names: Names, algebra
         return None
     pose = evaluated[0].map(lambda cell: cell.normal())
     try:
-        chain = _Chain(algebra, pose, _joints(pose, count)).moves()
+        found = candidate_with_pose(pose, _joints(pose, count), display.place, algebra)
     except (EvaluationError, LookupError):
         return None
+    return replace(found, symbols=renamed(evaluated[1])) if found is not None else None
+
+
+def candidate_with_pose(
+    pose: Matrix, joints: Sequence[str], place: tuple[int | None, int], algebra: ExactAlgebra
+) -> Candidate | None:
+    """Return the arm whose tool has a pose, by its joints from the base on, or None; raises EvaluationError, LookupError."""
+    chain = _Chain(algebra, pose, joints).moves()
     if chain is None:
         return None
-    frames = _frames(chain, count)
-    joints = tuple(symbol_of(joint) if joint else "" for joint in chain.joints)
-    place = (display.cell, display.line)
+    named = tuple(symbol_of(joint) if joint else "" for joint in chain.joints)
+    frames = _frames(chain, len(joints))
+    cell, line = place
     return Candidate(
-        "closed form", display.line, display.cell, tuple(chain.rows), joints, renamed(evaluated[1]), ("classic",), (place,), frames
+        "closed form", line, cell, tuple(chain.rows), named, conventions=("classic",), more_lines=(place,), frames=frames
     )  # fmt: skip
 
 

@@ -389,6 +389,8 @@ class _Settled:
 
     def _outcome(self, result: EquationResult, record: Record) -> EquationResult:
         """Return an equation's result; unchecked where it differs from the source in what nothing else confirms."""
+        if result.verdict in (Verdict.UNCHECKED, Verdict.DEFINED) and self._is_of_screws(record):
+            return self._data(result.index)
         if result.verdict in HOLDS and _is_data(self.taken, record, result.links):
             return result if result.links <= self.confirmed else self._data(result.index, result.links)
         links = result.links.union(*(self.named.get(key, ()) for key in result.uses))
@@ -415,6 +417,12 @@ class _Settled:
             return result
         doubt = say(Kind.OTHER_THAN_SOURCE, source=self.taken.source, line=self.taken.line)
         return replace(result, verdict=Verdict.UNCHECKED, findings=(doubt.at(result.index), *result.findings))
+
+    def _is_of_screws(self, record: Record) -> bool:
+        """Whether a display gives axes, the pose at zero or the product of an arm that was taken from these, and nothing speaks against them."""
+        kinds = {finding.kind for each in record.outcomes for finding in each.findings}
+        is_source = self.taken.is_of_screws and record.place in self.taken.products
+        return is_source and kinds.isdisjoint((Kind.OTHER_SCREWS, Kind.CONTRADICTED))
 
     @staticmethod
     def _is_alone(result: EquationResult, record: Record) -> bool:
