@@ -24,7 +24,10 @@ from armproof.verification.naming.quantities import ANGULAR, LINEAR, leads_outwa
 from armproof.verification.verdict import Verdict
 
 Check = Callable[[n.Chain], list[Outcome]]
-_COUNT = re.compile(r"\(?(?:[+-]|pm|mp|[ivIV]+|\d)\)?")
+# not of a step, (k) or (n), nor of another configuration than a solution
+_COUNT = re.compile(
+    r"\(?(?:[+-]|pm|mp|[ivIV]+|\d)\)?|\((?![kmnt]\)|(?:ref|des|max|min|old|new|init|start|end|goal|home)\))[A-Za-z]{1,10}\)|[A-D]|up|down|left|right|elbow(?:up|down)"
+)
 _NUMERAL = re.compile(r"(\d+),([ivIV]+)")
 _PART = re.compile(r"(?P<part>[A-Za-z]*?)_?,?(?P<digits>\d|\d,?\d)")
 

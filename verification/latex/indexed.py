@@ -10,6 +10,7 @@ from fractions import Fraction
 
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
+from armproof.verification.latex import greek
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.items import OPERATORS, Item, Script
 from armproof.verification.latex.tokens import Spelling, canonical_script
@@ -21,16 +22,19 @@ VECTOR_LETTERS = frozenset(
     ["p", "P", "z", "Z", "O", "o", "x", "y", "X", "Y", "J", "v", "V", "omega", "Omega", "W", "w"]
 )
 _BRANCHES = ("(+)", "(-)", "(pm)", "(mp)")  # marks of a solution's branch: θ_2^{(+)}
-_IN_BRACKETS = re.compile(r"\((?:\d|[ijkn](?:[+-]\d)?)\)")  # of a frame, a solution, a step: no power
+_IN_BRACKETS = re.compile(r"\((?:\d|[ijkn](?:[+-]\d)?|(?P<word>[A-Za-z]{1,10}))\)")  # of a frame, a solution, a step: no power
+_ACTS = frozenset([*OPERATORS, "H", *greek.GREEK])  # in brackets too: the transpose, and an exponent that is a Greek letter
 _CENTRES = ("cm", "mm")  # what would be units above a number
 _PLACED = re.compile(r"(\w+)\((\d)\)")
 _BETWEEN_VALUES = re.compile(r"(?:,|\\[,;]|\\quad|\\\\)(?![^(\[]*[)\]])")  # and not between those of (0, 0)
+_SPELT_WORD = re.compile(r"(?=[A-Za-z]*[aeiouy])(?=[A-Za-z]*[^aeiouyA-Z])[A-Za-z][a-z]{3,9}")
 _WORD = re.compile(r"\s*\\(?:text[a-z]*|mathrm|mathit|mathsf|operatorname)\s*\{\s*[A-Za-z]{2,}\s*\}\s*")
 _SIZE = re.compile(r"\(?\dx[1-9n]\)?")
 _MASS_CENTRE = r"(?:[cCgGmM]|cm|CM|com|COM)_?,?\d"
 _NO_SIZE = re.compile(r"\(?(?:0x\d+|\d+x0)\)?")  # no matrix is 0×1
 _NOTED_SIZE = re.compile(r"\(?(?:\dx[1-9nm]|[nm]x[1-9nm])\)?")
 _NOTED_BASE = re.compile(r"[(/]?(?:[RFOKS]_?)?(?:0|b|B|w|W|base|world)\)?|\(?x,?y,?z\)?")
+_JOINT_LETTERS = frozenset([*greek.ANGLES, "q"])
 _SIZED = frozenset(["I", "Id", "E", "O", "J"])  # whose size is part of the name, or a claim
 
 
@@ -197,7 +201,9 @@ class NameReader:
         key = f"{base}_{sub}^{canonical}" if sub else f"{base}^{canonical}"
         if self.is_bound(key):
             return True
-        if canonical in _BRANCHES or _IN_BRACKETS.fullmatch(canonical) or canonical in _CENTRES:
+        if base != "e" and is_bracketed_index(canonical):
+            return True
+        if canonical in _CENTRES or (sub and base in _JOINT_LETTERS and _is_spelt_word(canonical)):
             return True
         if canonical in OPERATORS:
             return False
@@ -215,6 +221,20 @@ class NameReader:
             of_frame = of_frame or (base in ("v", "V") and re.fullmatch(_MASS_CENTRE, sub) is not None)  # v_{c1}^2
             return not digits or (of_frame and not re.search(r"[xyzXYZ]$", sub))
         return not digits and bool(sub) and len(canonical) <= 3 and canonical not in ("n", "k", "m")
+
+
+def is_bracketed_index(canonical: str) -> bool:
+    """Whether what stands above a letter in brackets names a solution, a step or a frame: (2), (a), (II), (up), (+).
+
+    Nobody puts an exponent of one letter in brackets; that of e, and the transpose, act as they do without.
+    """
+    found = _IN_BRACKETS.fullmatch(canonical)
+    return canonical in _BRANCHES or (found is not None and found["word"] not in _ACTS)
+
+
+def _is_spelt_word(canonical: str) -> bool:
+    """Whether letters above an angle spell a word, and are no product of exponents: θ_2^{down}, q_1^{elbow}."""
+    return canonical not in _ACTS and _SPELT_WORD.fullmatch(canonical) is not None
 
 
 def _is_word(text: str, canonical: str) -> bool:
