@@ -27,6 +27,7 @@ _ACTS = frozenset([*OPERATORS, "H", *greek.GREEK])  # in brackets too: the trans
 _CENTRES = ("cm", "mm")  # what would be units above a number
 _PLACED = re.compile(r"(\w+)\((\d)\)")
 _BETWEEN_VALUES = re.compile(r"(?:,|\\[,;]|\\quad|\\\\)(?![^(\[]*[)\]])")  # and not between those of (0, 0)
+_FRAME_BEHIND = re.compile(r"[A-Zijkn\d]|[ijkn][-+]\d")
 _SPELT_WORD = re.compile(r"(?=[A-Za-z]*[aeiouy])(?=[A-Za-z]*[^aeiouyA-Z])[A-Za-z][a-z]{3,9}")
 _WORD = re.compile(r"\s*\\(?:text[a-z]*|mathrm|mathit|mathsf|operatorname)\s*\{\s*[A-Za-z]{2,}\s*\}\s*")
 _SIZE = re.compile(r"\(?\dx[1-9n]\)?")
@@ -177,6 +178,8 @@ class NameReader:
                 above.append((kind, text, span))
                 continue
             end = max(end, span[1])
+        if item.base in TRANSFORM_LETTERS and pre_sup and not (pre_sub or sup):
+            sub = _without_reference(sub, pre_sup)
         end = max(end, item.end if not above else end)
         text = self.text[item.start : end]
         name: n.Node = n.Name(item.base, sub, sup, pre_sub, pre_sup, primes, dots, text, span=(item.start, end))
@@ -221,6 +224,13 @@ class NameReader:
             of_frame = of_frame or (base in ("v", "V") and re.fullmatch(_MASS_CENTRE, sub) is not None)  # v_{c1}^2
             return not digits or (of_frame and not re.search(r"[xyzXYZ]$", sub))
         return not digits and bool(sub) and len(canonical) <= 3 and canonical not in ("n", "k", "m")
+
+
+def _without_reference(sub: str, reference: str) -> str:
+    """Return the frame of {}^0T_{04} and {}^{i-1}T_{i-1,i}, whose index tells once more from where it is seen."""
+    frame = sub.removeprefix(reference)
+    is_said_twice = frame != sub and (_FRAME_BEHIND.fullmatch(frame) is not None or frame[:1] == ",")
+    return frame.lstrip(",") or sub if is_said_twice else sub
 
 
 def is_bracketed_index(canonical: str) -> bool:

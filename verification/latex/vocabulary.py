@@ -73,6 +73,19 @@ TRANSPARENT = {"equation", "displaymath", "math", "subequations", "small", "foot
 
 # accents that make another name of a letter; vec, boldface and the like do not
 ACCENTS = {"bar": "bar", "overline": "bar", "tilde": "tilde", "widetilde": "tilde", "hat": "hat", "widehat": "hat"}
+# macros for bold, upright and script letters as classes and packages call them, wherever they are defined
+OF_CLASSES = {
+    **dict.fromkeys(("mcal", "mscr", "mathpzc", "symcal", "symscr"), "cal"),
+    **dict.fromkeys(("mfrak", "symfrak"), "frak"),
+    **dict.fromkeys(
+        (
+            "mat", "matr", "mtx", "bmat", "mbf", "mbs", "msf", "mrm", "mathbfit", "mathbfsf", "mathsfbf", "mathsfit", "mathbold",
+            "symbfit", "symbfup", "symbfsf", "symsf", "symit", "symrm", "tens", "bmath", "bvec", "vecb", "vbf", "bs",
+        ),
+        "bold",
+    ),
+    **dict.fromkeys(("vect", "vector", "vecteur", "vv", "Vec", "vct"), "arrow"),
+}  # fmt: skip
 # what makes another name of a letter where a document has it in both (naming/dresses.py)
 DRESSES = {
     **dict.fromkeys(("mathcal", "mathscr", "cal"), "cal"),
@@ -80,11 +93,13 @@ DRESSES = {
     **dict.fromkeys(("mathbf", "boldsymbol", "bm", "pmb", "symbf", "bold", "vb", "bf", "boldvec"), "bold"),
     **dict.fromkeys(("vec", "overrightarrow", "va"), "arrow"),
     **dict.fromkeys(("hat", "widehat"), "hat"),
+    **OF_CLASSES,
 }
 STYLES = (
     "mathbf|mathrm|mathit|mathsf|mathbb|mathcal|mathfrak|mathscr|mathtt|boldsymbol|bm|pmb|vec|overrightarrow|text|textbf|textit|textrm|"
     "textsf|texttt|operatorname|mathop|mbox|hbox|bf|rm|it|hat|widehat|bar|overline|underline|tilde|widetilde|mathnormal|emph|boxed|fbox|"
-    "bold|symbf|symup|textup|textnormal|mathds|Bbb|frak|cal|sf|tt|vb|va|vu|uvec|boldvec|ensuremath|phantom|smash|mathstrut|mathord|mathbin|mathrel"
+    "bold|symbf|symup|textup|textnormal|mathds|Bbb|frak|cal|sf|tt|vb|va|vu|uvec|boldvec|ensuremath|phantom|smash|mathstrut|mathord|mathbin|mathrel|"
+    + "|".join(OF_CLASSES)
 )
 STRIKES = frozenset(["cancel", "bcancel", "xcancel", "sout"])  # whether a struck term counts nobody can tell
 SPACES = (

@@ -103,6 +103,8 @@ R{}^T \quad R{}^T \cdot p  ⟶  R^<T>; (R^<T> ⋅ p)
 """,
     "names": r"""
 T^0_1 T_1^0 {}^0T_1 {}^0_1T {}_1^0T ^0T_1 ^0_1T  ⟶  (T_1^0 T_1^0 {}^0T_1 {}^0_1T {}^0_1T {}^0T_1 {}^0_1T)
+{}^0T_{04} {}^0\!A_{06} {}^{i-1}T_{i-1,i} {}^0T_{0E} {}^0p_{0,4} {}^0R_{0n}  ⟶  ({}^0T_4 {}^0A_6 {}^i-1T_i {}^0T_E {}^0p_0,4 {}^0R_n)
+{}^0T_{14} {}^eT_{ee} {}^BT_{Base} {}^0T_0 {}^0_1T_{04}  ⟶  ({}^0T_14 {}^eT_ee {}^BT_Base {}^0T_0 {}^0_1T_04)
 ^0_1T^1_2T \quad ^0T_1^1T_2 \quad {}^0T_1 {}^1T_2^{-1}  ⟶  ({}^0_1T {}^1_2T); ({}^0T_1 {}^1T_2); ({}^0T_1 {}^1T_2^<-1>)
 ^0T_1^T \quad ^0T_1^2 \quad ^0_1T_2 \quad ^0T^1T \quad ^0_1T^{1}_{2}T^2_3T  ⟶  {}^0T_1^<T>; {}^0T_1**2; {}^0_1T_2; ({}^0T {}^1T); ({}^0_1T {}^1_2T {}^2_3T)
 p_1^2 p_x^2 p_1^0 p_{i-1}^2 l_1^2 {}^0p_2^2  ⟶  (p_1^2 p_x**2 p_1^0 p_i-1^2 l_1**2 {}^0p_2**2)
@@ -118,6 +120,8 @@ x_{\text{max}} x_{\mathrm{tool}} x_{a,b} x_{i+1} x_{ 1 } T_{\mathrm{A}}^{\mathrm
 \dot x \ddot{y}_1 \dddot{q} \dot{x_1} \dot{\mathbf{p}} \dot{\theta}_1^2 {\dot x}_1 \dot{x}_1'  ⟶  (dot x dotdot y_1 dotdotdot q dot x_1 dot p dot theta_1**2 dot x_1 dot x'_1)
 \overset{.}{x} \overset{\cdot\cdot}{y} \stackrel{.}{x} \underset{n}{x} \overset{\rightarrow}{x} \underset{n}{a b}  ⟶  (dot x dotdot y dot x x_n x (a b))
 \mathbf{J} \mathrm{J}_v \mathbf{R}_1^T \boldsymbol\theta_1 \vec{p} \mathrm{tool} \mathcal{F}  ⟶  (J J_v R_1^<T> theta_1 p tool F)
+\msf{T}_{03} \mathbfit{p}_3 \mat{R}_1 \vect{p}_2 \vb{x} \bs\theta_1 \mat{T_3}^{-1}  ⟶  (T_03 p_3 R_1 p_2 x theta_1 T_3^<-1>)
+\est{q}_1 \foo{T}_3^0 \inv{R} \des{\theta}_{2} \est{q}_1'  ⟶  (est q_1 foo T_3^0 inv R des theta_2 est q'_1)
 \hat{x} \hat{T} \bar{x} \tilde{y}_1 \hat{\theta} \widehat{z} \hat\omega \hat q  ⟶  (hat x T bar x tilde y_1 hat theta z omega hat q)
 \alpha \varphi \vartheta \ell_2 \varepsilon \pi \infty  ⟶  (alpha phi theta l_2 epsilon pi infty)
 theta_1 theta1 alpha WC_x  ⟶  (theta_1 theta_1 alpha WC_x)
