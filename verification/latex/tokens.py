@@ -23,6 +23,7 @@ from armproof.verification.latex.units import PER_CENT, UNIT, UNKNOWN, mark_of, 
 from armproof.verification.latex.vocabulary import (
     ACCENTS,
     ASKED,
+    BARE_CONSTANTS,
     BARE_JOINING,
     BARE_WORDS,
     CHARACTERS,
@@ -73,7 +74,7 @@ _MASTER = re.compile(
     % (
         SPACES,
         r"(?<![A-Za-z\\])(?:%s)(?![A-Za-z])|WC(?=\s*(?:[-+_^=&)|]|\\\||$))|(?:EE|wc)(?=\s*_\s*\{?\s*[xyz](?![A-Za-z]))|%s"
-        % ("|".join(BARE_JOINING), "|".join([*BARE_WORDS, *LONG])),
+        % ("|".join([*BARE_JOINING, *BARE_CONSTANTS]), "|".join([*BARE_WORDS, *LONG])),
     ),
     re.VERBOSE | re.DOTALL,
 )
@@ -617,7 +618,9 @@ class _Scanner:
     def _words(self, content: str, start: int, after: int) -> tuple[list[Token], int]:
         """Words are no product: a name where they stand as an operand does, else what is said between equations."""
         name = re.sub(r"[\W\d_]+", "", content)
-        joins = {word.lower() for word in content.split()} & JOINING or not name or name.lower() in SAID_OF_VALUES
+        joins = {word.lower() for word in content.split()} & JOINING or not name
+        is_term = self.previous in _BEFORE_OPERAND  # … + \text{const}: of whatever value, but a term
+        joins = joins or (name.lower() in SAID_OF_VALUES and not is_term)
         begins = self.previous in _BEGINS or _SCRIPT_BEFORE.search(self.text, max(0, start - 12), start)
         heads = begins and _RELATION_NEXT.match(self.text, after)
         alone = self.previous == "LBRACE" and self.text[after : after + 1] == "}"  # in a fraction

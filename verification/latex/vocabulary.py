@@ -167,8 +167,9 @@ et ou où si alors avec donc ainsi d'où soit pour car sinon on und oder wenn al
 )
 # words that say of what value something is, and are the name of nothing
 SAID_OF_VALUES = frozenset(
-    "const constant constante konstant cste zero zéro null nul nulle positive positif negative négatif nonzero finite infinite unknown independent dependent invariant".split()
+    "const constant constante konstant cste cst cte konst costante zero zéro null nul nulle positive positif negative négatif nonzero finite infinite unknown independent dependent invariant".split()
 )
+BARE_CONSTANTS = ("cste", "cst", "cte", "Cste", "Cst", "Cte", "const", "konst")  # in letters that are no factors
 # words behind a number that are no unit of it
 NO_UNITS = (
     JOINING | frozenset(word for spoken in SPOKEN.values() for word in spoken) | {"mod", "modulo", "and", "etc", "only"}
