@@ -19,6 +19,7 @@ from mdit_py_plugins.colon_fence import colon_fence_plugin
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 from mdit_py_plugins.dollarmath.index import math_block_dollar
 
+from armproof.verification.document.broken_formulas import broken_formula
 from armproof.verification.document.formula_links import formulas_in_html, formulas_in_line
 from armproof.verification.document.front_matter import FrontMatter, split_front_matter
 from armproof.verification.document.heading import begin_section
@@ -458,6 +459,9 @@ def _inline_displays(
     base = first + (token.map[0] if token.map else 0)
     cursor = end = 0  # behind the last formula, behind the last display
     children = token.children or []
+    if (whole := _broken_formula(token)) is not None:
+        yield Display(base, whole, erratum, cell, section, opening=ALONE)
+        return
     alone = _on_own_lines(token)
     ends = [*_ends_of_texts(token, alone), len(token.content)]
     text = token.content[: ends[0]]
@@ -513,8 +517,8 @@ def _ends_of_texts(token: Token, alone: Collection[int]) -> Iterator[int]:
 def _on_own_lines(token: Token) -> set[int]:
     """Return which children are formulas between single dollars that stand for displays.
 
-    They do where a paragraph holds nothing else; on a line of their own behind a colon; and at the end of a line where they
-    say what a matrix is, for nobody mentions one.
+    They do where a paragraph holds nothing else; on a line of their own behind a colon, or behind what leads on to them, if
+    they are equations with functions; and at the end of a line where they say what a matrix is, for nobody mentions one.
     """
     children = token.children or []
     says = {
@@ -533,6 +537,8 @@ def _on_own_lines(token: Token) -> set[int]:
         own = [place for place in held if place in says]
         if is_alone and is_led and token.level == 1:
             found |= {place for place in own if not _LISTS.search(children[place].content)}
+        if is_alone and len(held) == 1 and own and _DERIVED.search(children[own[0]].content):
+            found |= {*own} if _leads_on(children[: own[0]]) else set()
         if own and own[-1] == held[-1] and _leads_on(children[: own[-1]]):
             found |= {place for place in own[-1:] if _claims_a_matrix(children[place].content)}
         if not is_alone:
@@ -568,11 +574,21 @@ def _stands_alone(token: Token) -> bool:
 
     So does an item of a list whose formulas are matrices, or equations with functions; others there are mostly what is given.
     """
+    if _broken_formula(token) is not None:
+        return True
     held = [each for each in token.children or () if each.content.strip(_STOPS) or each.type == "softbreak"]
     kinds = {each.type for each in held}
     formulas = [each.content for each in held if each.type == "math_inline"]
     may_stand = token.level == 1 or (token.level % 2 == 1 and all(_DERIVED.search(each) for each in formulas))
     return may_stand and "math_inline" in kinds and kinds <= {"math_inline", "softbreak"}
+
+
+def _broken_formula(token: Token) -> str | None:
+    """Return the equation that a paragraph or an item holds in several pieces; of an item as _stands_alone asks it."""
+    whole = broken_formula(token.children or []) if token.level % 2 == 1 else None
+    if whole is None or _SAYS.search(whole) is None:
+        return None
+    return whole if token.level == 1 or _DERIVED.search(whole) else None
 
 
 def _read_table(tokens: list[Token], start: int, first: int, erratum: bool, cell: int | None, section: str) -> Table:
