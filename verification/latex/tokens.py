@@ -35,6 +35,7 @@ from armproof.verification.latex.vocabulary import (
     LAYOUTS,
     LETTERS,
     MATRICES,
+    NO_LETTERS,
     NO_UNITS,
     OF_CLASSES,
     PUNCTUATION,
@@ -528,7 +529,7 @@ class _Scanner:
             return [self.token("SUP", f"{UNIT}{name}", start, end)], end
         if name in PUNCTUATION:
             return [self.token("TEXT", name, start, end)], end
-        if _LETTER_ALONE.match(self.text, end):  # \est{q}: of a macro that nobody defines, a letter of its own
+        if name not in NO_LETTERS and _LETTER_ALONE.match(self.text, end):  # \est{q}: of a macro that nobody defines, a letter of its own
             self.accent = name
             return [], end
         raise ReadError(say(Kind.UNKNOWN_COMMAND, command=value), start)

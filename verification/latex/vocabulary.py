@@ -101,6 +101,9 @@ STYLES = (
     "bold|symbf|symup|textup|textnormal|mathds|Bbb|frak|cal|sf|tt|vb|va|vu|uvec|boldvec|ensuremath|phantom|smash|mathstrut|mathord|mathbin|mathrel|"
     + "|".join(OF_CLASSES)
 )
+NO_LETTERS = frozenset(  # commands of LaTeX whose argument is no formula
+    "input include includegraphics footnote footnotemark footnotetext caption url href cite index hyperref write nocite bibliography marginpar".split()
+)
 STRIKES = frozenset(["cancel", "bcancel", "xcancel", "sout"])  # whether a struck term counts nobody can tell
 SPACES = (
     r"displaystyle|textstyle|scriptstyle|scriptscriptstyle|limits|nolimits|nonumber|notag|hline|hdashline|hfill|noindent|"
