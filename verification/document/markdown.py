@@ -20,6 +20,7 @@ from mdit_py_plugins.dollarmath import dollarmath_plugin
 from mdit_py_plugins.dollarmath.index import math_block_dollar
 
 from armproof.verification.document.broken_formulas import broken_formula
+from armproof.verification.document.code_columns import shows_rows
 from armproof.verification.document.formula_links import formulas_in_html, formulas_in_line
 from armproof.verification.document.front_matter import FrontMatter, split_front_matter
 from armproof.verification.document.heading import begin_section
@@ -238,6 +239,8 @@ def _read_blocks(
             displays += more
             tables += more_tables
             is_behind = True
+        elif token.type == "code_block":
+            displays.append(Display(line, content, cell=cell, section=section, opening=CODE))
         elif token.type == "amsmath":
             displays.append(Display(line, content, erratum, cell, section, opening=AMS))
             is_behind = True
@@ -254,6 +257,8 @@ def _read_blocks(
             displays.extend(
                 each for each in in_text if not in_table or each.opening == INLINE or _SAYS.search(each.latex)
             )
+            if token.level == 1 and shows_rows(content):
+                displays.append(Display(line, content, cell=cell, section=section, opening=CODE))
             is_behind = token.content.rstrip().endswith("$$")
             is_lead = not in_table and tokens[index - 1].type != "heading_open"
             lead, lead_line = content.split("$$")[-1] if is_lead else "", line
