@@ -17,13 +17,16 @@ NAMES = {
     "th": "theta",
 }
 OF_A_TABLE = re.compile(  # what a table of DH parameters is called in code: DH, dh_params, MDHtable, robotDH
-    r"_?(?:[a-z]+_?)?(?:m?dh|DH|MDH|Dh)(?:_?(?:param(?:s|eters?)?|table|tab|mat(?:rix)?|rows?))?\d?|denavit\w*", re.IGNORECASE
+    r"_?(?:[a-z]+_?)?(?:m?dh|DH|MDH|Dh)(?:_?(?:param(?:s|eters?)?|table|tab|mat(?:rix)?|rows?))?\d?|denavit\w*",
+    re.IGNORECASE,
 )
 _GREEK = str.maketrans({"α": "alpha", "θ": "theta"})
 _TURNS = re.compile(r"(?:q|th|theta|t)_?\d{1,2}|(?:q|th|theta)")
 _OF_MATHWORKS = re.compile(r"\bsetFixedTransform\s*\([^;\n]*'m?dh'", re.IGNORECASE)  # [a alpha d theta], by its manual
 _SLIDES = re.compile(r"'prismatic'", re.IGNORECASE)
-_FILLED = re.compile(r"^[ \t]*([A-Za-z]\w{0,30})[ \t]*(?:\([ \t]*\d+[ \t]*,[ \t]*:[ \t]*\))?[ \t]*=[ \t]*\[", re.MULTILINE)
+_FILLED = re.compile(
+    r"^[ \t]*([A-Za-z]\w{0,30})[ \t]*(?:\([ \t]*\d+[ \t]*,[ \t]*:[ \t]*\))?[ \t]*=[ \t]*\[", re.MULTILINE
+)
 _LINKED = re.compile(r"\b(?:(?:DH)?Link|(?:Revolute|Prismatic)(?:M?DH)?)\(\s*(?:\[|'|[a-z]+\s*=)")
 _FOUR = re.compile(r"[#%\s]*\w+(?:\s*[,|]\s*\w+){3}\s*[,|]?\s*")
 _IN_DEGREES = frozenset([30, 45, 60, 90, 120, 135, 180, 270])
@@ -81,7 +84,9 @@ def columns_of_entries(rows: Sequence[Sequence[ast.expr]]) -> tuple[str, ...]:
         return ()
     found = {theta: "theta", theta ^ 1: "d", alpha[0]: "alpha", alpha[0] ^ 1: "a"}
     wrong = {"d": "a", "a": "d"}
-    named = ((found[place], letter[0]) for place, column in enumerate(columns) for e in column for letter in _letters(e))
+    named = (
+        (found[place], letter[0]) for place, column in enumerate(columns) for e in column for letter in _letters(e)
+    )
     return () if any(wrong.get(key) == letter for key, letter in named) else tuple(found[place] for place in range(4))
 
 
@@ -117,8 +122,8 @@ def _names(node: ast.expr) -> Iterator[str]:
             for each in arguments:
                 yield from _names(each)
         case _:
-            for each in ast.iter_child_nodes(node):
-                yield from _names(each) if isinstance(each, ast.expr) else ()
+            for child in ast.iter_child_nodes(node):
+                yield from _names(child) if isinstance(child, ast.expr) else ()
 
 
 def _is_zero(entry: ast.expr) -> bool:
@@ -128,7 +133,7 @@ def _is_zero(entry: ast.expr) -> bool:
 def _number(entry: ast.expr) -> float | None:
     """Return the number that an entry is, None of what is none."""
     match entry:
-        case ast.Constant(value) if type(value) in (int, float):
+        case ast.Constant(int() | float() as value) if not isinstance(value, bool):
             return float(value)
         case ast.UnaryOp(ast.USub(), inner):
             number = _number(inner)

@@ -26,7 +26,8 @@ _LINKS = re.compile(r"(?:(?:DH)?Link|(Revolute|Prismatic)(?:M?DH)?)")
 _PARAMETER = re.compile(r"'?(alpha|a|d|q|theta)_?(\d)'?")
 _OF_MATLAB = re.compile(r"(?<!\w)(?:Revolute|Prismatic|Link)(?:M?DH)?\s*\(([^()]*(?:\([^()]*\)[^()]*)*)\)")
 _ROWS = re.compile(r"(?:(?<!\w)([A-Za-z]\w*)\s*)?=\s*\[([^\[\]]*)\]", re.DOTALL)
-_ROW = re.compile(r"(?<!\w)([A-Za-z]\w*)\s*\(\s*(\d{1,2})\s*,\s*:\s*\)\s*=\s*\[([^\[\]]*)\]", re.DOTALL)  # DH(1,:) = […]
+# DH(1,:) = […]
+_ROW = re.compile(r"(?<!\w)([A-Za-z]\w*)\s*\(\s*(\d{1,2})\s*,\s*:\s*\)\s*=\s*\[([^\[\]]*)\]", re.DOTALL)
 
 Row = Mapping[str, ast.expr]
 
@@ -139,9 +140,9 @@ def _of_list(
         told, is_table = named_columns(*where), is_table and not names_others(*where)
         yield from _of_rows([each.elts for each in elements], told, is_table, node.lineno - 1)  # type: ignore[attr-defined]
     elif all(isinstance(each, ast.Dict) for each in elements):
-        told = [_by_word(each) for each in elements]  # type: ignore[arg-type]
-        if all(len(row) == 4 for row in told):
-            yield _Found(tuple(_of_moving(told)), node.lineno - 1)
+        rows = [_by_word(each) for each in elements]  # type: ignore[arg-type]
+        if all(len(row) == 4 for row in rows):
+            yield _Found(tuple(_of_moving(rows)), node.lineno - 1)
 
 
 def _line(first: ast.expr, node: ast.expr) -> int:
@@ -216,9 +217,7 @@ def _on_one_line(rows: str) -> str:
     return re.sub(r"%.*|\.\.\.[^\n]*\n?", "", rows)
 
 
-def _of_rows(
-    rows: Sequence[Sequence[ast.expr]], told: tuple[str, ...], is_table: bool, line: int
-) -> Iterator[_Found]:
+def _of_rows(rows: Sequence[Sequence[ast.expr]], told: tuple[str, ...], is_table: bool, line: int) -> Iterator[_Found]:
     """Yield rows of four entries whose columns are told, or are found by what stands in them where the name is that of a table."""
     if columns := told or (columns_of_entries(rows) if is_table else ()):
         named = [dict(zip(columns, row, strict=True)) for row in rows]

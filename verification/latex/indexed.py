@@ -22,8 +22,10 @@ VECTOR_LETTERS = frozenset(
     ["p", "P", "z", "Z", "O", "o", "x", "y", "X", "Y", "J", "v", "V", "omega", "Omega", "W", "w"]
 )
 _BRANCHES = ("(+)", "(-)", "(pm)", "(mp)")  # marks of a solution's branch: θ_2^{(+)}
-_IN_BRACKETS = re.compile(r"\((?:\d|[ijkn](?:[+-]\d)?|(?P<word>[A-Za-z]{1,10}))\)")  # of a frame, a solution, a step: no power
-_ACTS = frozenset([*OPERATORS, "H", *greek.GREEK])  # in brackets too: the transpose, and an exponent that is a Greek letter
+# of a frame, a solution, a step: no power
+_IN_BRACKETS = re.compile(r"\((?:\d|[ijkn](?:[+-]\d)?|(?P<word>[A-Za-z]{1,10}))\)")
+# in brackets too: the transpose, and an exponent that is a Greek letter
+_ACTS = frozenset([*OPERATORS, "H", *greek.GREEK])
 _CENTRES = ("cm", "mm")  # what would be units above a number
 _PLACED = re.compile(r"(\w+)\((\d)\)")
 _BETWEEN_VALUES = re.compile(r"(?:,|\\[,;]|\\quad|\\\\)(?![^(\[]*[)\]])")  # and not between those of (0, 0)

@@ -529,8 +529,8 @@ class _Scanner:
             return [self.token("SUP", f"{UNIT}{name}", start, end)], end
         if name in PUNCTUATION:
             return [self.token("TEXT", name, start, end)], end
-        if name not in NO_LETTERS and _LETTER_ALONE.match(self.text, end):  # \est{q}: of a macro that nobody defines, a letter of its own
-            self.accent = name
+        if name not in NO_LETTERS and _LETTER_ALONE.match(self.text, end):
+            self.accent = name  # \est{q}, of a macro that nobody defines: a letter of its own
             return [], end
         raise ReadError(say(Kind.UNKNOWN_COMMAND, command=value), start)
 

@@ -127,6 +127,8 @@ def test_code_in_markdown_is_found_with_its_fence_or_without(text: str) -> None:
     assert [row[1:4] for row in table.rows] == [(TURN, "0", "l_{1}"), ("0", "l_{2}", "0")]
 
 
-@pytest.mark.parametrize("text", ["Words on Link(s) and [0 0 1 2].", "The table DH = what $x = 1$ says", "x = [0 pi/2 l1 q1; l2 0 0 q2]"])
+@pytest.mark.parametrize(
+    "text", ["Words on Link(s) and [0 0 1 2].", "The table DH = what $x = 1$ says", "x = [0 pi/2 l1 q1; l2 0 0 q2]"]
+)
 def test_words_are_no_code(text: str) -> None:
     assert not parse_document(Path("a.md"), text + "\n").in_code
