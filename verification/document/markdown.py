@@ -62,6 +62,7 @@ _BAR = re.compile(r"(?<!\\)\|")
 _BLANK = re.compile(r"[\s>]*")
 _OPTIONS = re.compile(r"[\s>]*(?::[\w-]+:.*|---.*|[\w-]+:.*)?")
 Rule = Callable[[StateBlock, int, int, bool], bool]
+MOST_OF_A_LABEL = 6  # words
 MOST_LINES = 100  # of an environment without dollars
 MOST_NESTED = 12  # directives, each in another: every one is read anew
 _BEGINS = re.compile(r"(?:\(?[A-Za-z0-9]{1,2}[.)]\s+)?\$\$")  # a display, with the label of its item: "A. $$ … $$"
@@ -523,7 +524,7 @@ def _on_own_lines(token: Token) -> set[int]:
     """Return which children are formulas between single dollars that stand for displays.
 
     They do where a paragraph holds nothing else; on a line of their own behind a colon, or behind what leads on to them, if
-    they are equations with functions; and at the end of a line where they say what a matrix is, for nobody mentions one.
+    they are equations with functions, or behind a label, "Position: $x = …$"; and at the end of a line where they say what a matrix is, for nobody mentions one.
     """
     children = token.children or []
     says = {
@@ -546,9 +547,18 @@ def _on_own_lines(token: Token) -> set[int]:
             found |= {*own} if _leads_on(children[: own[0]]) else set()
         if own and own[-1] == held[-1] and _leads_on(children[: own[-1]]):
             found |= {place for place in own[-1:] if _claims_a_matrix(children[place].content)}
+        if own and own[-1] == held[-1] and _DERIVED.search(children[own[-1]].content):
+            found |= {own[-1]} if _is_label([children[place] for place in held[:-1]]) else set()
         if not is_alone:
             is_led = bool(held) and children[held[-1]].content.rstrip().endswith((":", "："))
     return found
+
+
+def _is_label(before: Sequence[Token]) -> bool:
+    """Whether what stands before a formula on its line is a few words and a colon."""
+    said = "".join(each.content for each in before).strip()
+    is_of_words = all(each.type == "text" for each in before) and len(said.split()) <= MOST_OF_A_LABEL
+    return is_of_words and said.endswith((":", "：")) and len(said) > 1
 
 
 def _leads_on(before: Sequence[Token]) -> bool:
