@@ -524,7 +524,7 @@ def _on_own_lines(token: Token) -> set[int]:
     """Return which children are formulas between single dollars that stand for displays.
 
     They do where a paragraph holds nothing else; on a line of their own behind a colon, or behind what leads on to them, if
-    they are equations with functions, or behind a label, "Position: $x = …$"; and at the end of a line where they say what a matrix is, for nobody mentions one.
+    they are equations with functions, or behind the label of an item, "- Position: $x = …$"; and at the end of a line where they say what a matrix is, for nobody mentions one.
     """
     children = token.children or []
     says = {
@@ -547,7 +547,7 @@ def _on_own_lines(token: Token) -> set[int]:
             found |= {*own} if _leads_on(children[: own[0]]) else set()
         if own and own[-1] == held[-1] and _leads_on(children[: own[-1]]):
             found |= {place for place in own[-1:] if _claims_a_matrix(children[place].content)}
-        if own and own[-1] == held[-1] and _DERIVED.search(children[own[-1]].content):
+        if token.level > 1 and own and own[-1] == held[-1] and _DERIVED.search(children[own[-1]].content):
             found |= {own[-1]} if _is_label([children[place] for place in held[:-1]]) else set()
         if not is_alone:
             is_led = bool(held) and children[held[-1]].content.rstrip().endswith((":", "："))

@@ -16,10 +16,9 @@ BROKEN = {
     "over two lines": "$p_x = l_1 c_1$\n${} l_2 c_{{12}}$",
     "an item": "Words:\n\n1. *$p_x$* = $l_1 \\cos\\theta_1 {} l_2 c_{{12}}$\n2. $l_1$ = $2$",
     "an item with a label": "Words:\n\n- **Abscissa:** $p_x = l_1 \\cos\\theta_1 {} l_2 c_{{12}}$\n- Length: $l_1 = 2$",
-    "a paragraph with a label": "Position: $p_x = l_1 c_1 {} l_2 c_{{12}}$",
     "a line that a sentence leads to": "The abscissa of the tool is\n$p_x = l_1 c_1 {} l_2 c_{{12}}$\nin metres.",
 }
-NONE = ["- where, as is known from the lecture on arms: $p_x = l_1 c_1$", "- with $l_1$: $p_x = l_1 c_1$", "- Abscissa: $p_x = l_1 c_1$ and so on", "- $p_x$: $l_1 c_1$",
+NONE = ["Which can be written as: $p_x = l_1 c_1$", "- where, as is known from the lecture on arms: $p_x = l_1 c_1$", "- with $l_1$: $p_x = l_1 c_1$", "- Abscissa: $p_x = l_1 c_1$ and so on", "- $p_x$: $l_1 c_1$",
         "Words $p_x$ = $l_1 c_1$ and more", "$p_x$ of $l_1 c_1 = 1$", "- $l_1$ = $2$", "| $p_x$ = $l_1 c_1$ |\n|---|",
         "Let\n$p_x = l_1 c_1$\nbe wrong", "$p_x$ - $l_1 c_1$"]  # fmt: skip
 
