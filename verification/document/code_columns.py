@@ -22,6 +22,7 @@ OF_A_TABLE = re.compile(  # what a table of DH parameters is called in code: DH,
 )
 _GREEK = str.maketrans({"α": "alpha", "θ": "theta"})
 _TURNS = re.compile(r"(?:q|th|theta|t)_?\d{1,2}|(?:q|th|theta)")
+_LENGTH = re.compile(r"[ad](?:_?\d{1,2})?")
 _OF_MATHWORKS = re.compile(r"\bsetFixedTransform\s*\([^;\n]*'m?dh'", re.IGNORECASE)  # [a alpha d theta], by its manual
 _SLIDES = re.compile(r"'prismatic'", re.IGNORECASE)
 _FILLED = re.compile(
@@ -65,29 +66,39 @@ def columns_of_manual(code: str) -> tuple[str, ...]:
 
 
 def columns_of_entries(rows: Sequence[Sequence[ast.expr]]) -> tuple[str, ...]:
-    """Return the columns of rows of four entries, told by these: θ holds the joints' letters, α parts of π, and d stands beside θ.
+    """Return the columns of rows of four entries, told by these: θ holds the joints' letters, α parts of π, d a d_1 or a an a_2.
 
-    In every order that is in use, θ and d are one half of the row, a and α the other. Nothing where two columns may be one, or
-    a letter such as d_1 stands where it is no d.
+    Nothing where that is not told: both [α a d θ] and [α d a θ] are in use, and numbers or an l_1 may be either.
     """
     columns = [*zip(*rows, strict=True)]
     turning = [sum(any(map(_TURNS.fullmatch, _letters(entry))) for entry in column) for column in columns]
     theta = turning.index(max(turning))
-    if turning.count(max(turning)) != 1 or 2 * max(turning) < len(rows):
+    others = [place for place in range(4) if place != theta]
+    twists = [place for place in others if _are_twists(columns[place])]
+    alpha = [place for place in twists if not all(map(_is_zero, columns[place]))] or twists[:1]
+    if turning.count(max(turning)) != 1 or 2 * max(turning) < len(rows) or len(alpha) != 1:
         return ()
-    half = (2, 3) if theta < 2 else (0, 1)
-    alphas = [place for place in half if _are_twists(columns[place])]
-    with_parts = [place for place in alphas if any(not _is_zero(entry) for entry in columns[place])]
-    alpha = with_parts or (alphas if len(alphas) == 1 else [])
-    lengths = [entry for place in (theta ^ 1, (alpha or [0])[0] ^ 1) for entry in columns[place]]
-    if len(alpha) != 1 or any("pi" in _letters(entry) for entry in lengths):
+    one, other = (place for place in others if place != alpha[0])
+    told = _told_lengths(columns[one]), _told_lengths(columns[other])
+    found = {
+        ("d", "a"): "da",
+        ("d", ""): "da",
+        ("", "a"): "da",
+        ("a", "d"): "ad",
+        ("a", ""): "ad",
+        ("", "d"): "ad",
+    }.get(told)
+    if found is None:
         return ()
-    found = {theta: "theta", theta ^ 1: "d", alpha[0]: "alpha", alpha[0] ^ 1: "a"}
-    wrong = {"d": "a", "a": "d"}
-    named = (
-        (found[place], letter[0]) for place, column in enumerate(columns) for e in column for letter in _letters(e)
-    )
-    return () if any(wrong.get(key) == letter for key, letter in named) else tuple(found[place] for place in range(4))
+    names = {theta: "theta", alpha[0]: "alpha", one: found[0], other: found[1]}
+    return tuple(names[place] for place in range(4))
+
+
+def _told_lengths(column: Sequence[ast.expr]) -> str:
+    """Return whether the letters of a column are d_1 or a_2, "" where none is either, and "?" where it holds both or parts of π."""
+    letters = {letter for entry in column for letter in _letters(entry)}
+    kinds = {letter[0] for letter in letters if _LENGTH.fullmatch(letter)}
+    return "?" if len(kinds) > 1 or "pi" in letters else "".join(kinds)
 
 
 def in_radians(rows: Sequence[Mapping[str, ast.expr]]) -> list[dict[str, ast.expr]]:

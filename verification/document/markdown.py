@@ -524,7 +524,8 @@ def _on_own_lines(token: Token) -> set[int]:
     """Return which children are formulas between single dollars that stand for displays.
 
     They do where a paragraph holds nothing else; on a line of their own behind a colon, or behind what leads on to them, if
-    they are equations with functions, or behind the label of an item, "- Position: $x = …$"; and at the end of a line where they say what a matrix is, for nobody mentions one.
+    they are equations with functions, or behind the label of an item, "- Position: $x = …$"; and at the end of a line where
+    they say what a matrix is, for nobody mentions one.
     """
     children = token.children or []
     says = {
