@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from armproof.verification.algebra.calculus import angles_in, derivative, substitute, symbols_in
@@ -284,11 +284,14 @@ def _is_end_or_numbered(name: n.Name) -> bool:
     return name.key in (name.base, *_ENDS_OF[name.base]) or is_numbered
 
 
-def _are_joints(angles: Sequence[str]) -> bool:
+def _are_joints(angles: Sequence[str], rates: Collection[str]) -> bool:
     """Whether angles are called as joints are: θ_1, q_2; α_1 and α_2, of one letter alone; or α, β, γ, by the first letters.
 
-    Beside a θ an α is what does not move.
+    Beside a θ an α is what does not move; so is a β that has no rate where the α before it has one.
     """
+    moving = [angle in rates for angle in angles]
+    if moving != sorted(moving) and not all(map(_ANGLE.fullmatch, angles)):
+        return False
     others = [_OTHER_ANGLE.fullmatch(angle) for angle in angles]
     if angles and None not in others:
         return len({match[1] for match in others if match is not None}) == 1
@@ -327,7 +330,7 @@ class _ClosedForm:
         x, y, z = (self.values.get(axis, self.algebra.ring.zero) for axis in "xyz")
         angles, above = sorted(angles_in(x) | angles_in(y), key=_place), angles_in(z)
         slides = self._slides(angles, strictly=bool(above))
-        if not _are_joints(angles) or len(angles) + len(slides) < 2:
+        if not _are_joints(angles, self.rates) or len(angles) + len(slides) < 2:
             return None
         are_ordered = all(map(index_of, angles)) or set(angles) <= {*_FIRST_LETTERS}
         if not (slides or are_ordered) or not (angles or len(slides) == 3):

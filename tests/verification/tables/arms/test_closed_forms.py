@@ -339,6 +339,13 @@ def test_joints_may_be_called_by_the_first_letters_and_what_stands_beside_a_thet
     assert [record.verdict.value for record in wrong.equations][2] in ("refuted", "unchecked")
 
 
+def test_an_angle_without_a_rate_behind_one_that_has_one_is_no_joint() -> None:
+    bent = GREEK.replace("ONE", r"\alpha").replace("TWO", r"\beta").replace("LAST", r"\cos\beta")
+    speed = r"$$ \dot x = -(a\sin\alpha + b\sin(\alpha+\beta))\dot\alpha REST $$" + "\n"
+    assert not verify_text(bent + speed.replace("REST", "")).arms
+    assert verify_text(bent + speed.replace("REST", r"- b\sin(\alpha+\beta)\dot\beta")).arms
+
+
 def test_an_arm_that_takes_too_long_to_find_costs_no_crash(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where a slow machine spent the time of the search, nothing of the document was verified."""
 
