@@ -287,10 +287,10 @@ def _is_end_or_numbered(name: n.Name) -> bool:
 def _are_joints(angles: Sequence[str], rates: Collection[str]) -> bool:
     """Whether angles are called as joints are: θ_1, q_2; α_1 and α_2, of one letter alone; or α, β, γ, by the first letters.
 
-    Beside a θ an α is what does not move; so is a β that has no rate where the α before it has one.
+    Beside a θ an α is what does not move; so is a β without a rate where the α before it alone has one.
     """
     moving = [angle in rates for angle in angles]
-    if moving != sorted(moving) and not all(map(_ANGLE.fullmatch, angles)):
+    if sum(moving) == 1 and not moving[-1] and not all(map(_ANGLE.fullmatch, angles)):
         return False
     others = [_OTHER_ANGLE.fullmatch(angle) for angle in angles]
     if angles and None not in others:
