@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from armproof.verification.conditions.circumstances import ON_A_BRANCH
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
@@ -9,6 +11,8 @@ from armproof.verification.equations.second_route import TOLERANCE
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex.nodes import bare_key
 from armproof.verification.naming.state import OnABranch
+
+SECOND = "'"  # behind a joint's symbol: its second solution
 
 
 def never_with_others(outcome: Outcome, checker: ChainChecker, line: int) -> Outcome:
@@ -24,12 +28,46 @@ def never_with_others(outcome: Outcome, checker: ChainChecker, line: int) -> Out
     before = names.state.branches
     if joint in before and before[joint].section == names.state.section:
         return outcome
-    errors = checker.route.sampled_errors(outcome, branches=True)
-    if errors is None:
+    if (own := _where(outcome, checker, line)) is None:
         return outcome
-    own = OnABranch(line, names.state.section, frozenset(map(int, errors.holding(TOLERANCE).nonzero()[0])))
     for name, other in before.items():
-        if other.section == own.section and own.where.isdisjoint(other.where):
+        if not name.endswith(SECOND) and other.section == own.section and own.where.isdisjoint(other.where):
             return outcome.left_open(say(Kind.RESTS_ON_DOUBT, name=name, line=other.line))
     before[joint] = own
     return outcome
+
+
+def is_of_second(joints: Sequence[str], outcomes: Sequence[Outcome], checker: ChainChecker, line: int) -> bool:
+    """Whether what holds of joints holds of their second solutions θ_2', which it then gives, and not of the first ones.
+
+    The formula for one holds where that of the first, in the same section, does not; what has such a one in it is of the same
+    solution, whatever else it solves for.
+    """
+    names = checker.names
+    before = names.state.branches
+    known = [before[f"{joint}{SECOND}"] for joint in joints if f"{joint}{SECOND}" in before]
+    if known and len(outcomes) == 1:
+        before.update({f"{joint}{SECOND}": known[0] for joint in joints})
+        return True
+    first = before.get(joints[0]) if len(joints) == 1 == len(outcomes) else None
+    is_on_branch = any(finding.kind in ON_A_BRANCH for finding in outcomes[0].findings)
+    own = _where(outcomes[0], checker, line) if first is not None and is_on_branch else None
+    if (
+        own is None
+        or first is None
+        or first.section != own.section
+        or not own.where
+        or not own.where.isdisjoint(first.where)
+    ):
+        return False
+    before[f"{joints[0]}{SECOND}"] = own
+    return True
+
+
+def _where(outcome: Outcome, checker: ChainChecker, line: int) -> OnABranch | None:
+    """Return at which samples a formula holds, None where it has no value."""
+    errors = checker.route.sampled_errors(outcome, branches=True)
+    if errors is None:
+        return None
+    where = frozenset(map(int, errors.holding(TOLERANCE).nonzero()[0]))
+    return OnABranch(line, checker.names.state.section, where)

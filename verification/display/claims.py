@@ -9,6 +9,7 @@ from math import remainder, tau
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
+from armproof.verification.conditions.branches import is_of_second
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.display.at_values import at_told_values, of_worked_example, under_given_rates
 from armproof.verification.display.decision import Decision
@@ -27,7 +28,7 @@ from armproof.verification.equations.given_values import named_sign
 from armproof.verification.equations.inequalities import check_relation, parts_of
 from armproof.verification.equations.named_signs import unless_of_a_sign
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.equations.readings import counted, side_by_side, without_count
+from armproof.verification.equations.readings import counted, second_solutions, side_by_side, without_count
 from armproof.verification.equations.under_rates import UnderRates
 from armproof.verification.equations.vectors import crossed_letters, of_vectors
 from armproof.verification.findings import Kind, say
@@ -227,7 +228,12 @@ class Claims:
     def _read_clear(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         if (plain := without_count(chain, self.names)) is not None:
             outcomes = self._read_clear(plain, equation, line, False)
-            if outcomes and all(outcome.verdict in HOLDS for outcome in outcomes):
+            seconds = second_solutions(chain, self.names)
+            if (
+                outcomes
+                and all(outcome.verdict in HOLDS for outcome in outcomes)
+                and (not seconds or is_of_second(seconds, outcomes, self.checker, line))
+            ):
                 outcomes[0].also(say(Kind.COUNTS_SOLUTIONS))
                 self.decision.of(chain, equation, line, define)  # what is said of that solution from here on
                 return outcomes

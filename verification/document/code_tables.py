@@ -8,6 +8,15 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from textwrap import dedent
 
+from armproof.verification.document.code_columns import (
+    NAMES,
+    OF_A_TABLE,
+    columns_of_entries,
+    columns_of_manual,
+    in_radians,
+    named_columns,
+    names_others,
+)
 from armproof.verification.document.code_values import NoEntry, Values, entry, parsed
 from armproof.verification.document.model import Display, Table
 
@@ -15,19 +24,10 @@ HEADER = ("sigma", "alpha", "a", "d", "theta")
 LONGEST = 40_000  # characters of a piece of code
 _LINKS = re.compile(r"(?:(?:DH)?Link|(Revolute|Prismatic)(?:M?DH)?)")
 _PARAMETER = re.compile(r"'?(alpha|a|d|q|theta)_?(\d)'?")
-_NAMES = {
-    "alpha": "alpha",
-    "twist": "alpha",
-    "a": "a",
-    "r": "a",
-    "d": "d",
-    "theta": "theta",
-    "q": "theta",
-    "th": "theta",
-}
 _OF_MATLAB = re.compile(r"(?<!\w)(?:Revolute|Prismatic|Link)(?:M?DH)?\s*\(([^()]*(?:\([^()]*\)[^()]*)*)\)")
-_ROWS = re.compile(r"=\s*\[([^\[\]]*)\]", re.DOTALL)
-_GREEK = str.maketrans({"α": "alpha", "θ": "theta"})
+_ROWS = re.compile(r"(?:(?<!\w)([A-Za-z]\w*)\s*)?=\s*\[([^\[\]]*)\]", re.DOTALL)
+# DH(1,:) = […]
+_ROW = re.compile(r"(?<!\w)([A-Za-z]\w*)\s*\(\s*(\d{1,2})\s*,\s*:\s*\)\s*=\s*\[([^\[\]]*)\]", re.DOTALL)
 
 Row = Mapping[str, ast.expr]
 
@@ -74,11 +74,11 @@ def _of_python(code: str) -> Iterator[_Found]:
         tree = ast.parse(plain)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return
-    named = _links_by_name(tree)
+    named, tables = _links_by_name(tree), _tables_by_name(tree)
     for node in ast.walk(tree):
         match node:
             case ast.List(elements) | ast.Tuple(elements) if len(elements) > 1:
-                yield from _of_list(node, elements, named, code)
+                yield from _of_list(node, elements, named, code, tables.get(id(node), False))
             case ast.Dict(keys, values):
                 yield from _of_dictionary(node, keys, values)
 
@@ -104,6 +104,17 @@ def _links_by_name(tree: ast.AST) -> dict[str, tuple[str, Row]]:
     return found
 
 
+def _tables_by_name(tree: ast.AST) -> dict[int, bool]:
+    """Return which lists are tables of DH parameters by their name: DH = np.array([[…], […]])."""
+    found = {}
+    for node in ast.walk(tree):
+        match node:
+            case ast.Assign([ast.Name(name) | ast.Attribute(_, name)], value):
+                inner = value.args[0] if isinstance(value, ast.Call) and value.args else value
+                found[id(inner)] = OF_A_TABLE.fullmatch(name) is not None
+    return found
+
+
 def _link(node: ast.expr) -> tuple[str, Row] | None:
     """Return the kind and the parameters of a call such as RevoluteDH(d=0.3, alpha=pi/2)."""
     if not isinstance(node, ast.Call):
@@ -119,19 +130,19 @@ def _link(node: ast.expr) -> tuple[str, Row] | None:
 
 
 def _of_list(
-    node: ast.expr, elements: Sequence[ast.expr], named: Mapping[str, tuple[str, Row]], code: str
+    node: ast.expr, elements: Sequence[ast.expr], named: Mapping[str, tuple[str, Row]], code: str, is_table: bool
 ) -> Iterator[_Found]:
     links = [named.get(each.id) if isinstance(each, ast.Name) else _link(each) for each in elements]
     if all(links):
         yield _Found(tuple(filter(None, links)), _line(elements[0], node))
     elif all(isinstance(each, ast.List | ast.Tuple) and len(each.elts) == 4 for each in elements):
-        if columns := _columns(code.split("\n"), node.lineno - 1, node.end_lineno or node.lineno):
-            rows = [dict(zip(columns, each.elts, strict=True)) for each in elements]  # type: ignore[attr-defined]
-            yield _Found(tuple(_of_moving(rows)), node.lineno - 1)
+        where = code.split("\n"), node.lineno - 1, node.end_lineno or node.lineno
+        told, is_table = named_columns(*where), is_table and not names_others(*where)
+        yield from _of_rows([each.elts for each in elements], told, is_table, node.lineno - 1)  # type: ignore[attr-defined]
     elif all(isinstance(each, ast.Dict) for each in elements):
-        told = [_by_word(each) for each in elements]  # type: ignore[arg-type]
-        if all(len(row) == 4 for row in told):
-            yield _Found(tuple(_of_moving(told)), node.lineno - 1)
+        rows = [_by_word(each) for each in elements]  # type: ignore[arg-type]
+        if all(len(row) == 4 for row in rows):
+            yield _Found(tuple(_of_moving(rows)), node.lineno - 1)
 
 
 def _line(first: ast.expr, node: ast.expr) -> int:
@@ -140,7 +151,7 @@ def _line(first: ast.expr, node: ast.expr) -> int:
 
 def _by_word(node: ast.Dict) -> Row:
     pairs = ((getattr(key, "value", ""), value) for key, value in zip(node.keys, node.values, strict=True))
-    return {_NAMES[key.lower()]: value for key, value in pairs if isinstance(key, str) and key.lower() in _NAMES}
+    return {NAMES[key.lower()]: value for key, value in pairs if isinstance(key, str) and key.lower() in NAMES}
 
 
 def _of_dictionary(node: ast.Dict, keys: Sequence[ast.expr | None], values: Sequence[ast.expr]) -> Iterator[_Found]:
@@ -149,7 +160,7 @@ def _of_dictionary(node: ast.Dict, keys: Sequence[ast.expr | None], values: Sequ
     for key, value in zip(keys, values, strict=True):
         text = key.id if isinstance(key, ast.Name) else key.value if isinstance(key, ast.Constant) else ""
         if match := _PARAMETER.fullmatch(str(text)):
-            told[_NAMES[match[1]], int(match[2])] = value
+            told[NAMES[match[1]], int(match[2])] = value
     before = int(("alpha", 0) in told)
     rows = [
         {"theta": ast.Name(f"q{number}")}
@@ -169,17 +180,6 @@ def _of_moving(rows: Sequence[Row]) -> Iterator[tuple[str, Row]]:
     yield from (("" if has_variable else "R", row) for row in rows)
 
 
-def _columns(lines: Sequence[str], begin: int, end: int) -> tuple[str, ...]:
-    """Return the columns that a comment names above rows, or between them."""
-    for line in (*lines[begin : min(begin + 3, end)], *reversed(lines[max(0, begin - 3) : begin])):
-        comment = re.search(r"[#%].*", line.lower().translate(_GREEK))
-        words = re.findall(r"[a-z]+", re.sub("_?i(?:-1)?(?![a-z])", " ", comment[0])) if comment else []
-        found = tuple(_NAMES[word] for word in words if word in _NAMES)
-        if sorted(found) == ["a", "alpha", "d", "theta"]:
-            return found
-    return ()
-
-
 def _of_matlab(code: str) -> Iterator[_Found]:
     """Yield the rows of Link([theta d a alpha]), of Revolute('d', 1, 'a', 2), and of a matrix under a comment that names its columns."""
     plain = re.sub(r"%.*", "", code)
@@ -189,16 +189,39 @@ def _of_matlab(code: str) -> Iterator[_Found]:
         if len(links) > 1:
             yield _Found(tuple(links), plain[: calls[0].start()].count("\n"))
             return
-        lines = code.split("\n")
-        for found in _ROWS.finditer(code):
-            at = code[: found.start()].count("\n")
-            rows = [row for line in re.split(r"[;\n]", re.sub(r"%.*|\.\.\.", "", found[1])) if (row := _numbers(line))]
-            columns = _columns(lines, at, at + 3)
-            if columns and len(rows) > 1 and all(len(row) == 4 for row in rows):
-                told = [dict(zip(columns, map(parsed, row), strict=True)) for row in rows]
-                yield _Found(tuple(_of_moving(told)), at)
+        for name, at, rows in _matrices_of_matlab(code):
+            lines = code.split("\n")
+            columns = named_columns(lines, at, at + 3) or columns_of_manual(code)
+            is_table = OF_A_TABLE.fullmatch(name) is not None and not names_others(lines, at, at + 3)
+            if len(rows) > 1 and all(len(row) == 4 for row in rows) and (columns or is_table):
+                yield from _of_rows([[*map(parsed, row)] for row in rows], columns, is_table, at)
     except NoEntry:
         return
+
+
+def _matrices_of_matlab(code: str) -> Iterator[tuple[str, int, list[list[str]]]]:
+    """Yield the name, the line and the rows of each matrix: DH = [… ; …], or DH(1,:) = […] and so on."""
+    by_row: dict[str, list[tuple[int, int, list[str]]]] = {}
+    for found in _ROW.finditer(code):
+        at = code[: found.start()].count("\n")
+        by_row.setdefault(found[1], []).append((int(found[2]), at, _numbers(_on_one_line(found[3]))))
+    for name, told in by_row.items():
+        if [number for number, _, _ in told] == [*range(1, len(told) + 1)]:
+            yield name, told[0][1], [row for _, _, row in told]
+    for found in _ROWS.finditer(code):
+        lines = re.split(r"[;\n]", _on_one_line(found[2]))
+        yield found[1] or "", code[: found.start(2)].count("\n"), [row for line in lines if (row := _numbers(line))]
+
+
+def _on_one_line(rows: str) -> str:
+    return re.sub(r"%.*|\.\.\.[^\n]*\n?", "", rows)
+
+
+def _of_rows(rows: Sequence[Sequence[ast.expr]], told: tuple[str, ...], is_table: bool, line: int) -> Iterator[_Found]:
+    """Yield rows of four entries whose columns are told, or are found by what stands in them where the name is that of a table."""
+    if columns := told or (columns_of_entries(rows) if is_table else ()):
+        named = [dict(zip(columns, row, strict=True)) for row in rows]
+        yield _Found(tuple(_of_moving(named if told else in_radians(named))), line)
 
 
 def _link_of_matlab(call: str, arguments: str) -> tuple[str, Row]:

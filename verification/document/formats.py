@@ -27,6 +27,7 @@ from armproof.verification.document.named_quantities import NAMED
 from armproof.verification.document.notebook import read_notebook, read_percent
 from armproof.verification.document.other_meanings import MAY_ASK, MAY_MEAN, with_other_meanings
 from armproof.verification.document.rst import read_rst
+from armproof.verification.document.screw_tables import with_screws
 from armproof.verification.document.sentences import (
     ABOVE,
     DENIED,
@@ -104,7 +105,7 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
         from armproof.verification.document.markdown_macros import with_macros
 
         document = with_macros(document)
-    document = _with_what_is_said(document)
+    document = _with_what_is_said(with_screws(document))
     if suffix not in (".ipynb", ".py") and MAY_STRIKE.search(text):
         document = with_struck_out(document, text, suffix)
     if any(display.strange for display in document.displays) and not is_in_known_language(

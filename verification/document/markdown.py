@@ -19,6 +19,8 @@ from mdit_py_plugins.colon_fence import colon_fence_plugin
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 from mdit_py_plugins.dollarmath.index import math_block_dollar
 
+from armproof.verification.document.broken_formulas import broken_formula
+from armproof.verification.document.code_columns import shows_rows
 from armproof.verification.document.formula_links import formulas_in_html, formulas_in_line
 from armproof.verification.document.front_matter import FrontMatter, split_front_matter
 from armproof.verification.document.heading import begin_section
@@ -60,6 +62,7 @@ _BAR = re.compile(r"(?<!\\)\|")
 _BLANK = re.compile(r"[\s>]*")
 _OPTIONS = re.compile(r"[\s>]*(?::[\w-]+:.*|---.*|[\w-]+:.*)?")
 Rule = Callable[[StateBlock, int, int, bool], bool]
+MOST_OF_A_LABEL = 6  # words
 MOST_LINES = 100  # of an environment without dollars
 MOST_NESTED = 12  # directives, each in another: every one is read anew
 _BEGINS = re.compile(r"(?:\(?[A-Za-z0-9]{1,2}[.)]\s+)?\$\$")  # a display, with the label of its item: "A. $$ … $$"
@@ -237,6 +240,8 @@ def _read_blocks(
             displays += more
             tables += more_tables
             is_behind = True
+        elif token.type == "code_block":
+            displays.append(Display(line, content, cell=cell, section=section, opening=CODE))
         elif token.type == "amsmath":
             displays.append(Display(line, content, erratum, cell, section, opening=AMS))
             is_behind = True
@@ -253,6 +258,8 @@ def _read_blocks(
             displays.extend(
                 each for each in in_text if not in_table or each.opening == INLINE or _SAYS.search(each.latex)
             )
+            if token.level == 1 and shows_rows(content):
+                displays.append(Display(line, content, cell=cell, section=section, opening=CODE))
             is_behind = token.content.rstrip().endswith("$$")
             is_lead = not in_table and tokens[index - 1].type != "heading_open"
             lead, lead_line = content.split("$$")[-1] if is_lead else "", line
@@ -458,6 +465,9 @@ def _inline_displays(
     base = first + (token.map[0] if token.map else 0)
     cursor = end = 0  # behind the last formula, behind the last display
     children = token.children or []
+    if (whole := _broken_formula(token)) is not None:
+        yield Display(base, whole, erratum, cell, section, opening=ALONE)
+        return
     alone = _on_own_lines(token)
     ends = [*_ends_of_texts(token, alone), len(token.content)]
     text = token.content[: ends[0]]
@@ -513,8 +523,9 @@ def _ends_of_texts(token: Token, alone: Collection[int]) -> Iterator[int]:
 def _on_own_lines(token: Token) -> set[int]:
     """Return which children are formulas between single dollars that stand for displays.
 
-    They do where a paragraph holds nothing else; on a line of their own behind a colon; and at the end of a line where they
-    say what a matrix is, for nobody mentions one.
+    They do where a paragraph holds nothing else; on a line of their own behind a colon, or behind what leads on to them, if
+    they are equations with functions, or behind the label of an item, "- Position: $x = …$"; and at the end of a line where
+    they say what a matrix is, for nobody mentions one.
     """
     children = token.children or []
     says = {
@@ -533,11 +544,22 @@ def _on_own_lines(token: Token) -> set[int]:
         own = [place for place in held if place in says]
         if is_alone and is_led and token.level == 1:
             found |= {place for place in own if not _LISTS.search(children[place].content)}
+        if is_alone and len(held) == 1 and own and _DERIVED.search(children[own[0]].content):
+            found |= {*own} if _leads_on(children[: own[0]]) else set()
         if own and own[-1] == held[-1] and _leads_on(children[: own[-1]]):
             found |= {place for place in own[-1:] if _claims_a_matrix(children[place].content)}
+        if token.level > 1 and own and own[-1] == held[-1] and _DERIVED.search(children[own[-1]].content):
+            found |= {own[-1]} if _is_label([children[place] for place in held[:-1]]) else set()
         if not is_alone:
             is_led = bool(held) and children[held[-1]].content.rstrip().endswith((":", "："))
     return found
+
+
+def _is_label(before: Sequence[Token]) -> bool:
+    """Whether what stands before a formula on its line is a few words and a colon."""
+    said = "".join(each.content for each in before).strip()
+    is_of_words = all(each.type == "text" for each in before) and len(said.split()) <= MOST_OF_A_LABEL
+    return is_of_words and said.endswith((":", "：")) and len(said) > 1
 
 
 def _leads_on(before: Sequence[Token]) -> bool:
@@ -568,11 +590,21 @@ def _stands_alone(token: Token) -> bool:
 
     So does an item of a list whose formulas are matrices, or equations with functions; others there are mostly what is given.
     """
+    if _broken_formula(token) is not None:
+        return True
     held = [each for each in token.children or () if each.content.strip(_STOPS) or each.type == "softbreak"]
     kinds = {each.type for each in held}
     formulas = [each.content for each in held if each.type == "math_inline"]
     may_stand = token.level == 1 or (token.level % 2 == 1 and all(_DERIVED.search(each) for each in formulas))
     return may_stand and "math_inline" in kinds and kinds <= {"math_inline", "softbreak"}
+
+
+def _broken_formula(token: Token) -> str | None:
+    """Return the equation that a paragraph or an item holds in several pieces; of an item as _stands_alone asks it."""
+    whole = broken_formula(token.children or []) if token.level % 2 == 1 else None
+    if whole is None or _SAYS.search(whole) is None:
+        return None
+    return whole if token.level == 1 or _DERIVED.search(whole) else None
 
 
 def _read_table(tokens: list[Token], start: int, first: int, erratum: bool, cell: int | None, section: str) -> Table:

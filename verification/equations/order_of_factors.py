@@ -5,6 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from armproof.verification.equations.outcome import Outcome
+from armproof.verification.evaluation.screws import HAT, is_exponential, split
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
@@ -86,13 +87,21 @@ def _are_more_than_numbers(chain: n.Chain, names: Names) -> bool:
 
 
 def _letters(node: n.Node, names: Names) -> set[str]:
-    """Return the free letters of a factor that are no lengths; what stands in a function or a printed matrix is a number."""
+    """Return the free letters of a factor that are no lengths; what stands in a function, a motion or a printed matrix is a number."""
     node = bare(node)
     if isinstance(node, n.Name):
         return {node.key} if _is_untold(node, names) and not reads_as_length(node.key) else set()
-    if isinstance(node, n.Call | n.Quotient | n.Matrix):
+    if isinstance(node, n.Call | n.Quotient | n.Matrix) or _is_motion(node):
         return set()
     return {key for below in n.children(node) for key in _letters(below, names)}
+
+
+def _is_motion(node: n.Node) -> bool:
+    r"""Whether a factor is the exponential of a twist that is written as a matrix, e^{\hat\xi_1θ_1} or e^{[S_1]θ_1}: θ_1 is a number there."""
+    exponent = is_exponential(node)
+    twist = split(exponent)[0] if exponent is not None else None
+    is_hat = isinstance(twist, n.Name) and twist.base.startswith(HAT)
+    return is_hat or (isinstance(twist, n.Group) and twist.brackets == "[]")
 
 
 def are_exchanged(one: n.Node, other: n.Node, names: Names) -> bool:

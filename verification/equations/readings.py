@@ -24,7 +24,10 @@ from armproof.verification.naming.quantities import ANGULAR, LINEAR, leads_outwa
 from armproof.verification.verdict import Verdict
 
 Check = Callable[[n.Chain], list[Outcome]]
-_COUNT = re.compile(r"\(?(?:[+-]|pm|mp|[ivIV]+|\d)\)?")
+# not of a step, (k) or (n), nor of another configuration than a solution
+_COUNT = re.compile(
+    r"\(?(?:[+-]|pm|mp|[ivIV]+|\d)\)?|\((?![kmnt]\)|(?:ref|des|max|min|old|new|init|start|end|goal|home)\))[A-Za-z]{1,10}\)|[A-D]|up|down|left|right|elbow(?:up|down)"
+)
 _NUMERAL = re.compile(r"(\d+),([ivIV]+)")
 _PART = re.compile(r"(?P<part>[A-Za-z]*?)_?,?(?P<digits>\d|\d,?\d)")
 
@@ -271,7 +274,7 @@ def counted(chain: n.Chain, names: Names) -> Finding | None:
 def without_count(chain: n.Chain, names: Names) -> n.Chain | None:
     """Return a chain without the scripts of its joint variables that count solutions: θ_2^{(1)} = …, q_1^+ = …, θ_{2,I} = … s_3^+.
 
-    None where there is none, where several of one joint are told apart or one from the variable, or where the script may be a power.
+    A prime may count the second one, θ_2' beside a θ_2 that holds on a branch. None where there is none, where several of one joint are told apart or one from the variable, or where the script may be a power.
     """
     below = [each for member in chain.members for each in n.walk(member)]
     found = [(node, mark) for node in below if (mark := _count(node, names)) is not None]
@@ -294,6 +297,8 @@ def without_count(chain: n.Chain, names: Names) -> n.Chain | None:
 
 def _count(node: n.Node, names: Names) -> str | None:
     """Return the script above a joint variable that may count solutions, one in brackets with them."""
+    if isinstance(node, n.Name) and node.primes:
+        return "'" if may_be_second(node, names) else None
     if isinstance(node, n.Name):
         mark = found[2] if not node.sup and (found := _NUMERAL.fullmatch(node.sub)) else node.sup
         return mark if _COUNT.fullmatch(mark) and _is_joint(_uncounted(node), names) else None
@@ -307,11 +312,29 @@ def _count(node: n.Node, names: Names) -> str | None:
     return (f"({number.text})" if brackets else number.text) if is_count else None  # type: ignore[attr-defined]
 
 
+def may_be_second(name: n.Name, names: Names) -> bool:
+    """Whether θ_2' may be the second solution for a joint: its section gives θ_2 on a branch, or has shown a θ_3' to be that of its joint."""
+    joint = names.known_symbol(_uncounted(name).key) if name.primes == 1 and not (name.sup or name.dots) else None  # type: ignore[attr-defined]
+    if joint is None or not names.is_angle(joint):
+        return False
+    given = (each for key, each in names.state.branches.items() if key == joint or key.endswith("'"))
+    return any(each.section == names.state.section for each in given)
+
+
+def second_solutions(chain: n.Chain, names: Names) -> tuple[str, ...]:
+    """Return the joints whose second solutions a chain speaks of."""
+    below = (each for member in chain.members for each in n.names(member))
+    keys = (names.known_symbol(_uncounted(each).key) for each in below if each.primes and may_be_second(each, names))  # type: ignore[attr-defined]
+    return tuple(dict.fromkeys(key for key in keys if key is not None))
+
+
 def _uncounted(node: n.Node) -> n.Node:
     """Return what stands for a joint without the script that counts its solutions."""
     if not isinstance(node, n.Name):
         return node.base  # type: ignore[attr-defined, no-any-return]
     numeral = _NUMERAL.fullmatch(node.sub)
+    if node.primes:
+        return replace(node, primes=0, text="")
     return replace(node, sub=numeral[1], text="") if numeral and not node.sup else replace(node, sup="")
 
 

@@ -10,7 +10,7 @@ from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import ANGLES, VARIANTS, one_of
-from armproof.verification.latex.indexed import TRANSFORM_LETTERS, NameReader
+from armproof.verification.latex.indexed import TRANSFORM_LETTERS, NameReader, is_bracketed_index
 from armproof.verification.latex.items import Item, Script
 from armproof.verification.latex.tokens import canonical_script
 
@@ -112,7 +112,12 @@ class CallReader(NameReader):
             if argument is None:
                 return None
             style = "index" if isinstance(argument, n.JointAngles) else "script"
-            call = n.Call(function, (argument,), item.base, style, span=(item.start, subs[0][2][1]))
+            end = subs[0][2][1]
+            if isinstance(argument, n.JointAngles) and (mark := self._mark_of_solution(sups)) is not None:
+                text, (_, end), style = canonical_script(mark[1]), mark[2], "script"
+                argument = self._marked(argument, text, (item.start, end))
+                sups = [script for script in sups if script is not mark]
+            call = n.Call(function, (argument,), item.base, style, span=(item.start, end))
             return self.scripted(call, sups, item.start), 1
         is_own = self.is_bound(item.base) or item.base in self.spelling.letters
         if following is None or is_own or any(kind == "DOT" for kind, *_ in following.scripts):
@@ -127,6 +132,18 @@ class CallReader(NameReader):
             call = n.Call(function, (group.inner,), head, "letter()", span=span)
             return self.scripted(call, scripts, item.start), 2
         return None
+
+    def _mark_of_solution(self, sups: Seq[Script]) -> Script | None:
+        """Return what stands in brackets above a c_2: it tells whose cosine that is, and no power of it."""
+        return next((script for script in sups if is_bracketed_index(canonical_script(script[1]))), None)
+
+    def _marked(self, angles: n.JointAngles, mark: str, span: tuple[int, int]) -> n.Node:
+        """Return the sum of the angles of one solution: θ_2^{(a)} + θ_3^{(a)} of c_{23}^{(a)}."""
+        terms = [
+            ("-" if sign < 0 else "+", n.Name(self.spelling.angle, str(index), mark, span=span))
+            for sign, index in angles.terms
+        ]
+        return terms[0][1] if len(terms) == 1 and terms[0][0] == "+" else n.Sum(tuple(terms), span=span)
 
     def _trig_index(self, raw: str, span: tuple[int, int]) -> n.Node | None:
         canonical = canonical_script(raw)

@@ -10,6 +10,7 @@ from fractions import Fraction
 
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
+from armproof.verification.latex import greek
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.items import OPERATORS, Item, Script
 from armproof.verification.latex.tokens import Spelling, canonical_script
@@ -21,16 +22,22 @@ VECTOR_LETTERS = frozenset(
     ["p", "P", "z", "Z", "O", "o", "x", "y", "X", "Y", "J", "v", "V", "omega", "Omega", "W", "w"]
 )
 _BRANCHES = ("(+)", "(-)", "(pm)", "(mp)")  # marks of a solution's branch: θ_2^{(+)}
-_IN_BRACKETS = re.compile(r"\((?:\d|[ijkn](?:[+-]\d)?)\)")  # of a frame, a solution, a step: no power
+# of a frame, a solution, a step: no power
+_IN_BRACKETS = re.compile(r"\((?:\d|[ijkn](?:[+-]\d)?|(?P<word>[A-Za-z]{1,10}))\)")
+# in brackets too: the transpose, and an exponent that is a Greek letter
+_ACTS = frozenset([*OPERATORS, "H", *greek.GREEK])
 _CENTRES = ("cm", "mm")  # what would be units above a number
 _PLACED = re.compile(r"(\w+)\((\d)\)")
 _BETWEEN_VALUES = re.compile(r"(?:,|\\[,;]|\\quad|\\\\)(?![^(\[]*[)\]])")  # and not between those of (0, 0)
+_FRAME_BEHIND = re.compile(r"[A-Zijkn\d]|[ijkn][-+]\d")
+_SPELT_WORD = re.compile(r"(?=[A-Za-z]*[aeiouy])(?=[A-Za-z]*[^aeiouyA-Z])[A-Za-z][a-z]{3,9}")
 _WORD = re.compile(r"\s*\\(?:text[a-z]*|mathrm|mathit|mathsf|operatorname)\s*\{\s*[A-Za-z]{2,}\s*\}\s*")
 _SIZE = re.compile(r"\(?\dx[1-9n]\)?")
 _MASS_CENTRE = r"(?:[cCgGmM]|cm|CM|com|COM)_?,?\d"
 _NO_SIZE = re.compile(r"\(?(?:0x\d+|\d+x0)\)?")  # no matrix is 0×1
 _NOTED_SIZE = re.compile(r"\(?(?:\dx[1-9nm]|[nm]x[1-9nm])\)?")
 _NOTED_BASE = re.compile(r"[(/]?(?:[RFOKS]_?)?(?:0|b|B|w|W|base|world)\)?|\(?x,?y,?z\)?")
+_JOINT_LETTERS = frozenset([*greek.ANGLES, "q"])
 _SIZED = frozenset(["I", "Id", "E", "O", "J"])  # whose size is part of the name, or a claim
 
 
@@ -173,6 +180,8 @@ class NameReader:
                 above.append((kind, text, span))
                 continue
             end = max(end, span[1])
+        if item.base in TRANSFORM_LETTERS and pre_sup and not (pre_sub or sup):
+            sub = _without_reference(sub, pre_sup)
         end = max(end, item.end if not above else end)
         text = self.text[item.start : end]
         name: n.Node = n.Name(item.base, sub, sup, pre_sub, pre_sup, primes, dots, text, span=(item.start, end))
@@ -197,7 +206,9 @@ class NameReader:
         key = f"{base}_{sub}^{canonical}" if sub else f"{base}^{canonical}"
         if self.is_bound(key):
             return True
-        if canonical in _BRANCHES or _IN_BRACKETS.fullmatch(canonical) or canonical in _CENTRES:
+        if base != "e" and is_bracketed_index(canonical):
+            return True
+        if canonical in _CENTRES or (sub and base in _JOINT_LETTERS and _is_spelt_word(canonical)):
             return True
         if canonical in OPERATORS:
             return False
@@ -215,6 +226,27 @@ class NameReader:
             of_frame = of_frame or (base in ("v", "V") and re.fullmatch(_MASS_CENTRE, sub) is not None)  # v_{c1}^2
             return not digits or (of_frame and not re.search(r"[xyzXYZ]$", sub))
         return not digits and bool(sub) and len(canonical) <= 3 and canonical not in ("n", "k", "m")
+
+
+def _without_reference(sub: str, reference: str) -> str:
+    """Return the frame of {}^0T_{04} and {}^{i-1}T_{i-1,i}, whose index tells once more from where it is seen."""
+    frame = sub.removeprefix(reference)
+    is_said_twice = frame != sub and (_FRAME_BEHIND.fullmatch(frame) is not None or frame[:1] == ",")
+    return frame.lstrip(",") or sub if is_said_twice else sub
+
+
+def is_bracketed_index(canonical: str) -> bool:
+    """Whether what stands above a letter in brackets names a solution, a step or a frame: (2), (a), (II), (up), (+).
+
+    Nobody puts an exponent of one letter in brackets; that of e, and the transpose, act as they do without.
+    """
+    found = _IN_BRACKETS.fullmatch(canonical)
+    return canonical in _BRANCHES or (found is not None and found["word"] not in _ACTS)
+
+
+def _is_spelt_word(canonical: str) -> bool:
+    """Whether letters above an angle spell a word, and are no product of exponents: θ_2^{down}, q_1^{elbow}."""
+    return canonical not in _ACTS and _SPELT_WORD.fullmatch(canonical) is not None
 
 
 def _is_word(text: str, canonical: str) -> bool:

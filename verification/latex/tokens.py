@@ -23,6 +23,7 @@ from armproof.verification.latex.units import PER_CENT, UNIT, UNKNOWN, mark_of, 
 from armproof.verification.latex.vocabulary import (
     ACCENTS,
     ASKED,
+    BARE_CONSTANTS,
     BARE_JOINING,
     BARE_WORDS,
     CHARACTERS,
@@ -34,7 +35,9 @@ from armproof.verification.latex.vocabulary import (
     LAYOUTS,
     LETTERS,
     MATRICES,
+    NO_LETTERS,
     NO_UNITS,
+    OF_CLASSES,
     PUNCTUATION,
     QUANTITIES,
     RELATIONS,
@@ -72,7 +75,7 @@ _MASTER = re.compile(
     % (
         SPACES,
         r"(?<![A-Za-z\\])(?:%s)(?![A-Za-z])|WC(?=\s*(?:[-+_^=&)|]|\\\||$))|(?:EE|wc)(?=\s*_\s*\{?\s*[xyz](?![A-Za-z]))|%s"
-        % ("|".join(BARE_JOINING), "|".join([*BARE_WORDS, *LONG])),
+        % ("|".join([*BARE_JOINING, *BARE_CONSTANTS]), "|".join([*BARE_WORDS, *LONG])),
     ),
     re.VERBOSE | re.DOTALL,
 )
@@ -124,6 +127,8 @@ _PLAIN_UNDER_HAT = re.compile(
     r"[\s{]*(?:\\(?:math(?:bf|rm|it)|boldsymbol|bm)[\s{]*)?(?:[xyzXYZijknsaouweTRAHJ]|\\omega)(?![A-Za-z])"
 )
 _LETTER_UNDER = re.compile(r"[\s{]*\\?([A-Za-z]+)(?![A-Za-z])")
+_ANOTHER = re.compile(r"\s*[{\[]")
+_LETTER_ALONE = re.compile(r"\s*\{\s*(?:[A-Za-z]|\\(?:%s))\s*\}(?!\s*[{\[])" % one_of(sorted(LETTERS)))
 _COORDINATE_UNDER_HAT = re.compile(r"(?:\s*\{\s*[xyXY]\s*\}|\s*[xyXY])(?!\s*[_A-Za-z])")  # x estimated, and no axis x_1
 _TWO = re.compile(r"\s*(?:_\s*\{?\s*2\s*\}?|2)(?=[\s&]*(?:\\left|\\[bB]ig|\(|\[|\{\s*\(|\\!|\\,))")  # of atan2
 _POWER_OF_UNIT = re.compile(r"\s*\^\s*(?:\{\s*-?\d\s*\}|\d)")
@@ -524,6 +529,9 @@ class _Scanner:
             return [self.token("SUP", f"{UNIT}{name}", start, end)], end
         if name in PUNCTUATION:
             return [self.token("TEXT", name, start, end)], end
+        if name not in NO_LETTERS and _LETTER_ALONE.match(self.text, end):
+            self.accent = name  # \est{q}, of a macro that nobody defines: a letter of its own
+            return [], end
         raise ReadError(say(Kind.UNKNOWN_COMMAND, command=value), start)
 
     def _tag(self, brace: int, start: int) -> tuple[list[Token], int]:
@@ -542,6 +550,8 @@ class _Scanner:
 
     def _style(self, name: str, start: int, end: int) -> tuple[list[Token], int]:
         """`\\mathbf{J}` is J; `\\text{Atan2}` a function; `\\mathrm{tool}` a name; `\\text{if } x` words."""
+        if name in OF_CLASSES and self._takes_several(end):  # \mat{T}{0}{1}: a macro of the author's own
+            raise ReadError(say(Kind.UNKNOWN_COMMAND, command=f"\\{name}"), start)
         if name in ("boxed", "fbox", "ensuremath"):
             brace = self.text.find("{", end)
             if brace >= 0 and not self.text[end:brace].strip():
@@ -582,6 +592,11 @@ class _Scanner:
             return self._letter(content, start, after)
         return [], end
 
+    def _takes_several(self, end: int) -> bool:
+        """Whether a macro has another argument behind its first."""
+        brace = _OPENS.match(self.text, end)
+        return brace is not None and bool(_ANOTHER.match(self.text, self._matching_brace(brace.end() - 1) + 1))
+
     def _unit(self, style: str, content: str, after: int) -> tuple[str, int] | None:
         """Return the unit that a styled word behind a number is, with its power, and where it ends; None of another word.
 
@@ -604,7 +619,9 @@ class _Scanner:
     def _words(self, content: str, start: int, after: int) -> tuple[list[Token], int]:
         """Words are no product: a name where they stand as an operand does, else what is said between equations."""
         name = re.sub(r"[\W\d_]+", "", content)
-        joins = {word.lower() for word in content.split()} & JOINING or not name or name.lower() in SAID_OF_VALUES
+        joins = {word.lower() for word in content.split()} & JOINING or not name
+        is_term = self.previous in _BEFORE_OPERAND  # … + \text{const}: of whatever value, but a term
+        joins = joins or (name.lower() in SAID_OF_VALUES and not is_term)
         begins = self.previous in _BEGINS or _SCRIPT_BEFORE.search(self.text, max(0, start - 12), start)
         heads = begins and _RELATION_NEXT.match(self.text, after)
         alone = self.previous == "LBRACE" and self.text[after : after + 1] == "}"  # in a fraction

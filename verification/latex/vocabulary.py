@@ -73,6 +73,19 @@ TRANSPARENT = {"equation", "displaymath", "math", "subequations", "small", "foot
 
 # accents that make another name of a letter; vec, boldface and the like do not
 ACCENTS = {"bar": "bar", "overline": "bar", "tilde": "tilde", "widetilde": "tilde", "hat": "hat", "widehat": "hat"}
+# macros for bold, upright and script letters as classes and packages call them, wherever they are defined
+OF_CLASSES = {
+    **dict.fromkeys(("mcal", "mscr", "mathpzc", "symcal", "symscr"), "cal"),
+    **dict.fromkeys(("mfrak", "symfrak"), "frak"),
+    **dict.fromkeys(
+        (
+            "mat", "matr", "mtx", "bmat", "mbf", "mbs", "msf", "mrm", "mathbfit", "mathbfsf", "mathsfbf", "mathsfit", "mathbold",
+            "symbfit", "symbfup", "symbfsf", "symsf", "symit", "symrm", "tens", "bmath", "bvec", "vecb", "vbf", "bs",
+        ),
+        "bold",
+    ),
+    **dict.fromkeys(("vect", "vector", "vecteur", "vv", "Vec", "vct"), "arrow"),
+}  # fmt: skip
 # what makes another name of a letter where a document has it in both (naming/dresses.py)
 DRESSES = {
     **dict.fromkeys(("mathcal", "mathscr", "cal"), "cal"),
@@ -80,11 +93,16 @@ DRESSES = {
     **dict.fromkeys(("mathbf", "boldsymbol", "bm", "pmb", "symbf", "bold", "vb", "bf", "boldvec"), "bold"),
     **dict.fromkeys(("vec", "overrightarrow", "va"), "arrow"),
     **dict.fromkeys(("hat", "widehat"), "hat"),
+    **OF_CLASSES,
 }
 STYLES = (
     "mathbf|mathrm|mathit|mathsf|mathbb|mathcal|mathfrak|mathscr|mathtt|boldsymbol|bm|pmb|vec|overrightarrow|text|textbf|textit|textrm|"
     "textsf|texttt|operatorname|mathop|mbox|hbox|bf|rm|it|hat|widehat|bar|overline|underline|tilde|widetilde|mathnormal|emph|boxed|fbox|"
-    "bold|symbf|symup|textup|textnormal|mathds|Bbb|frak|cal|sf|tt|vb|va|vu|uvec|boldvec|ensuremath|phantom|smash|mathstrut|mathord|mathbin|mathrel"
+    "bold|symbf|symup|textup|textnormal|mathds|Bbb|frak|cal|sf|tt|vb|va|vu|uvec|boldvec|ensuremath|phantom|smash|mathstrut|mathord|mathbin|mathrel|"
+    + "|".join(OF_CLASSES)
+)
+NO_LETTERS = frozenset(  # commands of LaTeX whose argument is no formula
+    "input include includegraphics footnote footnotemark footnotetext caption url href cite index hyperref write nocite bibliography marginpar".split()
 )
 STRIKES = frozenset(["cancel", "bcancel", "xcancel", "sout"])  # whether a struck term counts nobody can tell
 SPACES = (
@@ -152,8 +170,9 @@ et ou où si alors avec donc ainsi d'où soit pour car sinon on und oder wenn al
 )
 # words that say of what value something is, and are the name of nothing
 SAID_OF_VALUES = frozenset(
-    "const constant constante konstant cste zero zéro null nul nulle positive positif negative négatif nonzero finite infinite unknown independent dependent invariant".split()
+    "const constant constante konstant cste cst cte konst costante zero zéro null nul nulle positive positif negative négatif nonzero finite infinite unknown independent dependent invariant".split()
 )
+BARE_CONSTANTS = ("cste", "cst", "cte", "Cste", "Cst", "Cte", "const", "konst")  # in letters that are no factors
 # words behind a number that are no unit of it
 NO_UNITS = (
     JOINING | frozenset(word for spoken in SPOKEN.values() for word in spoken) | {"mod", "modulo", "and", "etc", "only"}

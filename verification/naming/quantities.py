@@ -190,12 +190,12 @@ def is_inverse_link(node: n.Node, transforms: str) -> bool | None:
 
 
 def _of_its_parameters(node: n.Node) -> n.Node:
-    """Return the A_i of A_i(θ_i, d_i, α_i, a_i), which is of all four: what is of some alone is another matrix."""
+    """Return the A_i of A_i(θ_i, d_i, α_i, a_i), which is of all four, and of A_i(q_i): what is of some alone is another matrix."""
     if not n.is_call(node, "name"):
         return node
     name, *given = node.arguments
     bases = sorted(each.base for each in given if isinstance(each, n.Name) and each.sub)
-    return name if bases in (["a", "alpha", "d", "theta"], ["a", "alpha", "d", "q"]) else node
+    return name if bases in (["a", "alpha", "d", "theta"], ["a", "alpha", "d", "q"], ["q"]) else node
 
 
 def _implied_transform(name: n.Name, arm: Arm, transforms: str) -> Quantity | None:

@@ -64,7 +64,7 @@ def name_box(name: n.Name, above: Box = EMPTY, before: str = "") -> Box:
 
 def decorated(base: str, latex: str) -> Box:
     """Return a letter with the arrow, hat, bar, tilde or boldface that its LaTeX gives it."""
-    style = _STYLE.search(latex)
+    style, base = _STYLE.search(latex), base.rpartition(" ")[2]
     if style is None:
         return letter_box(base)
     command = style.group(1)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from armproof.verification.algebra.calculus import angles_in, derivative, substitute, symbols_in
@@ -33,6 +33,8 @@ _OF_WRIST = re.compile(r"[pP]_(?:W|w|WC|wc),?([xyz])|(?:WC|wc)_([xyz])|([xyzXYZ]
 _POINTS = ("p", "P", "X", "x")
 _ENDS_OF = {letter: [f"{letter}_{end}" for end in ("e", "E", "ee", "EE", "tool", "n", "tip")] for letter in _POINTS}
 _ANGLE = re.compile(r"(?:theta|q|phi|varphi)(?:_?\d+)?")
+_OTHER_ANGLE = re.compile(r"(alpha|beta|gamma|delta|psi)_?\d+")
+_FIRST_LETTERS = ("alpha", "beta", "gamma", "delta")
 _SUM = re.compile(r"(theta|q)_(\d{2,})")
 _SLIDE = re.compile(r"[dqr]_?\d+")
 _NAMED = re.compile(r"[A-Za-z]\w*")
@@ -282,6 +284,25 @@ def _is_end_or_numbered(name: n.Name) -> bool:
     return name.key in (name.base, *_ENDS_OF[name.base]) or is_numbered
 
 
+def _are_joints(angles: Sequence[str], rates: Collection[str]) -> bool:
+    """Whether angles are called as joints are: θ_1, q_2; α_1 and α_2, of one letter alone; or α, β, γ, by the first letters.
+
+    Beside a θ an α is what does not move; so is a β without a rate where the α before it alone has one.
+    """
+    moving = [angle in rates for angle in angles]
+    if sum(moving) == 1 and not moving[-1] and not all(map(_ANGLE.fullmatch, angles)):
+        return False
+    others = [_OTHER_ANGLE.fullmatch(angle) for angle in angles]
+    if angles and None not in others:
+        return len({match[1] for match in others if match is not None}) == 1
+    return all(map(_ANGLE.fullmatch, angles)) or {*angles} == {*_FIRST_LETTERS[: len(angles)]}
+
+
+def _place(angle: str) -> tuple[int, int]:
+    """Return where an angle stands among the joints: by its number, else by its letter."""
+    return index_of(angle), _FIRST_LETTERS.index(angle) if angle in _FIRST_LETTERS else 0
+
+
 # where to: a column of a DH table or an axis to slide along; how far; the joint that moves it
 Step = tuple[str, Scalar, str]
 
@@ -307,11 +328,12 @@ class _ClosedForm:
 
     def _moves(self) -> Moves | None:
         x, y, z = (self.values.get(axis, self.algebra.ring.zero) for axis in "xyz")
-        angles, above = sorted(angles_in(x) | angles_in(y), key=index_of), angles_in(z)
+        angles, above = sorted(angles_in(x) | angles_in(y), key=_place), angles_in(z)
         slides = self._slides(angles, strictly=bool(above))
-        if not all(map(_ANGLE.fullmatch, angles)) or len(angles) + len(slides) < 2:
+        if not _are_joints(angles, self.rates) or len(angles) + len(slides) < 2:
             return None
-        if not (slides or all(map(index_of, angles))) or not (angles or len(slides) == 3):
+        are_ordered = all(map(index_of, angles)) or set(angles) <= {*_FIRST_LETTERS}
+        if not (slides or are_ordered) or not (angles or len(slides) == 3):
             return None
         steps = self._turned(x, y, z, angles, slides) if above else self._level(x, y, z, angles, slides)
         order = [index_of(joint) for _, _, joint in steps or () if joint]

@@ -305,6 +305,47 @@ $$ \dot y = (l_2 c_2 + l_3 c_{23}) \dot\theta_2 + l_3 c_{23} \dot\theta_3 $$
         assert first in ("refuted", "unchecked") and "refuted" not in others
 
 
+GREEK = r"""
+$$ x = a\cos ONE + b\cos(ONE+TWO) $$
+
+$$ y = a\sin ONE + b\sin(ONE+TWO) $$
+
+$$ x^2 + y^2 = a^2 + b^2 + 2ab LAST $$
+
+"""
+
+
+@pytest.mark.parametrize(
+    ("angles", "are_joints"),
+    [
+        (r"\alpha \beta", True),
+        (r"\alpha_1 \alpha_2", True),
+        (r"\psi_1 \psi_2", True),
+        (r"\alpha_1 \beta_2", False),
+        (r"\theta_1 \alpha", False),
+        (r"\theta_1 \alpha_2", False),
+        (r"\alpha \gamma", False),
+        (r"\theta \beta", False),
+    ],
+)
+def test_joints_may_be_called_by_the_first_letters_and_what_stands_beside_a_theta_does_not_move(
+    angles: str, are_joints: bool
+) -> None:
+    one, two = angles.split()
+    page = GREEK.replace("ONE", one).replace("TWO", two)
+    right, wrong = (verify_text(page.replace("LAST", rf"\{function} {two}")) for function in ("cos", "sin"))
+    assert bool(right.arms) is are_joints
+    assert [record.verdict.value for record in right.equations][2] == "proved"
+    assert [record.verdict.value for record in wrong.equations][2] in ("refuted", "unchecked")
+
+
+def test_an_angle_without_a_rate_behind_one_that_has_one_is_no_joint() -> None:
+    bent = GREEK.replace("ONE", r"\alpha").replace("TWO", r"\beta").replace("LAST", r"\cos\beta")
+    speed = r"$$ \dot x = -(a\sin\alpha + b\sin(\alpha+\beta))\dot\alpha REST $$" + "\n"
+    assert not verify_text(bent + speed.replace("REST", "")).arms
+    assert verify_text(bent + speed.replace("REST", r"- b\sin(\alpha+\beta)\dot\beta")).arms
+
+
 def test_an_arm_that_takes_too_long_to_find_costs_no_crash(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where a slow machine spent the time of the search, nothing of the document was verified."""
 
