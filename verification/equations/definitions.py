@@ -21,7 +21,7 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.printed_factors import letters_of_factor
 from armproof.verification.equations.rates import stand_for_scalars
 from armproof.verification.equations.readings import Readings
-from armproof.verification.equations.rigid import misses_group, with_entry_mended
+from armproof.verification.equations.rigid import mends_of, misses_group
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError, NoValue, UnboundName
 from armproof.verification.evaluation.blocks import Block, cells_of, partition, written_rows
@@ -327,11 +327,16 @@ class Definitions:
 
 
 def _with_slip(outcome: Outcome) -> Outcome:
-    """Refute what is to be a rotation or a pose, and would be one with another entry in one place."""
+    """Refute what is to be a rotation or a pose, and would be one with another entry in one place; which one, several may tell."""
     value = outcome.true.value if outcome.true is not None else None
-    if not isinstance(value, Matrix) or (slip := with_entry_mended(value)) is None:
+    mends = [*mends_of(value)] if isinstance(value, Matrix) else []
+    if not isinstance(value, Matrix) or not mends:
         return outcome
-    mended, place = slip
+    if len(mends) > 1:
+        return replace(
+            outcome, verdict=Verdict.REFUTED, role=Role.CLAIM, true=outcome.printed, printed=outcome.true, defines=()
+        )
+    mended, place = mends[0]
     return outcome.as_wrong_claim(Pair(mended, value), [place])
 
 

@@ -13,7 +13,7 @@ from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document import Display, Document, Table
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.equations.rigid import is_rotation
+from armproof.verification.equations.rigid import is_none_by_a_slip, is_rotation
 from armproof.verification.equations.sides import Members
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
@@ -191,6 +191,14 @@ def links_that_explain(outcome: Outcome, members: Members) -> frozenset[int]:
     return frozenset(k for k, link in may_be.items() if not own[k] or not convention or _has_row(link, convention))
 
 
+def is_of_no_arm(outcome: Outcome, members: Members) -> bool:
+    """Whether what is printed for a rotation, a pose or an axis of the arm is none, by a slip: it is wrong whatever the arm is."""
+    quantity = members.quantity_of(outcome.true.node) if outcome.true is not None else None
+    if quantity is None or quantity.kind not in ("pose", "rotation", "axis") or outcome.pair is None:
+        return False
+    return not quantity.scalar and is_none_by_a_slip(outcome.pair.true, outcome.pair.printed)
+
+
 def _has_row(link: Matrix, convention: str) -> bool:
     """Whether a pose may be that of a row in a DH table: it shifts along the new x and the old z, or the old x and the new z."""
     rows = link.rows
@@ -265,6 +273,8 @@ def _against(taken: TakenArm, records: Iterable[Record], confirmed: frozenset[in
     found: dict[int, frozenset[int]] = {}
     for record in records:
         for each in record.outcomes if not record.erratum else ():
+            if each.is_of_no_arm:  # whatever the arm is: that speaks against none of its links
+                continue
             of_matrices = taken.source == "matrices"
             links = _links_at_fault(each, record, confirmed) if of_matrices else each.links
             for link in links if each.verdict is Verdict.REFUTED else ():
@@ -406,6 +416,7 @@ class _Settled:
         is_slip = is_slip or self._has_index_of_another(doubtful, result, record)
         is_sure = has_sides and (is_own or not doubtful or is_slip)
         is_sure = is_sure and (not self.taken.told_by or TOLD in self.confirmed)
+        is_sure = is_sure or result.is_of_no_arm
         if result.verdict is not Verdict.REFUTED or record.erratum or _is_of_any_arm(result):
             return result
         if others := result.usual.keys() & self.never_as_usual:
