@@ -50,7 +50,7 @@ class Circumstances:
             return outcome
         if all(map(is_number, outcome.nodes)):  # 0.2 + 0.2898 is what it is, wherever
             return outcome
-        if any(self._follows(each, outcome) for each in self._told(told)):
+        if not self._is_wrong_at(told, outcome) and any(self._follows(each, outcome) for each in self._told(told)):
             return self._proved_there(outcome) or outcome.left_open(say(Kind.HOLDS_AS_TOLD))
         if self.names.arm is None and told.conditions and any(map(bare_key, outcome.nodes)):
             return outcome.left_open(say(Kind.OTHER_AS_TOLD))  # what a name is, or is there: either may hold the slip
@@ -113,6 +113,19 @@ class Circumstances:
             return None
         read_as = outcome.read_as or self.checker.members.read_as(claim)
         return replace(found, findings=(say(Kind.HOLDS_THERE), *found.findings), read_as=read_as)
+
+    def _is_wrong_at(self, told: Told, outcome: Outcome) -> bool:
+        """Whether numbers were refuted at the very values that the text gives: nothing else is to be asked of these."""
+        given = [self.given.values_of(each) for each in told.conditions]
+        if not outcome.there or not given or not all(given):
+            return False
+        stated = self.names.state.configuration
+        values = [(name, node) for each in given for name, node in (each or {}).items()]
+        return all(name in stated and self._is_same(stated[name].node, node) for name, node in values)
+
+    def _is_same(self, one: n.Node, other: n.Node) -> bool:
+        first, second = (self.checker.member(node).value for node in (one, other))
+        return isinstance(first, Scalar) and isinstance(second, Scalar) and (first - second).is_zero()
 
     def _wrong_there(self, outcome: Outcome) -> Outcome:
         """Return what is refuted with the values that lead to it in both of its sides, where these are all that the text gives."""

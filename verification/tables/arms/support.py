@@ -414,6 +414,7 @@ class _Settled:
         is_own = is_own and not _links_at_fault(result, record, self.confirmed)
         is_slip = self._is_slip(links, result, record) or self._is_off_its_place(doubtful, result, record)
         is_slip = is_slip or self._has_index_of_another(doubtful, result, record)
+        is_slip = is_slip or self._has_other_sign(doubtful, result, record)
         is_sure = has_sides and (is_own or not doubtful or is_slip)
         is_sure = is_sure and (not self.taken.told_by or TOLD in self.confirmed)
         is_sure = is_sure or result.is_of_no_arm
@@ -466,6 +467,22 @@ class _Settled:
         elsewhere = {str(row[role]) for place, row in enumerate(rows, 1) for role in "ad" if place != link}
         is_its_own = int(own) in own_indices and int(index) not in own_indices
         return letter == own_letter and is_its_own and f"{letter}_{index}" in elsewhere
+
+    def _has_other_sign(self, doubtful: frozenset[int], result: EquationResult, record: Record) -> bool:
+        """Whether one length of a link has the other sign of that in its row, d_2 in row 2: the table says what the letter is, and no other line speaks against it."""
+        wrong = [entry for entry in record.entries if entry.equation == result.index]
+        if self.taken.source != "table" or len(doubtful) != 1 or len(wrong) != 1 or wrong[0].finding is None:
+            return False
+        arm = self.taken.front["arm"]
+        link, rows = min(doubtful) - ("base" in arm), arm["rows"]
+        lengths = {*_LENGTH.findall(wrong[0].correct)}
+        is_sign = wrong[0].finding.kind is Kind.WRONG_SIGN and {*_LENGTH.findall(wrong[0].printed)} == lengths
+        if link < 1 or not is_sign or len(lengths) != 1 or self.against.get(min(doubtful)) != frozenset({record.line}):
+            return False
+        ((letter, index),) = lengths
+        own_indices = {link, link - 1} if letter.lower() in "al" and self.taken.convention == "modified" else {link}
+        plain = {str(rows[link - 1][role]) for role in "ad"}
+        return int(index) in own_indices and f"{letter}_{index}" in plain
 
     @property
     def _pinned(self) -> frozenset[int]:
