@@ -15,7 +15,7 @@ from armproof.verification.conditions.heeding import Heeding, unbraced, value_of
 from armproof.verification.conditions.holding_there import holds_where, postures_of
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.conditions.postures import vanish_at_quarter_turns
-from armproof.verification.document.postures import THERE
+from armproof.verification.document.postures import THERE, tells_kind
 from armproof.verification.document.sentences import FROM_VALUES, NOT_THERE
 from armproof.verification.equations.alignment import align
 from armproof.verification.equations.case_conditions import comparisons_of
@@ -28,7 +28,7 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key, is_number
 from armproof.verification.naming.state import Told
-from armproof.verification.verdict import HOLDS, Verdict
+from armproof.verification.verdict import HOLDS, Role, Verdict
 
 ON_A_BRANCH = (Kind.ON_A_BRANCH, Kind.TO_DECIMALS_ON_A_BRANCH)
 OF_A_SIGN = ("sqrt", "abs", *n.ARCS)  # a root or an angle that has another sign elsewhere
@@ -67,6 +67,8 @@ class Circumstances:
         conditions: list[n.Chain] = []
         is_of_determinant = False  # "det J = 0 when the arm is stretched" says so of the determinant
         for latex in self.text.in_letters(each for each in said if each not in (FROM_VALUES, NOT_THERE)):
+            if outcome.role is not Role.LAW and tells_kind(latex):  # of which kind a joint is, and no posture
+                continue
             with suppress(ReadError, RecursionError):
                 found = [each for each in self.names.reader.read(unbraced(latex)) if isinstance(each, n.Chain)]
                 conditions += [condition for chain in found for condition in self.text.conditions_of(chain)]

@@ -47,12 +47,21 @@ DOCUMENTS = {
     r"$$ \det J = l_1 l_2 s_2 $$",
     "what a question for its reason stands behind": PLANAR
     + r"$$ x^2 + y^2 = l_1^2 + l_2^2 + 2 l_1 l_2 «c_2¦s_2» $$" + "\nWhy does $c_2$ appear? Because the triangle is known.\n",
+    "what stands above a kind of joint": PLANAR
+    + r"$$ x^2 + y^2 = l_1^2 + l_2^2 «+ 2 l_1 l_2 c_2¦» $$"
+    "\nFor joint 1 (revolute joint) the column of the Jacobian is $z_0 \\times p_2$.\n",
+    "a rate beside a Jacobian whose columns may stand in another order": r"""$$ x = r \cos\theta, \quad y = r \sin\theta $$
+$$ \dot x = \dot r \cos\theta - r \«sin¦cos»\theta \, \dot\theta $$
+$$ \dot y = \dot r \sin\theta + r \cos\theta \, \dot\theta $$
+$$ J = \begin{bmatrix} \cos\theta & -r \sin\theta \\ \sin\theta & r \cos\theta \end{bmatrix} $$""",
 }  # fmt: skip
 LEFT_OPEN = {
     "a reflection has no slip": TABLE
     + r"$$ {}^0R_3 = \begin{bmatrix} c_1c_{23} & -c_1s_{23} & -s_1\\ s_1c_{23} & -s_1s_{23} & c_1\\ s_{23} & c_{23} & 0 \end{bmatrix} $$",
     "another rotation than that of the table": TABLE
     + r"$$ {}^0R_3 = \begin{bmatrix} c_1c_{23} & c_1s_{23} & -s_1\\ s_1c_{23} & s_1s_{23} & c_1\\ s_{23} & -c_{23} & 0 \end{bmatrix} $$",
+    "what stands above a part of the arm that lies so": PLANAR
+    + r"$$ x^2 + y^2 = l_1^2 + l_2^2 $$" + "\nwhen the second link lies perpendicular to the first.\n",
     "a student's answer": PLANAR + "A student's answer:\n" + r"$$ x^2 + y^2 = l_1^2 + l_2^2 - 2 l_1 l_2 c_2 $$",
     "a possible solution": PLANAR + "Possible solution:\n" + r"$$ x^2 + y^2 = l_1^2 + l_2^2 - 2 l_1 l_2 c_2 $$",
     "a question that doubts": PLANAR
