@@ -224,8 +224,8 @@ class DisplayChecker:
         if outcome.verdict is not Verdict.REFUTED:
             return result
         if self.inferred.arm is not None and outcome.pair is not None:
-            explained, of_none = links_that_explain(outcome, self.checker.members), is_of_no_arm(outcome, self.checker.members)
-            result = replace(result, explained_by=explained, is_of_no_arm=of_none)
+            explained = links_that_explain(outcome, self.checker.members)
+            result = replace(result, explained_by=explained, is_of_no_arm=is_of_no_arm(outcome, self.checker.members))
         return replace(result, findings=tuple(each for each in record.findings if each.equation == outcome.equation))
 
     def _order(self, outcome: Outcome) -> str:
