@@ -151,6 +151,7 @@ class DisplayChecker:
         for place, slip in enumerate(slips):
             if slip is not None and not slip.meanings:  # what the text says is so: this follows from it but for a slip
                 outcomes[place] = slip.outcome
+                self.names.state.definitions |= dict([slip.before] if slip.before is not None else [])
         found = self._told(record, display, statements, outcomes, extra)
         meanings = {key: meant for slip in slips if slip is not None for key, meant in slip.meanings.items()}
         if not meanings:

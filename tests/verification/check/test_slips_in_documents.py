@@ -19,6 +19,14 @@ TABLE = """# An arm
 
 """
 PLANAR = "$$ x = l_1 c_1 + l_2 c_{12} $$\n$$ y = l_1 s_1 + l_2 s_{12} $$\n"
+LEG = TABLE.replace("$d_1$ | $0$ | $\\pi/2$", "0 | $a_1$ | $-90°$").replace("l_2", "a_2").replace(
+    "$0$ | $l_3$", "$d_3$ | $a_3$"
+) + r"""$$ p_x = c_1 (a_1 + a_2 c_2 + a_3 c_{23}) - d_3 s_1 $$
+$$ p_y = s_1 (a_1 + a_2 c_2 + a_3 c_{23}) + d_3 c_1 $$
+In the plane of the leg
+$$ R = \sqrt{p_x^2 + p_y^2 - d_3^2} - a_1 $$
+so that
+"""
 DOCUMENTS = {
     "a rotation of an arm that its table alone shows": TABLE
     + r"$$ {}^0R_3 = \begin{bmatrix} c_1c_{23} & -c_1s_{23} & s_1\\ s_1c_{23} & -s_1s_{23} & «-c_1¦c_1»\\ s_{23} & c_{23} & 0 \end{bmatrix} $$",
@@ -50,6 +58,7 @@ DOCUMENTS = {
     "what stands above a kind of joint": PLANAR
     + r"$$ x^2 + y^2 = l_1^2 + l_2^2 «+ 2 l_1 l_2 c_2¦» $$"
     "\nFor joint 1 (revolute joint) the column of the Jacobian is $z_0 \\times p_2$.\n",
+    "what is said again of a letter that is a root": LEG + r"$$ R = a_2 c_2 + a_3 c_{«23¦13»} $$",
     "a rate beside a Jacobian whose columns may stand in another order": r"""$$ x = r \cos\theta, \quad y = r \sin\theta $$
 $$ \dot x = \dot r \cos\theta - r \«sin¦cos»\theta \, \dot\theta $$
 $$ \dot y = \dot r \sin\theta + r \cos\theta \, \dot\theta $$
@@ -60,6 +69,7 @@ LEFT_OPEN = {
     + r"$$ {}^0R_3 = \begin{bmatrix} c_1c_{23} & -c_1s_{23} & -s_1\\ s_1c_{23} & -s_1s_{23} & c_1\\ s_{23} & c_{23} & 0 \end{bmatrix} $$",
     "another rotation than that of the table": TABLE
     + r"$$ {}^0R_3 = \begin{bmatrix} c_1c_{23} & c_1s_{23} & -s_1\\ s_1c_{23} & s_1s_{23} & c_1\\ s_{23} & -c_{23} & 0 \end{bmatrix} $$",
+    "another meaning of a letter that is a root": LEG + r"$$ R = a_2 c_2 + d_3 s_1 $$",
     "what stands above a part of the arm that lies so": PLANAR
     + r"$$ x^2 + y^2 = l_1^2 + l_2^2 $$" + "\nwhen the second link lies perpendicular to the first.\n",
     "a student's answer": PLANAR + "A student's answer:\n" + r"$$ x^2 + y^2 = l_1^2 + l_2^2 - 2 l_1 l_2 c_2 $$",
