@@ -27,6 +27,19 @@ In the plane of the leg
 $$ R = \sqrt{p_x^2 + p_y^2 - d_3^2} - a_1 $$
 so that
 """
+KHALIL = """Convention de Khalil-Kleinfinger.
+
+| $j$ | $\\alpha_j$ | $d_j$ | $\\theta_j$ | $r_j$ |
+|---|---|---|---|---|
+| 1 | 0 | 0 | $\\theta_1$ | 0 |
+| 2 | $-90°$ | $D_2$ | $\\theta_2$ | 0 |
+| 3 | 0 | $D_3$ | $\\theta_3$ | 0 |
+
+$$ {}^0T_1=\\begin{bmatrix} C_1 & -S_1 & 0 & 0 \\\\ S_1 & C_1 & 0 & 0 \\\\ 0 & 0 & 1 & 0 \\\\ 0 & 0 & 0 & 1 \\end{bmatrix} $$
+"""
+OF_THE_OTHER_CONVENTION = r"""$$ {}^2T_3=\begin{bmatrix} C_3 & -S_3 & 0 & D_3 C_3 \\ S_3 & C_3 & 0 & D_3 S_3 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$
+$$ {}^0\omega_3=\begin{bmatrix} -S_1 (\dot\theta_2+\dot\theta_3) \\ C_1 (\dot\theta_2+\dot\theta_3) \\ \dot\theta_1 \end{bmatrix} $$
+"""
 DOCUMENTS = {
     "a rotation of an arm that its table alone shows": TABLE
     + r"$$ {}^0R_3 = \begin{bmatrix} c_1c_{23} & -c_1s_{23} & s_1\\ s_1c_{23} & -s_1s_{23} & «-c_1¦c_1»\\ s_{23} & c_{23} & 0 \end{bmatrix} $$",
@@ -58,6 +71,12 @@ DOCUMENTS = {
     "what stands above a kind of joint": PLANAR
     + r"$$ x^2 + y^2 = l_1^2 + l_2^2 «+ 2 l_1 l_2 c_2¦» $$"
     "\nFor joint 1 (revolute joint) the column of the Jacobian is $z_0 \\times p_2$.\n",
+    "a link of an arm of which another line is of the other convention": KHALIL
+    + r"$$ {}^1T_2=\begin{bmatrix} C_2 & -S_2 & 0 & D_2 \\ 0 & 0 & 1 & 0 \\ -S_«2¦1» & -C_2 & 0 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$"
+    "\n" + OF_THE_OTHER_CONVENTION,
+    "an angular velocity of an arm of which another line is of the other convention": KHALIL
+    + r"$$ {}^1T_2=\begin{bmatrix} C_2 & -S_2 & 0 & D_2 \\ 0 & 0 & 1 & 0 \\ -S_2 & -C_2 & 0 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$"
+    "\n" + OF_THE_OTHER_CONVENTION.replace("-S_1 (", "«-S_1¦S_1» ("),
     "what is said again of a letter that is a root": LEG + r"$$ R = a_2 c_2 + a_3 c_{«23¦13»} $$",
     "a rate beside a Jacobian whose columns may stand in another order": r"""$$ x = r \cos\theta, \quad y = r \sin\theta $$
 $$ \dot x = \dot r \cos\theta - r \«sin¦cos»\theta \, \dot\theta $$
