@@ -25,7 +25,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.unicode import normalise_unicode, original_offset
 from armproof.verification.naming.state import Told
 from armproof.verification.tables import TWIST, check_array_table
-from armproof.verification.tables.arms import Inference, links_of, links_that_explain
+from armproof.verification.tables.arms import Inference, is_of_no_arm, links_of, links_that_explain
 from armproof.verification.verdict import DECIDED, EquationResult, IfShown, Record, Verdict, worst
 
 if TYPE_CHECKING:
@@ -151,6 +151,7 @@ class DisplayChecker:
         for place, slip in enumerate(slips):
             if slip is not None and not slip.meanings:  # what the text says is so: this follows from it but for a slip
                 outcomes[place] = slip.outcome
+                self.names.state.definitions |= dict([slip.before] if slip.before is not None else [])
         found = self._told(record, display, statements, outcomes, extra)
         meanings = {key: meant for slip in slips if slip is not None for key, meant in slip.meanings.items()}
         if not meanings:
@@ -224,7 +225,8 @@ class DisplayChecker:
         if outcome.verdict is not Verdict.REFUTED:
             return result
         if self.inferred.arm is not None and outcome.pair is not None:
-            result = replace(result, explained_by=links_that_explain(outcome, self.checker.members))
+            explained = links_that_explain(outcome, self.checker.members)
+            result = replace(result, explained_by=explained, is_of_no_arm=is_of_no_arm(outcome, self.checker.members))
         return replace(result, findings=tuple(each for each in record.findings if each.equation == outcome.equation))
 
     def _order(self, outcome: Outcome) -> str:

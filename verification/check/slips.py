@@ -43,7 +43,8 @@ class Slips:
             return None
         try:
             with self.budget.of(SECONDS_TO_EXPLAIN):
-                holds = partial(self._holds_so, equation=outcome.equation)
+                besides = Kind.SIGNED_DISTANCE if outcome.as_usual.before is not None else None  # of a root
+                holds = partial(self._holds_so, equation=outcome.equation, besides=besides)
                 slips = [*self.diagnostician().slip_as_usual(normalise_unicode(display.latex), outcome, holds)]
         except TooComplex:
             return None

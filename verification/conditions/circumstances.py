@@ -15,7 +15,7 @@ from armproof.verification.conditions.heeding import Heeding, unbraced, value_of
 from armproof.verification.conditions.holding_there import holds_where, postures_of
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.conditions.postures import vanish_at_quarter_turns
-from armproof.verification.document.postures import THERE
+from armproof.verification.document.postures import THERE, tells_kind
 from armproof.verification.document.sentences import FROM_VALUES, NOT_THERE
 from armproof.verification.equations.alignment import align
 from armproof.verification.equations.case_conditions import comparisons_of
@@ -28,7 +28,7 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key, is_number
 from armproof.verification.naming.state import Told
-from armproof.verification.verdict import HOLDS, Verdict
+from armproof.verification.verdict import HOLDS, Role, Verdict
 
 ON_A_BRANCH = (Kind.ON_A_BRANCH, Kind.TO_DECIMALS_ON_A_BRANCH)
 OF_A_SIGN = ("sqrt", "abs", *n.ARCS)  # a root or an angle that has another sign elsewhere
@@ -50,7 +50,7 @@ class Circumstances:
             return outcome
         if all(map(is_number, outcome.nodes)):  # 0.2 + 0.2898 is what it is, wherever
             return outcome
-        if any(self._follows(each, outcome) for each in self._told(told)):
+        if not self._is_wrong_at(told, outcome) and any(self._follows(each, outcome) for each in self._told(told)):
             return self._proved_there(outcome) or outcome.left_open(say(Kind.HOLDS_AS_TOLD))
         if self.names.arm is None and told.conditions and any(map(bare_key, outcome.nodes)):
             return outcome.left_open(say(Kind.OTHER_AS_TOLD))  # what a name is, or is there: either may hold the slip
@@ -67,6 +67,8 @@ class Circumstances:
         conditions: list[n.Chain] = []
         is_of_determinant = False  # "det J = 0 when the arm is stretched" says so of the determinant
         for latex in self.text.in_letters(each for each in said if each not in (FROM_VALUES, NOT_THERE)):
+            if outcome.role is not Role.LAW and tells_kind(latex):  # of which kind a joint is, and no posture
+                continue
             with suppress(ReadError, RecursionError):
                 found = [each for each in self.names.reader.read(unbraced(latex)) if isinstance(each, n.Chain)]
                 conditions += [condition for chain in found for condition in self.text.conditions_of(chain)]
@@ -113,6 +115,19 @@ class Circumstances:
             return None
         read_as = outcome.read_as or self.checker.members.read_as(claim)
         return replace(found, findings=(say(Kind.HOLDS_THERE), *found.findings), read_as=read_as)
+
+    def _is_wrong_at(self, told: Told, outcome: Outcome) -> bool:
+        """Whether numbers were refuted at the very values that the text gives: nothing else is to be asked of these."""
+        given = [self.given.values_of(each) for each in told.conditions]
+        if not outcome.there or not given or not all(given):
+            return False
+        stated = self.names.state.configuration
+        values = [(name, node) for each in given for name, node in (each or {}).items()]
+        return all(name in stated and self._is_same(stated[name].node, node) for name, node in values)
+
+    def _is_same(self, one: n.Node, other: n.Node) -> bool:
+        first, second = (self.checker.member(node).value for node in (one, other))
+        return isinstance(first, Scalar) and isinstance(second, Scalar) and (first - second).is_zero()
 
     def _wrong_there(self, outcome: Outcome) -> Outcome:
         """Return what is refuted with the values that lead to it in both of its sides, where these are all that the text gives."""

@@ -151,7 +151,8 @@ class Implications:
         if implication.kind == "if":
             has_value = check_value(self.checker, implication, equation)
             if has_value is not None and len(steps) == 1:
-                return (steps[0] if has_value.verdict is Verdict.PROVED else has_value), {}
+                is_wrong = steps[0].verdict is Verdict.REFUTED  # and then so where the divisor is not zero
+                return (steps[0] if is_wrong or has_value.verdict is Verdict.PROVED else has_value), {}
             self.names.forget(key for outcome in steps for key in outcome.defines)  # what it means there alone
             return check_implication(self.checker, implication, equation, links)
         if links or any(states_condition(self.checker, chain) for chain in premises):

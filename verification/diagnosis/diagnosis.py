@@ -19,14 +19,14 @@ from armproof.verification.diagnosis.whole_matrix import swapped_cells, whole_ma
 from armproof.verification.equations.alignment import Pair, equal_matrices, exactly_equal
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
-from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.outcome import AsUsual, Outcome
 from armproof.verification.equations.sides import Member
 from armproof.verification.errors import TooComplex
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, is_number
 from armproof.verification.latex.writer import Notation
-from armproof.verification.naming.state import PrintedError
+from armproof.verification.naming.state import Definition, PrintedError
 from armproof.verification.verdict import Record, SlipBefore, Verdict, WrongEntry
 
 _PLAIN = frozenset(("sign", "function", "index", "length"))  # changes by which nothing is dropped or added
@@ -109,16 +109,28 @@ class Diagnostician:
         doubted = usual.meanings.keys() & state.definitions.keys() if usual.outcome.there else ()
         aside = {key: state.definitions.pop(key) for key in doubted}
         state.inferred |= usual.meanings
+        aside |= self._defined_as_before(usual)
         try:
             if usual.outcome.there:
                 return list(self._slips_there(latex, usual.outcome, holds))
             entries = [each for each in self._on_either_side(latex, usual.outcome)[2] if each.finding is not None]
-            if not entries and any(map(n.has_arcs, usual.outcome.nodes)):
+            if not entries and (usual.before is not None or any(map(n.has_arcs, usual.outcome.nodes))):
                 entries = self._slip_on_a_branch(latex, usual.outcome, holds)
         finally:
             state.forget_usual(usual.meanings)
+            if usual.before is not None:
+                state.definitions.pop(usual.before[0], None)
             state.definitions |= aside
         return entries
+
+    def _defined_as_before(self, usual: AsUsual) -> dict[str, Definition]:
+        """Let a name mean what it did before the equation that says it anew, and return what it means since."""
+        if usual.before is None:
+            return {}
+        (key, definition), made = usual.before, self.checker.names.state.definitions
+        since = {key: made[key]} if key in made else {}
+        made[key] = definition
+        return since
 
     def _slip_on_a_branch(self, latex: str, outcome: Outcome, holds: Callable[[str], bool]) -> list[WrongEntry]:
         """Return the one sign, function or index of which another makes a solution right on a branch: θ_2 = atan2(y, x) for θ_1."""

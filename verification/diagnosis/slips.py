@@ -263,6 +263,7 @@ def _names(node: n.Node, letters: Letters) -> Iterator[Change]:
         (letters.lengths, "length", Kind.WRONG_LENGTH),
         (letters.coordinates, "index", Kind.WRONG_COORDINATE),
         ([each for each in letters.own if each.base == node.base], "index", Kind.WRONG_NAME),
+        (_moving_alike(node, letters), "index", Kind.WRONG_NAME),
     ):
         plain = replace(node, dots=0)
         if any(other.key == plain.key for other in family):
@@ -270,6 +271,15 @@ def _names(node: n.Node, letters: Letters) -> Iterator[Change]:
                 if other.key != plain.key:
                     changed = replace(_with_dots(other, node.dots), span=node.span)
                     yield changed, kind, say(slip, printed=_show(node), correct=_show(changed))
+
+
+def _moving_alike(node: n.Name, letters: Letters) -> list[n.Name]:
+    """Return a name and those of its letter with another index that stand for what moves otherwise: q_2, which turns, beside q_3, which slides."""
+    families = (letters.angles, letters.lengths)
+    own = next((one for one in families if any(each.key == replace(node, dots=0).key for each in one)), ())
+    other = families[own is letters.angles] if own else ()
+    alike = [each for each in other if each.base == node.base]
+    return [replace(node, dots=0), *alike] if alike else []
 
 
 def _vanishes(root: n.Node) -> bool:

@@ -14,6 +14,8 @@ from armproof.verification.document.clauses import OF_DISPLAY, Clause, clauses, 
 _PLANE = frozenset("planar planaire plan eben ebener planare plano".split())
 _WHOLE = frozenset("full complete whole entire complète complet vollständige komplette completa completo".split())
 _ARTICLES = frozenset("the la le die das der il".split())
+_AND = frozenset("and et und y e ed".split())
+_WHICH_IS = ("which is : ", "which are : ")
 _SHORT = 4  # words of "Discuss it.", with its stop
 
 
@@ -25,7 +27,7 @@ def limits_what_is_above(words: str) -> bool:
         return False
     asks = found[0].begins("ask") and any(each.has("good", "if", *OF_DISPLAY) for each in found)
     asks = asks or (words.endswith("? ") and any(each.has("good", "fault", "error") for each in found))
-    is_condition = (goes_on(words) and _is_condition(found[0])) or (
+    is_condition = (goes_on(words) and _is_condition(found[0]) and not _leads_to_another(words, found[0])) or (
         found[0].begins("near") and found[0].subject != "writer"
     )
     says_when = any(_says_that_it_holds(each) and _is_condition(then) for each, then in pairwise(found))
@@ -39,10 +41,20 @@ def limits_what_is_below(words: str) -> bool:
         return False
     asks = found[0].begins("ask") and not (found[-1].ends("that") or any(each.is_led_to for each in found))
     is_asked = words[:1].isupper() and (
-        found[0].begins("query", "instead") or any(each.has("inverted") for each in found)
+        (found[0].begins("query", "instead") and not _only_leads(words)) or any(each.has("inverted") for each in found)
     )
     would = says_what_would_be(words, at_its_end=True) and not is_whole(words)
     return asks or is_asked or would or _is_supposed(found) or any(map(_limits_below, found))
+
+
+def _leads_to_another(words: str, first: Clause) -> bool:
+    """Whether "and for the height" stands between two displays: that is of the one that it leads to, and no condition of the one above."""
+    return words.partition(" ")[0] in _AND and not words.endswith((". ", "? ", "! ")) and first.begins("of")
+
+
+def _only_leads(words: str) -> bool:
+    """Whether "Which is:" leads to a display, and asks nothing."""
+    return words.lower() in _WHICH_IS
 
 
 def is_whole(words: str) -> bool:

@@ -226,6 +226,9 @@ lösungsvorschlag/antwortvorschlag
 counterexample/counter-example/contre-exemple
 dire/vérifiez/vérifier si
 """
+ITS_ANSWER = """
+^ (the/a/la/die/el/il) (full/complete/detailed/final/model/worked/short/complète/détaillée/vollständige/completa/detallada) answer/solution/réponse/solución/respuesta/soluzione/risposta/lösung/antwort/solução/resposta : $
+"""
 SUPPOSED = """
 as a hypothesis
 if we/one/it had/were
@@ -244,11 +247,16 @@ OPEN_QUESTION = """
 ^ why/pourquoi/warum/perché/porquê ?
 ^ por que/qué ?
 """
+REASON_ASKED = """
+^ (and/but/so/et/mais/und/aber/y/e) why/pourquoi/warum/wieso/perché/porquê
+^ (y/e) por que/qué
+"""
 SAYS_LIMITS = """
 ^ * counterexample/counter-example/contre-exemple/gegenbeispiel/contraejemplo/controesempio/contraexemplo
 ^ whether/if/si/ob (or) (not) (this/it/that/cela/c'/das/es/esto) (…) true/right/so/correct/holds/valid/exact/vrai/richtig/stimmt/cierto
 ^ * remains/remain/reste/bleibt/queda/resta/is/est/ist/es (yet/still/noch) (to/à/zu/por/da) (be/bewiesen) verified/proved/proven/checked/tested/seen/shown/vérifier/prouver/démontrer/voir/prüfen/zeigen/beweisen/comprobar/demostrar/verificare
-^ * válida/válido/vale/vrai/vraie/valable/valida/valido (que) (solo/sólo/solamente/seulement/apenas/somente/nur) (para/pour/per/en/em)
+^ * válida/válido/vale/vrai/vraie/valable/valida/valido (que) solo/sólo/solamente/seulement/apenas/somente/nur (para/pour/per/en/em)
+^ * válida/válido/vale/vrai/vraie/valable/valida/valido (que) para/pour/per/en/em
 """
 LIMITED_BEHIND = """
 ^ (only) (and) (et) if/when/whenever/provided/assuming/supposing/unless/except/lorsque/lorsqu'/quand/pourvu/sauf/si/falls/wenn/sofern/cuando

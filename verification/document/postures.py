@@ -98,6 +98,12 @@ def kind_of_joints(text: str) -> str:
     return found[0] if len(found) == 1 else ""
 
 
+def tells_kind(latex: str) -> bool:
+    """Whether what a text says between displays is of which kind a joint is, and no posture: "(revolute joint)"."""
+    words = latex.removeprefix("\\text{").removesuffix("}").removeprefix(THERE)
+    return _OF_A_KIND.fullmatch(words) is not None
+
+
 def bent_as(latex: str) -> str:
     """Return how a posture in words bends the inner joints, STRETCHED or FOLDED; "" where it says both, neither, or of directions."""
     found = [kind for kind, words in _BENT_AS.items() if words.search(latex)]

@@ -252,7 +252,8 @@ def _supposes(words: str, is_over: bool) -> bool:
     plain = without_harmless(words)
     if is_over:
         return limits_what_is_near(plain)
-    is_no_claim = hears("OF_A_PART", words) or (hears("OF_NO_CLAIM", words) and not is_whole(plain))
+    is_claim = is_whole(plain) or hears("ITS_ANSWER", words)
+    is_no_claim = hears("OF_A_PART", words) or (hears("OF_NO_CLAIM", words) and not is_claim)
     return bool(is_no_claim) or limits_what_is_below(plain)
 
 
@@ -268,11 +269,18 @@ def _is_of_next(words: str) -> bool:
     return limit is None or _OF_LETTERS.search(limit.group()) is None
 
 
+def _asks_for_reason(words: str) -> bool:
+    """Whether a question asks why something is so that it takes for so: "Why does c_{23} appear?", and not "Why would it?"."""
+    found = clauses(words)
+    is_doubt = any(each.has("not", "would", "only", "good", "fault", "error", "if") for each in found)
+    return hears("REASON_ASKED", words) is not None and not is_doubt and not any(each.is_of_display for each in found)
+
+
 def _limits(words: str) -> bool:
     """Whether a sentence that goes on from the display above it says when, or how nearly, that holds; or asks whether."""
     if _is_of_next(words):
         return False
-    is_question = words.endswith("? ") and not hears("OPEN_QUESTION", words)
+    is_question = words.endswith("? ") and not (hears("OPEN_QUESTION", words) or _asks_for_reason(words))
     if is_question or any(hears(each, words) for each in ("ASKED_BEHIND", "SAYS_LIMITS")):
         return True
     leads_on = words[:1].isupper() and not words.endswith((". ", "? ", "! "))  # to the next: "The pose of the frame is"

@@ -17,11 +17,11 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import Pair, is_constant, is_near
 from armproof.verification.equations.given_values import keys_alone
 from armproof.verification.equations.letter_matrices import FEWEST_LETTERS
-from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.outcome import AsUsual, Outcome
 from armproof.verification.equations.printed_factors import letters_of_factor
 from armproof.verification.equations.rates import stand_for_scalars
 from armproof.verification.equations.readings import Readings
-from armproof.verification.equations.rigid import misses_group, with_entry_mended
+from armproof.verification.equations.rigid import mends_of, misses_group
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError, NoValue, UnboundName
 from armproof.verification.evaluation.blocks import Block, cells_of, partition, written_rows
@@ -327,11 +327,16 @@ class Definitions:
 
 
 def _with_slip(outcome: Outcome) -> Outcome:
-    """Refute what is to be a rotation or a pose, and would be one with another entry in one place."""
+    """Refute what is to be a rotation or a pose, and would be one with another entry in one place; which one, several may tell."""
     value = outcome.true.value if outcome.true is not None else None
-    if not isinstance(value, Matrix) or (slip := with_entry_mended(value)) is None:
+    mends = [*mends_of(value)] if isinstance(value, Matrix) else []
+    if not isinstance(value, Matrix) or not mends:
         return outcome
-    mended, place = slip
+    if len(mends) > 1:
+        return replace(
+            outcome, verdict=Verdict.REFUTED, role=Role.CLAIM, true=outcome.printed, printed=outcome.true, defines=()
+        )
+    mended, place = mends[0]
     return outcome.as_wrong_claim(Pair(mended, value), [place])
 
 
@@ -424,7 +429,11 @@ class Redefinitions:
         about = [outcome for outcome in outcomes if name in outcome.nodes]
         is_as_usual = any(outcome.tells(Kind.SECOND_MEANING) for outcome in about)  # and no longer as it was defined
         if about and (is_as_usual or all(_is_another_meaning(outcome) for outcome in about)):
-            return self._with_another_meaning(chain, key, definition, outcomes[0], check)
+            found = self._with_another_meaning(chain, key, definition, outcomes[0], check)
+            is_alone = len(found) == len(about) == 1 and found[0].tells(Kind.SECOND_MEANING)
+            if is_alone and self.names.arm is not None and _has_root(definition.node):
+                found[0].as_usual = AsUsual(about[0], {}, before=(key, definition))
+            return found
         for outcome in about:
             sides = [*map(bare, outcome.nodes)]
             if outcome.verdict is Verdict.PROVED and definition.node is not None and bare(definition.node) in sides:
@@ -503,6 +512,11 @@ class Redefinitions:
             return outcomes
         definitions[key] = definition
         return None
+
+
+def _has_root(node: n.Node | None) -> bool:
+    """Whether a formula holds a root: whether another one is a slip away from it, only samples tell."""
+    return node is not None and any(n.is_call(below, "sqrt") for below in n.walk(node))
 
 
 def _is_another_meaning(outcome: Outcome) -> bool:

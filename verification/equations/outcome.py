@@ -16,6 +16,7 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.conventions import is_usual
 from armproof.verification.naming.names import Names
+from armproof.verification.naming.state import Definition
 from armproof.verification.verdict import DECIDED, HOLDS, EquationResult, Role, Verdict, worst
 
 DEFINES = {Kind.DEFINES, Kind.DEFINES_ENTRIES, Kind.DEFINES_WITHOUT_VALUE, Kind.NUMBER_HERE, Kind.SIGN}
@@ -26,11 +27,13 @@ class AsUsual:
     """What became of an equation while its names meant what they usually do; without meanings, what the text says of them.
 
     A coordinate that is exactly that `of_another` point is a slip only where the others beside it are not that point's.
+    `before` is what the name of a second meaning was defined as, by which the equation then is a slip.
     """
 
     outcome: Outcome
     meanings: Mapping[str, Quantity]
     of_another: bool = False
+    before: tuple[str, Definition] | None = None
 
 
 @dataclass

@@ -49,12 +49,6 @@ def of_angles(turns: Matrix) -> bool:
     )
 
 
-def with_entry_mended(value: Matrix) -> tuple[Matrix, tuple[int, int]] | None:
-    """Return a rotation or a pose with the one entry of its rotation, and its place, that makes it one; None where none does, or several."""
-    found = [*mends_of(value)]
-    return found[0] if len(found) == 1 else None
-
-
 def mends_of(value: Matrix) -> Iterator[tuple[Matrix, tuple[int, int]]]:
     """Yield the rotations and poses with another entry in one place, and that place.
 
@@ -81,3 +75,27 @@ def _has_angle(cell: object) -> bool:
 
 def _has_two_frames(name: n.Name) -> bool:
     return bool(name.pre_sup and (name.pre_sub or name.sub)) or bool(name.sup and name.sub and not name.pre_sub)
+
+
+def is_none_by_a_slip(true: Matrix, printed: Matrix) -> bool:
+    """Whether what is printed for a rotation, a pose or an axis is none, and one entry away from one: then no arm has it.
+
+    Letters other than angles, and numbers that may be rounded, leave it open.
+    """
+    turns = [each.block(range(3), range(3)) if each.shape == (4, 4) else each for each in (true, printed)]
+    if true.shape != printed.shape or not all(map(of_angles, turns)) or any(map(_may_be_rounded, turns[1].cells)):
+        return False
+    is_one = {(3, 3): is_rotation, (4, 4): is_pose, (3, 1): _is_unit}.get(true.shape)
+    if is_one is None or not is_one(true) or is_one(printed):
+        return False
+    wrong = sum(not is_zero(a - b) for a, b in zip(turns[0].cells, turns[1].cells, strict=True))
+    return wrong == 1 or (true.shape != (3, 1) and any(mends_of(printed)))
+
+
+def _is_unit(axis: Matrix) -> bool:
+    return is_zero((axis.transpose @ axis).rows[0][0] - 1)
+
+
+def _may_be_rounded(cell: object) -> bool:
+    number = cell.as_fraction() if isinstance(cell, Scalar) else None
+    return number is not None and number.denominator > 1

@@ -90,10 +90,17 @@ def _of_other_angles(record: Record) -> bool:
 def _is_shown(key: str, quantity: object, shown: Iterable[Mapping[str, object]]) -> bool:
     """Whether a name stands for a quantity in what holds, and for no other one; of a coordinate the others of its point tell it, too."""
     found = {usual[key] for usual in shown if key in usual}
-    if found or (point := point_of(quantity)) is None:
+    if found or (whole := _whole(quantity)) is None:
         return found == {quantity}
     others = ((name, other) for usual in shown for name, other in usual.items())
-    return any(point_of(other) == point and letters_of_point(name) == letters_of_point(key) for name, other in others)
+    return any(_whole(other) == whole and letters_of_point(name) == letters_of_point(key) for name, other in others)
+
+
+def _whole(quantity: object) -> Quantity | None:
+    """Return the point, or the velocity, of which a quantity is a coordinate."""
+    if isinstance(quantity, Quantity) and quantity.kind == "velocity" and quantity.scalar:
+        return replace(quantity, rows=None)
+    return point_of(quantity)
 
 
 def point_of(quantity: object) -> Quantity | None:

@@ -23,7 +23,7 @@ def mended_coordinates(found: Found, algebra: ExactAlgebra) -> Iterator[tuple[di
     first = min(angles_in(values["x"]) & angles_in(values["y"]), key=index_of, default="")
     for told, axis, sign in (("x", "y", -1), ("y", "x", 1)) if first else ():
         angle = algebra.ring.symbol(first)
-        slide = standing(values[axis] + derivative(derivative(values[axis], angle), angle))  # what does not turn
+        slide = standing(_mean(values[axis], first, algebra))  # what does not turn
         by_other = (derivative(values[told], angle) * sign + slide).normal()
         apart, turned = by_other - values[axis], by_other + values[axis]  # y may point down
         is_mirrored = turned.normal().is_zero() or len(lengths_in(turned)) < len(lengths_in(apart))
@@ -50,8 +50,15 @@ def _heights_by_reach(values: Mapping[str, Scalar], first: str, algebra: ExactAl
     apart = [len(lengths_in(way - z)) for way in ways]
     for way in (way for way, count in zip(ways, apart, strict=True) if count == min(apart)):
         is_slip = is_near(Pair(as_matrix(way), as_matrix(z))) or _lacks_one_link(z, way)
-        if is_slip and symbols_in([z]) <= symbols_in([way]):
+        if is_slip and symbols_in([z]) - {first} <= symbols_in([way]):  # the first joint, which turns about z, lifts nothing
             yield way
+
+
+def _mean(value: Scalar, angle: str, algebra: ExactAlgebra) -> Scalar:
+    """Return the mean of a coordinate over four quarter turns of an angle: of cos 2θ, which a slip may have made, nothing is left."""
+    ring, quarter = algebra.ring, algebra.pi() / 2
+    turned = (substitute(value, {angle: ring.symbol(angle) + quarter * turns}) for turns in range(4))
+    return (sum(turned, start=ring.zero) / 4).normal()
 
 
 def standing(value: Scalar) -> Scalar:

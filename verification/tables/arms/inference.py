@@ -187,7 +187,9 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
         return _taken(document, found, best, bool(more)) if found[0].told_by in best.joints else Inference(document)
     named = document.convention if found[0].source == "table" else ""
     if best.failed and any(each.convention == named != best.convention and each.held for each in others):
-        return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line)  # its equations speak against its text
+        best, *others = _as_named(named, best, others)
+        if best.convention != named:
+            return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line)  # its equations speak against its text
     best, rivals, is_shown = _shown_best(document, named or found[0].stated, best, others)
     best = with_point_beyond(document, best) if best.held and not rivals else best
     if best.held and not rivals:
@@ -202,10 +204,22 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     is_pinned = found[0].source == "closed form" and not found[0].is_alone  # then one line alone may be what is wrong
     if rivals or not (best.held or is_shown or (is_pinned and best.failed == 1)):
         return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line, unfit=unfit)
-    if best.failed > max(best.held, int(is_pinned)) + found[0].in_words and not best.is_near:  # words hold, too
+    if best.contradicted > max(best.held, int(is_pinned)) + found[0].in_words:  # words hold, too
         problem = say(Kind.ARM_DOES_NOT_FIT, held=best.held, failed=best.failed)
         return Inference(document, problem=problem, line=line, unfit=unfit)
     return taken
+
+
+def _as_named(convention: str, best: Reading, others: list[Reading]) -> list[Reading]:
+    """Return the readings, first those of the convention that the text names where as much holds so, and no more fails by more than a slip."""
+    is_as_good = [
+        each.convention == convention and (each.held, each.contradicted) == (best.held, best.contradicted)
+        for each in others
+    ]
+    if not any(is_as_good):
+        return [best, *others]
+    own = [each for each, is_own in zip(others, is_as_good, strict=True) if is_own]
+    return [*own, best, *(each for each, is_own in zip(others, is_as_good, strict=True) if not is_own)]
 
 
 def _shown_best(

@@ -13,7 +13,7 @@ from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document import Display, Document, Table
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.equations.rigid import is_rotation
+from armproof.verification.equations.rigid import is_none_by_a_slip, is_rotation
 from armproof.verification.equations.sides import Members
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
@@ -191,6 +191,14 @@ def links_that_explain(outcome: Outcome, members: Members) -> frozenset[int]:
     return frozenset(k for k, link in may_be.items() if not own[k] or not convention or _has_row(link, convention))
 
 
+def is_of_no_arm(outcome: Outcome, members: Members) -> bool:
+    """Whether what is printed for a rotation, a pose or an axis of the arm is none, by a slip: it is wrong whatever the arm is."""
+    quantity = members.quantity_of(outcome.true.node) if outcome.true is not None else None
+    if quantity is None or quantity.kind not in ("pose", "rotation", "axis") or outcome.pair is None:
+        return False
+    return not quantity.scalar and is_none_by_a_slip(outcome.pair.true, outcome.pair.printed)
+
+
 def _has_row(link: Matrix, convention: str) -> bool:
     """Whether a pose may be that of a row in a DH table: it shifts along the new x and the old z, or the old x and the new z."""
     rows = link.rows
@@ -265,8 +273,12 @@ def _against(taken: TakenArm, records: Iterable[Record], confirmed: frozenset[in
     found: dict[int, frozenset[int]] = {}
     for record in records:
         for each in record.outcomes if not record.erratum else ():
+            if each.is_of_no_arm:  # whatever the arm is: that speaks against none of its links
+                continue
             of_matrices = taken.source == "matrices"
             links = _links_at_fault(each, record, confirmed) if of_matrices else each.links
+            if ORDER in links - confirmed:  # another order of the joints would make it right: it tells of that alone
+                links = frozenset({ORDER})
             for link in links if each.verdict is Verdict.REFUTED else ():
                 found[link] = found.get(link, frozenset()) | {record.line}
     return found
@@ -406,8 +418,10 @@ class _Settled:
         is_own = is_own and not _links_at_fault(result, record, self.confirmed)
         is_slip = self._is_slip(links, result, record) or self._is_off_its_place(doubtful, result, record)
         is_slip = is_slip or self._has_index_of_another(doubtful, result, record)
+        is_slip = is_slip or self._has_other_sign(doubtful, result, record)
         is_sure = has_sides and (is_own or not doubtful or is_slip)
         is_sure = is_sure and (not self.taken.told_by or TOLD in self.confirmed)
+        is_sure = is_sure or result.is_of_no_arm
         if result.verdict is not Verdict.REFUTED or record.erratum or _is_of_any_arm(result):
             return result
         if others := result.usual.keys() & self.never_as_usual:
@@ -463,6 +477,22 @@ class _Settled:
         elsewhere = {str(row[role]) for place, row in enumerate(rows, 1) for role in "ad" if place != link}
         is_its_own = int(own) in own_indices and int(index) not in own_indices
         return letter == own_letter and is_its_own and f"{letter}_{index}" in elsewhere
+
+    def _has_other_sign(self, doubtful: frozenset[int], result: EquationResult, record: Record) -> bool:
+        """Whether one length of a link has the other sign of that in its row, d_2 in row 2: the table says what the letter is, and no other line speaks against it."""
+        wrong = [entry for entry in record.entries if entry.equation == result.index]
+        if self.taken.source != "table" or len(doubtful) != 1 or len(wrong) != 1 or wrong[0].finding is None:
+            return False
+        arm = self.taken.front["arm"]
+        link, rows = min(doubtful) - ("base" in arm), arm["rows"]
+        lengths = {*_LENGTH.findall(wrong[0].correct)}
+        is_sign = wrong[0].finding.kind is Kind.WRONG_SIGN and {*_LENGTH.findall(wrong[0].printed)} == lengths
+        if link < 1 or not is_sign or len(lengths) != 1 or self.against.get(min(doubtful)) != frozenset({record.line}):
+            return False
+        ((letter, index),) = lengths
+        own_indices = {link, link - 1} if letter.lower() in "al" and self.taken.convention == "modified" else {link}
+        plain = {str(rows[link - 1][role]) for role in "ad"}
+        return int(index) in own_indices and f"{letter}_{index}" in plain
 
     @property
     def _pinned(self) -> frozenset[int]:

@@ -61,9 +61,14 @@ class Reading:
     near: int = 0
 
     @property
-    def counts(self) -> tuple[int, int, int]:
-        """How many hold and fail, and the entries of those that hold, the best first in order."""
-        return -self.held, self.failed, -self.entries
+    def counts(self) -> tuple[int, int, int, int]:
+        """How many hold, and fail by more than one entry, and fail, and the entries of those that hold, the best first in order."""
+        return -self.held, self.contradicted, self.failed, -self.entries
+
+    @property
+    def contradicted(self) -> int:
+        """How many fail by more than one entry, which a slip would explain."""
+        return max(0, self.failed - self.near)
 
     @property
     def is_near(self) -> bool:
