@@ -183,6 +183,7 @@ class Heeding:
             heard.velocities += filter(UnderRates(self.checker.members, Told()).velocity_in, chains)
             for chain in chains:
                 heed_forces(self.names, chain)
+                self.checker.zeros.heed(chain, line, True)
                 self._define(chain, line, heard.conditions)
         chains = [self._without_letters(chain, line) for chain in chains]
         heard.conditions += [condition for chain in chains for condition in self.conditions_of(chain)]

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import remainder, tau
+from typing import TYPE_CHECKING
 
 from armproof.verification.algebra.calculus import leaves_open, symbols_in
 from armproof.verification.algebra.matrix import as_matrix, as_scalar
@@ -19,6 +20,9 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import is_number
 from armproof.verification.latex.units import is_length, size_of
 from armproof.verification.verdict import Verdict
+
+if TYPE_CHECKING:
+    from armproof.verification.equations.sampled_errors import SampledErrors
 
 FINE = 3  # decimals: a number of so many may be rounded
 LARGE = 1000  # a whole number from here on may be rounded where what it stands for is none
@@ -183,6 +187,11 @@ def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) 
     everywhere = holding.samples == errors.samples >= FEWEST
     if not everywhere and not (route.is_solved_for(left, right) and counts):
         return False
+    is_finer = fine is not None and finest_decimals(outcome.nodes) > decimals  # some digits are printed behind these
+    if (not everywhere or is_finer) and errors.is_beside(tolerance, _slack_at_samples(route, outcome, branches)):
+        outcome.verdict, outcome.wrong, outcome.pair = Verdict.UNCHECKED, [], None
+        outcome.findings = (say(Kind.DIGITS_OFF),)
+        return True
     if fine is None:
         outcome.verdict, outcome.wrong, outcome.pair = Verdict.UNCHECKED, [], None
         outcome.findings = (say(Kind.TOO_FEW_DECIMALS, decimals=decimals),)
@@ -195,6 +204,16 @@ def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) 
         said = say(Kind.TO_DECIMALS_ON_A_BRANCH, decimals=decimals, **of)
     outcome.findings = (said,)
     return True
+
+
+def _slack_at_samples(route: SecondRoute, outcome: Outcome, branches: bool) -> Iterator[SampledErrors]:
+    """Yield how far half a unit of each number of the sides takes these, at each sample."""
+    for side in outcome.sides:
+        for number in rounded_numbers(side.node, FINE):
+            off = n.Number(number.value + Fraction(1, 2 * 10**number.decimals))
+            moved = replace(side, node=n.substitute(side.node, number, off))
+            found = route.sampled_errors(replace(outcome, true=side, printed=moved, pair=None), branches)
+            yield from () if found is None else (found,)
 
 
 def _decimals_of_numbers(outcome: Outcome) -> int | None:
