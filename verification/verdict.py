@@ -90,6 +90,7 @@ class EquationResult:
             the display that defines it.
         links: the links of the arm that it tells of.
         explained_by: those of them of which another one would make it right; None where that is not known.
+        against: links whose lengths it holds in no entry as the arm has them, where it is refuted.
         usual: the names in it that convention alone binds, each with the quantity that it is taken for.
         alone: the names that stand alone on a side.
         slip_before: with which slip in a definition before it holds, where it is refuted.
@@ -108,6 +109,7 @@ class EquationResult:
     uses: frozenset[tuple[str, int]] = frozenset()
     links: frozenset[int] = frozenset()
     explained_by: frozenset[int] | None = None
+    against: frozenset[int] = frozenset()
     usual: Mapping[str, object] = field(default_factory=dict)
     alone: frozenset[str] = frozenset()
     slip_before: SlipBefore | None = None

@@ -25,7 +25,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.unicode import normalise_unicode, original_offset
 from armproof.verification.naming.state import Told
 from armproof.verification.tables import TWIST, check_array_table
-from armproof.verification.tables.arms import Inference, links_of, links_that_explain
+from armproof.verification.tables.arms import Inference, lengths_against, links_of, links_that_explain
 from armproof.verification.verdict import DECIDED, EquationResult, IfShown, Record, Verdict, worst
 
 if TYPE_CHECKING:
@@ -224,7 +224,9 @@ class DisplayChecker:
         if outcome.verdict is not Verdict.REFUTED:
             return result
         if self.inferred.arm is not None and outcome.pair is not None:
-            result = replace(result, explained_by=links_that_explain(outcome, self.checker.members))
+            explained = links_that_explain(outcome, self.checker.members)
+            against = lengths_against(outcome.pair, self.checker.members)
+            result = replace(result, explained_by=explained, against=against)
         return replace(result, findings=tuple(each for each in record.findings if each.equation == outcome.equation))
 
     def _order(self, outcome: Outcome) -> str:

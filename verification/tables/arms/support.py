@@ -266,7 +266,8 @@ def _against(taken: TakenArm, records: Iterable[Record], confirmed: frozenset[in
     for record in records:
         for each in record.outcomes if not record.erratum else ():
             of_matrices = taken.source == "matrices"
-            links = _links_at_fault(each, record, confirmed) if of_matrices else each.links
+            own = _links_at_fault(each, record, confirmed) | (each.against - confirmed)
+            links = own if of_matrices else each.links
             for link in links if each.verdict is Verdict.REFUTED else ():
                 found[link] = found.get(link, frozenset()) | {record.line}
     return found
