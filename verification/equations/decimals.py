@@ -9,8 +9,7 @@ from math import remainder, tau
 from typing import TYPE_CHECKING
 
 from armproof.verification.algebra.calculus import leaves_open, symbols_in
-from armproof.verification.algebra.matrix import as_matrix, as_scalar
-from armproof.verification.algebra.ring import Scalar
+from armproof.verification.algebra.matrix import as_matrix
 from armproof.verification.equations.alignment import is_constant
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.second_route import FEWEST, SecondRoute
@@ -125,15 +124,17 @@ def _of_two_digits(node: n.Node) -> list[n.Number]:
     return [each for each in below if abs(each.value) * 10**each.decimals >= TWO_DIGITS]
 
 
-def slacks(members: Members, node: n.Node) -> list[float]:
-    """Return how far half a unit of each rounded number takes the number that a formula of numbers is."""
-    if not is_number(node) or not isinstance(value := as_scalar(members.evaluate(node).value), Scalar):
+def slacks(members: Members, node: n.Node) -> list[dict[tuple[int, int], float]]:
+    """Return how far half a unit of each rounded number takes the numbers that a formula of numbers is, at each place (from 0)."""
+    if any(isinstance(below, n.Name | n.JointAngles) and not is_number(below) for below in n.walk(node)):
         return []
+    value = as_matrix(members.evaluate(node).value)
     found = []
     for number in rounded_numbers(node, FINE):
         off = n.Number(number.value + Fraction(1, 2 * 10**number.decimals))
-        moved = as_scalar(members.evaluate(n.substitute(node, number, off)).value)
-        found += [abs(members.number(moved - value))] if isinstance(moved, Scalar) else []
+        moved = as_matrix(members.evaluate(n.substitute(node, number, off)).value)
+        if moved.shape == value.shape:
+            found.append({(r, c): abs(members.number(moved.rows[r][c] - value.rows[r][c])) for r, c in value.places})
     return found
 
 

@@ -129,15 +129,11 @@ class OtherZeros:
     def _of_sum(self, name: n.Node, other: n.Node) -> _Told | None:
         if not (isinstance(name, n.Name) and isinstance(other, n.Sum)):
             return None
-        letters = [
-            (sign, bare(term))
-            for sign, term in other.terms
-            if isinstance(bare(term), n.Name) and bare(term).key != "pi"
-        ]  # type: ignore[attr-defined]
+        terms = [(sign, bare(term)) for sign, term in other.terms]
+        letters = [(sign, term) for sign, term in terms if isinstance(term, n.Name) and term.key != "pi"]
         if len(letters) != 1 or letters[0][0] == "-":
             return None
         letter = letters[0][1]
-        assert isinstance(letter, n.Name)
         rest = n.placed(n.Sum(tuple(each for each in other.terms if bare(each[1]) is not letter)), other.span)
         turn = self._half_turns(rest)
         if turn is None or not turn:
