@@ -141,7 +141,9 @@ class Claims:
         outcomes = [self._of_own_sums(outcome, chain) for outcome in outcomes]
         if any(isinstance(below, n.Dots) for below in n.walk(chain)):
             unwritten = say(Kind.TERMS_UNWRITTEN, text="…")
-            outcomes = [each.unless_refuted(unwritten) for each in outcomes]
+            outcomes = [
+                each if each.tells(Kind.OF_ANY_JACOBIAN) else each.unless_refuted(unwritten) for each in outcomes
+            ]
         if not n.letters(chain).isdisjoint(AXES) and (doubt := axis_of_another_frame(chain)) is not None:
             outcomes = [each.left_open(doubt) if each.verdict in HOLDS else each for each in outcomes]
         foreign = self.names.state.foreign()
