@@ -20,7 +20,7 @@ from armproof.verification.equations.any_jacobian import (
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.compositions import is_composition
 from armproof.verification.equations.differentials import is_of_rates, with_rates
-from armproof.verification.equations.each_joint import holds_for_each_joint, index_of, slip_of_law, with_inverses
+from armproof.verification.equations.each_joint import holds_for_each_joint, index_of, slip_of_law, with_inverses, without_letters
 from armproof.verification.equations.elementary import is_elementary_rotation
 from armproof.verification.equations.general_links import GeneralStatements, of_link_i
 from armproof.verification.equations.given_values import GivenValues
@@ -201,6 +201,7 @@ class Decision:
         kinds = ("", kind) if (kind := self.names.state.told.kind) else ("",)
 
         def by_joint(other: n.Chain) -> bool:
+            other = without_letters(other, self.names.is_open) if len(other.members) > 2 else other
             return any(holds_for_each_joint(self.checker, other, equation, line, kind) for kind in kinds)
 
         if by_joint(chain):
