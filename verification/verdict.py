@@ -91,6 +91,7 @@ class EquationResult:
         links: the links of the arm that it tells of.
         explained_by: those of them of which another one would make it right; None where that is not known.
         is_of_no_arm: whether what is printed for a rotation, a pose or an axis is none, so that no other arm makes it right.
+        against: links whose lengths it holds in no entry as the arm has them, where it is refuted.
         usual: the names in it that convention alone binds, each with the quantity that it is taken for.
         alone: the names that stand alone on a side.
         slip_before: with which slip in a definition before it holds, where it is refuted.
@@ -110,6 +111,7 @@ class EquationResult:
     links: frozenset[int] = frozenset()
     explained_by: frozenset[int] | None = None
     is_of_no_arm: bool = False
+    against: frozenset[int] = frozenset()
     usual: Mapping[str, object] = field(default_factory=dict)
     alone: frozenset[str] = frozenset()
     slip_before: SlipBefore | None = None

@@ -25,7 +25,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.unicode import normalise_unicode, original_offset
 from armproof.verification.naming.state import Told
 from armproof.verification.tables import TWIST, check_array_table
-from armproof.verification.tables.arms import Inference, is_of_no_arm, links_of, links_that_explain
+from armproof.verification.tables.arms import Inference, is_of_no_arm, lengths_against, links_of, links_that_explain
 from armproof.verification.verdict import DECIDED, EquationResult, IfShown, Record, Verdict, worst
 
 if TYPE_CHECKING:
@@ -226,7 +226,11 @@ class DisplayChecker:
             return result
         if self.inferred.arm is not None and outcome.pair is not None:
             explained = links_that_explain(outcome, self.checker.members)
-            result = replace(result, explained_by=explained, is_of_no_arm=is_of_no_arm(outcome, self.checker.members))
+            is_of_none, against = (
+                is_of_no_arm(outcome, self.checker.members),
+                lengths_against(outcome.pair, self.checker.members),
+            )
+            result = replace(result, explained_by=explained, is_of_no_arm=is_of_none, against=against)
         return replace(result, findings=tuple(each for each in record.findings if each.equation == outcome.equation))
 
     def _order(self, outcome: Outcome) -> str:

@@ -19,6 +19,7 @@ from armproof.verification.check.display import DisplayChecker
 from armproof.verification.check.limits import SECONDS_TO_DECIDE
 from armproof.verification.check.parts import joined, unless_called_another, unless_of_another_arm
 from armproof.verification.check.points import Points
+from armproof.verification.check.table_values import values_of_tables
 from armproof.verification.diagnosis.accepted import with_accepted
 from armproof.verification.display.statements import Statements
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
@@ -266,8 +267,20 @@ class DocumentChecker:
         with self.ring.budget.of(SECONDS_TO_DECIDE):
             return replace(record, corrections=correct_table(self.checker, table, record))
 
+    @cached_property
+    def _given_by_tables(self) -> dict[tuple[int, str], tuple[str, ...]]:
+        """The values that tables give before a display, by its line and its text."""
+        if not self.samples or len(self.document.tables) < 1 + (self.inferred.arm is not None):
+            return {}
+        with self.ring.budget.of(SECONDS_TO_DECIDE):
+            found = values_of_tables(self.checker, self.document, self.inferred)
+            return {(display.line, display.latex): values for display, values in found}
+
     def check_display(self, display: Display) -> Record:
         """Return the record of one display; what it lacks may be said right behind it."""
+        if values := self._given_by_tables.get((display.line, display.latex)):
+            above = display.said_above
+            display = replace(display, said=(*display.said[:above], *values, *display.said[above:]))
         record = again = self.displays.check(display)
         if record.verdict is not Verdict.UNCHECKED:
             return record

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
@@ -134,7 +134,10 @@ class Heeding:
                 self._hear(latex, heard, line)
         if MOVED_BEHIND in said and any(map(self.moves, heard.conditions)):
             heard.conditions, heard.in_words = [], True
-        self._begin(heard.names, heard.conditions, heard.in_words, line)
+        if self._stands_already(heard):
+            heard.conditions = []
+        else:
+            self._begin(heard.names, heard.conditions, heard.in_words, line)
         before, is_last = self.names.state.told, said[-1:] == (SINGULAR,)
         self.names.state.told = replace(
             before,
@@ -150,6 +153,26 @@ class Heeding:
         told = self._values(heard.conditions)
         self.names.state.given_last |= told
         self.names.state.told_lengths |= {name: told[name] for name in told if name in self.given.lengths}
+
+    def _stands_already(self, heard: _Heard) -> bool:
+        """Whether a text only says again what follows from the values that stand: "with $\\theta_3 = 90°$", "so that $c_3 = 0$"."""
+        standing = self.names.state.told.standing
+        given = self._values(standing)
+        if not heard.conditions or heard.in_words or not given:
+            return False
+        return all(self._follows(each, standing, given) for each in heard.conditions)
+
+    def _follows(self, condition: n.Chain, standing: Sequence[n.Chain], given: Mapping[str, Stated]) -> bool:
+        if not (values := self._values([condition])):
+            keys = {self.names.known_symbol(below.key) or below.key for below in n.names(condition)}
+            keys |= {
+                self.names.joint_angle(index) or ""
+                for b in n.walk(condition)
+                if isinstance(b, n.JointAngles)
+                for _, index in b.terms
+            }
+            return keys <= given.keys() and holds_where(self.checker, standing, condition)
+        return all(key in given and abs(given[key].value - each.value) < _CLOSE for key, each in values.items())
 
     def _move_on(self, said: str, heard: _Heard) -> None:
         """The arm has moved, or grown: values given before are no longer its own, and numbers behind are of a posture that nobody can tell."""
@@ -183,6 +206,7 @@ class Heeding:
             heard.velocities += filter(UnderRates(self.checker.members, Told()).velocity_in, chains)
             for chain in chains:
                 heed_forces(self.names, chain)
+                self.checker.zeros.heed(chain, line, True)
                 self._define(chain, line, heard.conditions)
         chains = [self._without_letters(chain, line) for chain in chains]
         heard.conditions += [condition for chain in chains for condition in self.conditions_of(chain)]

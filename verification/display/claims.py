@@ -121,6 +121,7 @@ class Claims:
     def chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         """Return the outcomes of a chain, each with the definitions that it rests on."""
         self.begin()
+        before = self.names.state.copy() if self.names.state.zeros else None
         outcomes = self._read(chain, equation, line, define)
         again = partial(self._read, chain, equation, line, False)
         if self.names.state.signs.read:
@@ -129,6 +130,10 @@ class Claims:
             outcomes = asked_of_the_tool(self.names, outcomes, again)
         if self.names.offset_joints:
             outcomes = self.checker.angles.settled(chain, outcomes, define, again)
+        if define:
+            outcomes = self.checker.zeros.heed_display(chain, outcomes, line)
+        if before is not None:
+            outcomes = self.checker.zeros.settled(outcomes, before, self.displays, again)
         of_jacobian = self.checker.members.speaks_of_jacobian(chain)
         if of_jacobian and (doubt := self.checker.rows.others((chain,), outcomes, again)) is not None:
             outcomes = [outcome.left_open(doubt) for outcome in outcomes]
@@ -137,7 +142,9 @@ class Claims:
         outcomes = [self._of_own_sums(outcome, chain) for outcome in outcomes]
         if any(isinstance(below, n.Dots) for below in n.walk(chain)):
             unwritten = say(Kind.TERMS_UNWRITTEN, text="…")
-            outcomes = [each.unless_refuted(unwritten) for each in outcomes]
+            outcomes = [
+                each if each.tells(Kind.OF_ANY_JACOBIAN) else each.unless_refuted(unwritten) for each in outcomes
+            ]
         if not n.letters(chain).isdisjoint(AXES) and (doubt := axis_of_another_frame(chain)) is not None:
             outcomes = [each.left_open(doubt) if each.verdict in HOLDS else each for each in outcomes]
         foreign = self.names.state.foreign()

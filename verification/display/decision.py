@@ -11,11 +11,22 @@ from armproof.verification.conditions.branches import never_with_others
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.equations.alignment import is_near
 from armproof.verification.equations.any_frames import direction_of_any_frames
-from armproof.verification.equations.any_jacobian import holds_of_any_jacobian, is_step_along_gradient, tells_jacobian
+from armproof.verification.equations.any_jacobian import (
+    holds_of_any_jacobian,
+    is_step_along_gradient,
+    names_its_columns,
+    tells_jacobian,
+)
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.compositions import is_composition
 from armproof.verification.equations.differentials import is_of_rates, with_rates
-from armproof.verification.equations.each_joint import holds_for_each_joint, index_of, slip_of_law, with_inverses
+from armproof.verification.equations.each_joint import (
+    holds_for_each_joint,
+    index_of,
+    slip_of_law,
+    with_inverses,
+    without_letters,
+)
 from armproof.verification.equations.elementary import is_elementary_rotation
 from armproof.verification.equations.general_links import GeneralStatements, of_link_i
 from armproof.verification.equations.given_values import GivenValues
@@ -88,6 +99,9 @@ class Decision:
 
     def _of_any_jacobian(self, chain: n.Chain, outcomes: list[Outcome], define: bool) -> list[Outcome]:
         """Prove a law of any Jacobian; refute what is a slip away from one where the document has shown which matrix J is."""
+        if names_its_columns(chain, self.names):
+            known = (say(Kind.OF_ANY_JACOBIAN),)
+            return [replace(each, verdict=Verdict.PROVED, findings=known, role=Role.LAW) for each in outcomes]
         if holds_of_any_jacobian(chain, self.names):
             self.names.state.tells_jacobian |= define and tells_jacobian(chain)
             known = (say(Kind.OF_ANY_JACOBIAN),)
@@ -193,6 +207,7 @@ class Decision:
         kinds = ("", kind) if (kind := self.names.state.told.kind) else ("",)
 
         def by_joint(other: n.Chain) -> bool:
+            other = without_letters(other, self.names.is_open) if len(other.members) > 2 else other
             return any(holds_for_each_joint(self.checker, other, equation, line, kind) for kind in kinds)
 
         if by_joint(chain):

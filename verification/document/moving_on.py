@@ -36,7 +36,11 @@ _GIVES = re.compile(r"(?:\\(?:var)?(?:theta|phi|alpha|beta|gamma)|(?<![A-Za-z\\]
 # before by how much, or from where
 _BY = re.compile(r"(?<!\S)(?:by|from|de|d'|um|von|por|desde|di|da)\s*\Z", re.IGNORECASE)
 _NEAR = 12  # characters before a formula in which such a word stands
-_IDLE = re.compile(r"(?<!\S)(?:turn(?:s|ed)? out|in turn|half of|opposite (?:side|angle|direction) (?:of|to)) ")
+_IDLE = re.compile(
+    r"(?<!\S)(?:turn(?:s|ed)? out|in turn|half of|opposite (?:side|angle|direction) (?:of|to)"
+    r"|(?:moves?|turns?|rotates?|bewegt sich|dreht sich|se déplace|se mueve|si muove) (?:only |nur |uniquement |sólo |solo )?(?:in|within|about|dans|en|nel|parallel to)"
+    r" (?:the|a|one|this|its|der|einer|le|un|el|il|piano|plan)(?: \S+)?(?<!direction)(?= (?:plane|ebene|plan|plano|piano))) "
+)
 _STOP = re.compile(r"(?<!\\)[.;!?:](?=\s+\S)")
 
 

@@ -74,9 +74,9 @@ inner input inputs insert inserted inserting inside insight inspecting inspired 
 interactive intercept interested interface interior intermediate internal interpolate interpret interrupt intersect interval into introduce intuitive
 invariant inverse inversion invert inverted inverting inverts invite invited invoking involves is isolate isolating isotropic it itemize iterate
 iteration ith its itself jacobian january jaw jaws jerk jib jog jogging join joined joint joints jordan journey joystick jth julia july juncture june
-just juxtaposed keep keeping keeps kept kernel key keyboard keys kind kindly kinds kinematic kinetic kit kitchen knee knees knob knot know knowing
+just juxtaposed keep keeping keeps kept kernel key keyboard keys kills kind kindly kinds kinematic kinetic kit kitchen knee knees knob knot know knowing
 knowledge known knuckle kutta lab label labeled labelled labels laboratory lagrange laid landing language laplace laplacian laptop large larger
-largest last lastly lately later laterally latter law laws layout lead leading leads learn learned learning learnt least lecture led left left-handed
+largest last lastly lately later laterally latter law laws layout lead leading leads learn learned learning learnt least leaves lecture led left left-handed
 leftmost leg legged legible legs leibniz lemma length lengthen lengths lengthy lens less lesson lessons let lets letters level lever leverage
 libraries library lidar lie lies life lift lifted lifting lifts lighter lightly lightweight like likewise limit limited limits line linearise linearly
 lines link linkage links list listed listing lists literally little live lives living load loaded local locally locate located locates location lock
@@ -117,7 +117,7 @@ relationship relative release relevant reliably relocate remain remainder remain
 removes removing render rendered rendering repeat repeated repeats rephrase replace replay report repository represent reprinted reproduced require
 requiring research reserve reset resistance resolution resolving respect responsiveness rest restate resting restrict rests result resultant resulting
 results retracting retrieve return returned returning returns reuse reused reveal review revisit revolute revolve rewrite rewriting rewritten rhs
-right right-handed rightmost rigid rigidly rigorous ring robot's robotic robots robust robustly robustness rodrigues role roles roll rolling rolls
+right right-handed rightmost rigid rigidly rigorous ring robot's robotic robots robust robustly robustness rod rodrigues rods role roles roll rolling rolls
 roof room root roots rotary rotate rotated rotates rotating rotational roto rototranslation roughly round route routine rover row row-wise rows rpy
 rubric rubrics rule ruler rules run runge running runs rviz rx sac safety sagittal sake same sample sampled samples sampling sandbox satisfied satisfy
 saturday save saved saving saw say scalar scale scaled scales scaling scan scara scenario scene schedule schematic scheme schemes school schur schwarz

@@ -95,6 +95,26 @@ def holds_of_any_jacobian(chain: n.Chain, names: Names) -> bool:
     return square is True and False not in oblong and (True in oblong or _has_inverse(members))
 
 
+def names_its_columns(chain: n.Chain, names: Names) -> bool:
+    """Whether a chain says no more than that J_1, J_2, …, J_n are the columns of J, as they are of any: [J_1 J_2 ⋯ J_n]."""
+    whole, row = (map(bare, chain.members)) if len(chain.members) == 2 and chain.relations == ("=",) else (None, None)
+    whole = bare(whole.arguments[0]) if whole is not None and n.is_call(whole, "name") else whole
+    if not (isinstance(whole, n.Name) and isinstance(row, n.Matrix) and len(row.rows) == 1 and whole.base == "J"):
+        return False
+    cells = [*map(bare, row.rows[0])]
+    columns = [each for each in cells if isinstance(each, n.Name) and each == n.Name("J", each.sub)]
+    dots = [place for place, each in enumerate(cells) if isinstance(each, n.Dots)]
+    numbers = [each.sub for each in columns]
+    if len(columns) + len(dots) != len(cells) or len(columns) < 2 or dots not in ([], [len(cells) - 2]):
+        return False
+    counted = [str(number) for number in range(1, len(numbers) + 1)]
+    count = str(len(names.arm.joints)) if names.arm is not None else ""
+    ends = (
+        numbers[-1] in ("n", "N", count) if dots else numbers[-1] in (counted[-1], "n") and count in ("", counted[-1])
+    )
+    return ends and numbers[:-1] == counted[:-1]
+
+
 def _of_one_frame(chain: n.Chain) -> n.Chain:
     """Return a chain without the frame in which all of it is seen: τ = {}^0J^T {}^0F."""
     named = [each for member in chain.members for each in n.names(member)]

@@ -164,14 +164,16 @@ class StatedValues:
     def _roundings(self, numbers: n.Node, pair: Pair) -> dict[Place, Rounding]:
         """Return how numbers are rounded; one that is worked out, 40 · 0.866 + 30 · 0.259, by one of its own numbers."""
         allowed = roundings(numbers, pair.true.shape)
-        if not pair.is_scalar or isinstance(bare(numbers), n.Number):
+        if isinstance(bare(numbers), n.Number | n.Matrix):
             return allowed
         off = slacks(self.members, numbers)
-        near, far = max(off, default=0.0), sum(off)
         return {
-            place: Rounding(max(each.near, near), max(each.far, 2 * far)) if off else each
-            for place, each in allowed.items()
+            place: self._worked_out(each, [sizes.get(place, 0.0) for sizes in off]) for place, each in allowed.items()
         }
+
+    @staticmethod
+    def _worked_out(rounding: Rounding, off: Sequence[float]) -> Rounding:
+        return Rounding(max(rounding.near, *off), max(rounding.far, 2 * sum(off))) if off else rounding
 
     def _error(self, difference: Scalar, is_angle: bool) -> float | None:
         """The size of a difference at the stated values; None where one is missing that it depends on."""

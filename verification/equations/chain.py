@@ -50,6 +50,7 @@ from armproof.verification.equations.letter_matrices import (
     with_small_letters,
 )
 from armproof.verification.equations.of_points import OfPoints
+from armproof.verification.equations.other_zeros import OtherZeros
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.places import (
     forget_ended,
@@ -137,6 +138,11 @@ class ChainChecker:
     def angles(self) -> TableAngles:
         """What the letters of joints with an offset mean; asked only of an arm that has one."""
         return TableAngles(self.names)
+
+    @cached_property
+    def zeros(self) -> OtherZeros:
+        """Which joints a marked letter counts from another zero."""
+        return OtherZeros(self.members)
 
     @property
     def confirm(self) -> bool:

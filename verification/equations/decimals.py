@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import remainder, tau
+from typing import TYPE_CHECKING
 
 from armproof.verification.algebra.calculus import leaves_open, symbols_in
-from armproof.verification.algebra.matrix import as_matrix, as_scalar
-from armproof.verification.algebra.ring import Scalar
+from armproof.verification.algebra.matrix import as_matrix
 from armproof.verification.equations.alignment import is_constant
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.second_route import FEWEST, SecondRoute
@@ -19,6 +19,9 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import is_number
 from armproof.verification.latex.units import is_length, size_of
 from armproof.verification.verdict import Verdict
+
+if TYPE_CHECKING:
+    from armproof.verification.equations.sampled_errors import SampledErrors
 
 FINE = 3  # decimals: a number of so many may be rounded
 LARGE = 1000  # a whole number from here on may be rounded where what it stands for is none
@@ -121,15 +124,17 @@ def _of_two_digits(node: n.Node) -> list[n.Number]:
     return [each for each in below if abs(each.value) * 10**each.decimals >= TWO_DIGITS]
 
 
-def slacks(members: Members, node: n.Node) -> list[float]:
-    """Return how far half a unit of each rounded number takes the number that a formula of numbers is."""
-    if not is_number(node) or not isinstance(value := as_scalar(members.evaluate(node).value), Scalar):
+def slacks(members: Members, node: n.Node) -> list[dict[tuple[int, int], float]]:
+    """Return how far half a unit of each rounded number takes the numbers that a formula of numbers is, at each place (from 0)."""
+    if any(isinstance(below, n.Name | n.JointAngles) and not is_number(below) for below in n.walk(node)):
         return []
+    value = as_matrix(members.evaluate(node).value)
     found = []
     for number in rounded_numbers(node, FINE):
         off = n.Number(number.value + Fraction(1, 2 * 10**number.decimals))
-        moved = as_scalar(members.evaluate(n.substitute(node, number, off)).value)
-        found += [abs(members.number(moved - value))] if isinstance(moved, Scalar) else []
+        moved = as_matrix(members.evaluate(n.substitute(node, number, off)).value)
+        if moved.shape == value.shape:
+            found.append({(r, c): abs(members.number(moved.rows[r][c] - value.rows[r][c])) for r, c in value.places})
     return found
 
 
@@ -183,6 +188,11 @@ def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) 
     everywhere = holding.samples == errors.samples >= FEWEST
     if not everywhere and not (route.is_solved_for(left, right) and counts):
         return False
+    is_finer = fine is not None and finest_decimals(outcome.nodes) > decimals  # some digits are printed behind these
+    if (not everywhere or is_finer) and errors.is_beside(tolerance, _slack_at_samples(route, outcome, branches)):
+        outcome.verdict, outcome.wrong, outcome.pair = Verdict.UNCHECKED, [], None
+        outcome.findings = (say(Kind.DIGITS_OFF),)
+        return True
     if fine is None:
         outcome.verdict, outcome.wrong, outcome.pair = Verdict.UNCHECKED, [], None
         outcome.findings = (say(Kind.TOO_FEW_DECIMALS, decimals=decimals),)
@@ -195,6 +205,16 @@ def holds_to_its_decimals(route: SecondRoute, outcome: Outcome, branches: bool) 
         said = say(Kind.TO_DECIMALS_ON_A_BRANCH, decimals=decimals, **of)
     outcome.findings = (said,)
     return True
+
+
+def _slack_at_samples(route: SecondRoute, outcome: Outcome, branches: bool) -> Iterator[SampledErrors]:
+    """Yield how far half a unit of each number of the sides takes these, at each sample."""
+    for side in outcome.sides:
+        for number in rounded_numbers(side.node, FINE):
+            off = n.Number(number.value + Fraction(1, 2 * 10**number.decimals))
+            moved = replace(side, node=n.substitute(side.node, number, off))
+            found = route.sampled_errors(replace(outcome, true=side, printed=moved, pair=None), branches)
+            yield from () if found is None else (found,)
 
 
 def _decimals_of_numbers(outcome: Outcome) -> int | None:

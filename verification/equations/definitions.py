@@ -22,6 +22,7 @@ from armproof.verification.equations.printed_factors import letters_of_factor
 from armproof.verification.equations.rates import stand_for_scalars
 from armproof.verification.equations.readings import Readings
 from armproof.verification.equations.rigid import mends_of, misses_group
+from armproof.verification.equations.said_without_value import heed_formula, said_otherwise
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError, NoValue, UnboundName
 from armproof.verification.evaluation.blocks import Block, cells_of, partition, written_rows
@@ -107,6 +108,8 @@ class Definitions:
             applied = bare(member.node)
             if n.is_call(applied, "name") and (other_joint := problem_of_arguments(true.value, applied, self.names)):
                 return Outcome(Verdict.UNCHECKED, (other_joint,), equation, true, member)
+            if self.defines and (second := said_otherwise(self.names, key, self.line)):
+                return Outcome(Verdict.UNCHECKED, (second,), equation, true, member, role=Role.DEFINITION)
             if self.defines:
                 self.names.define(key, self.members.meaning(true.node), self.line, node=true.node)
                 if (decimals := self.members.decimals(true.node)) is not None:
@@ -319,6 +322,8 @@ class Definitions:
         if bare is not None and other is None:
             if self.defines and bare.startswith("R("):  # it may turn the other way than R(θ) usually does
                 self.names.leave_unknown([bare], self.line)
+            if self.defines:
+                heed_formula(self.names, [m.node for m in members], self.line)
             given = (say(Kind.DEFINES_WITHOUT_VALUE, name=bare),)
             return [Outcome(Verdict.DEFINED, given, equation + k) for k in range(len(members) - 1)]
         problem = other or unbound

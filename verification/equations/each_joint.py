@@ -39,6 +39,19 @@ def holds_for_each_joint(checker: ChainChecker, chain: n.Chain, equation: int, l
     return bool(numbers) and not any(_is_idle(checker, name, letter, numbers) for name in set(_names(chain)))
 
 
+def without_letters(chain: n.Chain, is_open: Callable[[n.Name], bool]) -> n.Chain:
+    """Return a chain without the columns that only give its parts letters: J_i = [J_{v_i}; J_{ω_i}] = [z_{i-1} × …; z_{i-1}]."""
+    kept = [each for each in chain.members if not _is_of_letters(bare(each), is_open)]
+    if len(kept) < 2 or len(kept) == len(chain.members) or set(chain.relations) != {"="}:
+        return chain
+    return replace(chain, members=tuple(kept), relations=("=",) * (len(kept) - 1))
+
+
+def _is_of_letters(node: n.Node, is_open: Callable[[n.Name], bool]) -> bool:
+    cells = [*map(bare, node.cells)] if isinstance(node, n.Matrix) else []
+    return len(cells) > 1 and all(isinstance(each, n.Name) and is_open(each) for each in cells)
+
+
 def _ahead(chain: n.Chain, letter: str) -> int:
     r"""Return how far the joint of a chain is ahead of its index: 1 for \dot\theta_{i+1} or v_{i+1}, which is said of link i + 1."""
     joints = (name.sub for name in _names(chain) if name.base in ("theta", "q", "d") and name.dots)

@@ -83,7 +83,9 @@ class GeneralStatements:
 
     def _nearest_letters(self, chain: n.Chain) -> ChainChecker:
         """Return the checker in which the letters for a and d mean what makes fewest entries of the link matrix wrong."""
-        tried = [self._in_letters(meant) for meant in letterings(chain)]
+        arm = self.checker.names.arm
+        is_modified = arm is not None and arm.dh is not None and arm.dh.convention == "modified"
+        tried = [self._in_letters(meant) for meant in letterings(chain, is_modified)]
         nearest = min(tried, key=lambda each: self._wrong_in(each, chain)) if len(tried) > 1 else tried[0]
         if nearest is not self._usual:
             self._write_in(nearest.names.symbols, chain)

@@ -11,21 +11,31 @@ USUAL = ("a", "d")
 _INDEX = ("i", "i-1")
 
 
-def letterings(chain: n.Chain) -> tuple[dict[str, str], ...]:
-    """Return what the letters of a link matrix may stand for, by key; only the usual letters are no choice, and more than two none."""
+def letterings(chain: n.Chain, is_modified: bool = False) -> tuple[dict[str, str], ...]:
+    """Return what the letters of a link matrix may stand for, by key; only the usual letters are no choice, and more than two none.
+
+    Where `is_modified`, the document's table is of the modified convention: its row i may have a_{i-1} and α_{i-1} as a_i and α_i.
+    """
     names = [below for member in chain.members for below in n.names(member)]
     of_lengths = [
         name for name in names if name.base in LENGTHS and name == n.Name(name.base, name.sub) and name.sub in _INDEX
     ]
     bases = tuple(sorted({name.base for name in of_lengths}))
     if set(bases) <= set(USUAL) or len(bases) > len(USUAL):
-        return ({},)
+        return ({}, *_of_rows(names)) if is_modified else ({},)
     found = [
         {name.key: f"{meant[name.base]}_{name.sub}" for name in of_lengths}
         for usual in permutations(USUAL, len(bases))
         if (meant := dict(zip(bases, usual, strict=True))) and not ("a" in bases and meant["a"] == "d")
     ]
     return (*found, *_of_khalil(names, bases))
+
+
+def _of_rows(names: list[n.Name]) -> tuple[dict[str, str], ...]:
+    """Return the a_i and α_i of row i as what they are of the modified convention, where no letter has the index before."""
+    meant = {"a_i": "a_i-1", "alpha_i": "alpha_i-1"}
+    own = {name.key for name in names if name.base in ("a", "alpha")}
+    return (meant,) if own == {*meant} else ()
 
 
 def _of_khalil(names: list[n.Name], bases: tuple[str, ...]) -> tuple[dict[str, str], ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -20,6 +20,8 @@ LEAST_SHARE = 0.05  # of the configurations drawn at random
 LEAST = 8
 FEW_NEAR = 4  # of the configurations drawn at random may be near a singularity: a wrong formula is so at many more
 SETS_OF_LENGTHS = 3
+EXACTLY = 1e-9
+BESIDE = 50  # times the rounding: what is off by no more is hardly on another branch
 
 
 @dataclass(frozen=True)
@@ -84,6 +86,16 @@ class SampledErrors:
         usable = self.counted & self.at_random
         count, total = int((self._equal(tolerance) & usable).sum()), int(usable.sum())
         return (count, total) if count >= max(LEAST, LEAST_SHARE * total) else None
+
+    def is_beside(self, tolerance: float, slacks: Iterable[SampledErrors]) -> bool:
+        """Whether at many samples the sides differ by more than half a unit of each number makes, and by little more than rounding.
+
+        On another branch they differ by any amount; by little at so many samples where a digit is wrong.
+        """
+        error, usable = self.scaled.max(axis=(0, 1)), self.counted & self.at_random
+        slack = sum((each.scaled.max(axis=(0, 1)) for each in slacks), np.full_like(error, EXACTLY))
+        beside = usable & (error > np.nan_to_num(slack, nan=np.inf)) & (error <= BESIDE * tolerance)
+        return int(beside.sum()) >= max(LEAST, LEAST_SHARE * int(usable.sum()))
 
     def _equal(self, tolerance: float) -> np.ndarray:
         return np.all(self.scaled <= tolerance, axis=(0, 1))

@@ -357,6 +357,10 @@ def _elementary(evaluator: Evaluating, node: n.Call) -> Matrix:
         return _translation(evaluator, amounts)
     if node.function == "Trans" and axis and len(amounts) == 2 and len(node.arguments) == 3:
         return _translation(evaluator, node.arguments)
+    if node.function == "Trans" and not axis and len(amounts) == 1:
+        value = evaluator.evaluate(amounts[0])
+        if isinstance(value, Matrix) and value.shape == (4, 4):  # p = trans(T), of a pose what it shifts by
+            return value.block(range(3), [3])
     if not axis or len(amounts) != 1:
         raise EvaluationError(say(Kind.AXIS_AND_AMOUNT, function=node.function))
     kind = "Rot" if node.function == "Rot3" else node.function

@@ -60,6 +60,7 @@ def _differentiate(evaluator: Evaluating, value: Value, variable: n.Node) -> Val
     if evaluator.names.arm is not None and isinstance(variable, n.Name) and variable.key == "t":
         return _in_time(evaluator, value)
     symbol = evaluator.names.known_symbol(variable.key) if isinstance(variable, n.Name) else None
+    variable = _all_joints(evaluator, variable)
     by = evaluator.algebra.symbol(symbol) if symbol is not None else sized(evaluator.evaluate(variable))
     if symbol is not None and isinstance(variable, n.Name) and evaluator.names.turn_of(symbol, variable.key) == -1:
         value = -value
@@ -70,6 +71,18 @@ def _differentiate(evaluator: Evaluating, value: Value, variable: n.Node) -> Val
     if isinstance(value, Matrix):
         return value.map(lambda cell: evaluator.algebra.derivative(cell, by))
     return evaluator.algebra.derivative(value, by)
+
+
+def _all_joints(evaluator: Evaluating, variable: n.Node) -> n.Node:
+    """Return q for the θ by which ∂p/∂θ is, where all joints turn and the document gives θ no meaning of its own."""
+    names = evaluator.names
+    if names.arm is None or not isinstance(variable, n.Name) or variable != n.Name("theta"):
+        return variable
+    is_other = (
+        "theta" in names.state.definitions or "theta" in names.quantities or names.known_symbol("theta") is not None
+    )
+    turns = all(joint.kind == "revolute" for joint in names.arm.joints)
+    return n.Name("q", span=variable.span) if turns and not is_other else variable
 
 
 _JOINT = re.compile(r"(?:theta|q)(?:_\d+)?")  # where there is no arm, what moves, and what never does

@@ -304,6 +304,8 @@ class Kind(MessageKind):
     TO_DECIMALS = "to_decimals", "to the {decimals} decimals printed"
     TOO_FEW_DECIMALS = "too_few_decimals", "it holds to the {decimals} decimals printed, too few to tell it from a wrong one: print 3 or more, or write π/2 for 1.57"
     TO_DECIMALS_ON_A_BRANCH = "to_decimals_on_a_branch", "to the {decimals} decimals printed, on one branch of its arc functions: at {holding} of {configurations} random configurations"
+    DIGITS_OFF = "digits_off", "it nearly holds, but for more than the rounding of its numbers makes: the last digits of one may be wrong"
+    MARK_LEFT_OUT = "mark_left_out", "`{symbol}` is read as the `{name}` of line {line}: the mark is left out"
     TO_DECIMALS_THERE = "to_decimals_there", "to the decimals printed, at the configuration given before"
     WRONG_THERE = "wrong_there", "at the configuration given before", ""
     AT_LISTED_VALUES = "at_listed_values", "to the decimals printed, at the values of the code at line {line}"

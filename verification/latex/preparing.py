@@ -52,6 +52,10 @@ _BROKEN = re.compile(  # a sum goes on: a - \\\\ b
 _REPEATED = re.compile(
     r"(?P<sign>\\(?:cdot|times)(?![A-Za-z]))(?P<again>\s*\\\\(?:\[[^\]]{0,20}\])?[\s&]*(?P=sign)(?![A-Za-z]))"
 )  # A \cdot \\ \cdot B
+_PRODUCT_BROKEN = re.compile(  # A \\ &\quad \cdot B and A \cdot \\ B: a product goes on; \cdot alone in a cell are dots
+    r"(?<=[\w)}\]])(?P<sign>\s*(?:\\cdot|\\times)(?![A-Za-z]))?(?P<break>\s*\\\\(?:\[[^\]]{0,20}\])?(?:[\s&~]|\\q?quad(?![A-Za-z])|\\[,;:! ])*)"
+    r"(?(sign)(?=[\w({]|\\(?!\\|begin|end|hline|cdot|times|[lv]?dots))|(?=(?:\\cdot|\\times)(?![A-Za-z])\s*(?:[\w({]|\\(?!\\|end|hline|cdot|[lv]?dots))))"
+)
 _FULL_STOP = re.compile(r"\\ldotp(?![A-Za-z])")
 _APPLIED = re.compile(
     r"(?<![A-Za-z\\])J\{(?P<to>\s*(?:\\theta|\\Theta|[qQ])\s*)\}"
@@ -81,6 +85,7 @@ def prepared(text: str) -> str:
     text = _RATES_BELOW.sub(lambda found: found["of"] + _blank(found["break"]), text)
     text = _BROKEN.sub(lambda found: found["sign"] + _blank(found["break"]), text)
     text = _REPEATED.sub(lambda found: found["sign"] + _blank(found["again"]), text)
+    text = _PRODUCT_BROKEN.sub(lambda found: (found["sign"] or "") + _blank(found["break"]), text)
     text = _FULL_STOP.sub(lambda found: ".".ljust(len(found.group())), text)
     text = _REMARK.sub(_said_beside, _OF_PANDOC.sub(_scripts, text)) if "(" in text or "~" in text else text
     text = _without_boxes(text) if _BOX.search(text) or _BARS.search(text) else text

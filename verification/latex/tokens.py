@@ -317,7 +317,7 @@ class _Scanner:
         option = re.compile(r"\s*\[[tbclrTBCLR]\]").match(self.text, position)
         position = option.end() if option else position
         if braces:
-            specification = re.compile(r"\s*\{(?:[^{}]|\{[^{}]*\})*\}").match(self.text, position)
+            specification = re.compile(r"\s*\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}").match(self.text, position)
             position = specification.end() if specification else position
         return position
 

@@ -157,10 +157,16 @@ class Names:
     def table_angle(self, symbol: str, algebra: Algebra, key: str = "") -> Any:
         """Return the angle that the letter of a joint means."""
         value, row = algebra.symbol(symbol), self.table_row(symbol, key)
+        if self.state.counts_anew and symbol in self.state.zeros:
+            zero = self.state.zeros[symbol]
+            self.state.consulted.add((zero.key, zero.line))
+            value = value - algebra.pi() * algebra.rational(zero.turn)
         return value if row is None else value * algebra.rational(Fraction(row.sign)) + self.angle_offset(row, algebra)
 
     def variable_at(self, symbol: str, angle: Any, algebra: Algebra, key: str = "") -> Any:
         """Return the value of a joint variable where its letter has a value."""
+        if self.state.counts_anew and symbol in self.state.zeros:
+            angle = angle + algebra.pi() * algebra.rational(self.state.zeros[symbol].turn)
         row = self.table_row(symbol, key)
         return (
             angle if row is None else (angle - self.angle_offset(row, algebra)) * algebra.rational(Fraction(row.sign))

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from itertools import product
 from typing import Any
 
@@ -87,6 +88,15 @@ class Stated:
     value: float
     line: int = 0
     section: str = ""
+
+
+@dataclass(frozen=True)
+class OtherZero:
+    """The zero that an equation gives a joint's marked letter, θ_1 = θ_1' + 90°, in half turns."""
+
+    turn: Fraction
+    key: str
+    line: int
 
 
 @dataclass(frozen=True)
@@ -207,6 +217,8 @@ class DocumentState:
     Attributes:
         transforms: which index of T^i_j names the reference, where a link matrix of the document shows it.
         angles: what the letter of a joint with an offset in the DH table means, "variable" or "table", once that is shown.
+        zeros: joints → the zero from which a marked letter of theirs is counted.
+        counts_anew: whether their letters are read without the marks.
         section: the heading under which the display stands that is being checked.
         exercise: that of the exercise to which it belongs.
         apart: how many exercises that mostly have an arm of their own have begun.
@@ -217,6 +229,7 @@ class DocumentState:
         placed: names of blocks that are what convention says, as their place in a matrix showed → the line and the section of its display.
         own_shorthands: sines and cosines by their indices, c_{12}, that the text says to be something else than they usually are.
         other_sizes: usual names that are printed as a matrix of another size, each with what was said there.
+        without_value: a name → the line and the section of the display that equates it to a formula of names without a value.
         awaited: a name without a value → the matrix of letters that it is equated to, its entries once it has one, and the line.
         of_tool: a name that awaits its value → the lines that hold where the letters of its matrix are of the tool's pose.
         printed: the rotation that a matrix printed last was, or that of the pose: its entries may be the r_ij behind it.
@@ -249,6 +262,8 @@ class DocumentState:
 
     transforms: str = ""
     angles: str = ""
+    zeros: dict[str, OtherZero] = field(default_factory=dict)
+    counts_anew: bool = False
     section: str = ""
     exercise: str = ""
     apart: int = 0
@@ -260,6 +275,7 @@ class DocumentState:
     own_shorthands: frozenset[tuple[str, object]] = frozenset()
     other_sizes: dict[str, Finding] = field(default_factory=dict)
     awaited: dict[str, tuple[n.Node, int]] = field(default_factory=dict)
+    without_value: dict[str, tuple[int, str]] = field(default_factory=dict)
     of_tool: dict[str, frozenset[int]] = field(default_factory=dict)
     printed: Quantity | None = None
     entries_held: dict[Quantity | None, frozenset[int]] = field(default_factory=dict)

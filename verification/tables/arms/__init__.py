@@ -1,5 +1,6 @@
 """The arm that a document shows where its front matter names none: read from its DH table or from its link matrices."""
 
+from armproof.verification.tables.arms.against import lengths_against
 from armproof.verification.tables.arms.armless import with_armless
 from armproof.verification.tables.arms.catalogue import difference, table_of_named
 from armproof.verification.tables.arms.disputed import unless_disputed
@@ -15,6 +16,7 @@ __all__ = [
     "infer_arm",
     "is_of_no_arm",
     "joints_used",
+    "lengths_against",
     "letters_of_numbers",
     "links_of",
     "links_that_explain",

@@ -189,7 +189,9 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     if best.failed and any(each.convention == named != best.convention and each.held for each in others):
         best, *others = _as_named(named, best, others)
         if best.convention != named:
-            return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line)  # its equations speak against its text
+            return Inference(
+                document, problem=say(Kind.CONVENTION_OPEN), line=line
+            )  # its equations speak against its text
     best, rivals, is_shown = _shown_best(document, named or found[0].stated, best, others)
     best = with_point_beyond(document, best) if best.held and not rivals else best
     if best.held and not rivals:

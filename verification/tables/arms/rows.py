@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from armproof.verification.algebra.ring import Ring, Scalar
@@ -24,6 +24,7 @@ from armproof.verification.tables.row import ANGLES, PARAMETERS, SCALES
 _MARK = re.compile(r"\*|\\ast|\\star|\bvar", re.IGNORECASE)  # of a variable
 _OF_ANY_ROW = re.compile(r"(?<![A-Za-z])(q|(?:var)?theta|θ|ϑ)(?:_?\{?i\}?)?(?!\s*(?:\}\s*_|[A-Za-z_0-9₀-₉^<{(*\[']))")
 _GENERAL = frozenset("ijkn")
+_FIXED = re.compile(r"\(?(?:fixed|fixe|fest|fixiert|fij[oa]|fiss[oa]|fix[oa]|固定)\)?", re.IGNORECASE)
 _SLIDES = frozenset("dqrs")  # letters of a joint that slides; l, h and their like are lengths
 
 
@@ -113,10 +114,16 @@ def _read_row(names: Names, table: Table, columns: Columns, number: int, in_metr
     return _Row(
         number,
         {column: read_cell(names, texts[column], number, column, in_metres) for column in used},
-        read_kind(texts[kind]) if kind is not None else "",
+        (read_kind(texts[kind]) if kind is not None else "") or _fixed_beside(texts, {*used, label}),
         named.key if named is not None else "",
         texts[label] if label is not None else "",
     )
+
+
+def _fixed_beside(texts: Sequence[str], read: Collection[int | None]) -> str:
+    """Return the kind of a row that a column of another name calls fixed: "fixed" for a range, or a remark."""
+    beside = (plain(text).strip() for column, text in enumerate(texts) if column not in read)
+    return "fixed" if any(map(_FIXED.fullmatch, beside)) else ""
 
 
 def _names_in(cell: Cell) -> Iterator[n.Name]:

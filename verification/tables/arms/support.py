@@ -276,7 +276,8 @@ def _against(taken: TakenArm, records: Iterable[Record], confirmed: frozenset[in
             if each.is_of_no_arm:  # whatever the arm is: that speaks against none of its links
                 continue
             of_matrices = taken.source == "matrices"
-            links = _links_at_fault(each, record, confirmed) if of_matrices else each.links
+            own = _links_at_fault(each, record, confirmed) | (each.against - confirmed)
+            links = own if of_matrices else each.links
             if ORDER in links - confirmed:  # another order of the joints would make it right: it tells of that alone
                 links = frozenset({ORDER})
             for link in links if each.verdict is Verdict.REFUTED else ():
