@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from armproof.verification.document.arrays import array_in
 from armproof.verification.document.model import CODE, Display, Document, Table
 
 _MOTION = re.compile(  # e^{[\mathcal{S}_1]θ_1}, e^{\hat\xi_1 θ_1}, \exp([S_1]θ_1)
@@ -13,6 +14,7 @@ _MOTION = re.compile(  # e^{[\mathcal{S}_1]θ_1}, e^{\hat\xi_1 θ_1}, \exp([S_1]
 )
 _COLUMNS = {"omega": "omega", "ω": "omega", "w": "omega", "v": "v", "q": "q", "s": "screw", "xi": "twist"}
 _STYLE = re.compile(r"\\(?:math\w+|boldsymbol|bm|vec|hat|mathbf|text|left|right|,|;|!| )|[${}\\\s*]|_?i\b|_i")
+_WORDS = re.compile(r"(?<![\\A-Za-z])(?!omega|xi)[A-Za-z]{3,}(?!_)")  # Screw axis S_i
 _VECTOR = re.compile(r"[\[(]\s*(.*?)\s*[\])](?:\^(?:T|top))?")
 _NUMBERS = frozenset(["0", "1", "-1", "+1"])
 _ORDERS = {"screw": ("omega", "v"), "twist": ("v", "omega")}
@@ -21,19 +23,28 @@ _ORDERS = {"screw": ("omega", "v"), "twist": ("v", "omega")}
 def with_screws(document: Document) -> Document:
     """Return a document with a display for each table of screw axes, if its motions are the exponentials of these."""
     told = next(filter(None, (_MOTION.search(each.latex) for each in document.displays if each.opening != CODE)), None)
-    if told is None or not document.tables:
+    if told is None:
         return document
     kind = "screw" if told["screw"] else "twist"
     letter = (told["screw"] or told["twist"]).replace(" ", "")
     letter += "}" * (letter.count("{") - letter.count("}"))
-    displays = list(document.displays)
-    for table in document.tables:
-        if (latex := _in_latex(table, kind, letter)) is None:
-            continue
-        said = Display(table.line, latex, table.erratum, table.cell, table.section, file=table.file, opening="|")
-        behind = (k for k, each in enumerate(displays) if _place(each) >= (table.cell or 0, table.line))
+    displays: list[Display] = []
+    for display in document.displays:
+        array = array_in(display)
+        said = _said(array.table, kind, letter) if array is not None else None
+        displays.append(said or display)
+    for said in filter(None, (_said(table, kind, letter) for table in document.tables)):
+        behind = (k for k, each in enumerate(displays) if _place(each) >= _place(said))
         displays.insert(next(behind, len(displays)), said)
     return replace(document, displays=tuple(displays))
+
+
+def _said(table: Table, kind: str, letter: str) -> Display | None:
+    """Return the display that says the same as a table of screw axes, None of another table."""
+    latex = _in_latex(table, kind, letter)
+    if latex is None:
+        return None
+    return Display(table.line, latex, table.erratum, table.cell, table.section, file=table.file, opening="|")
 
 
 def _place(display: Display) -> tuple[int, int]:
@@ -42,7 +53,8 @@ def _place(display: Display) -> tuple[int, int]:
 
 def _in_latex(table: Table, kind: str, letter: str) -> str | None:
     r"""Return \\mathcal{S}_1 = […], \\quad … of the rows of a table; None of another table."""
-    columns = {_COLUMNS[key]: k for k, head in enumerate(table.header) if (key := _plain(head).lower()) in _COLUMNS}
+    heads = (_plain(_WORDS.sub("", head)).lower() for head in table.header)
+    columns = {_COLUMNS[key]: k for k, key in enumerate(heads) if key in _COLUMNS}
     has_place = "v" in columns or "q" in columns
     if kind not in columns and not ("omega" in columns and has_place):
         return None

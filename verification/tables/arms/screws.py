@@ -1,11 +1,10 @@
-r"""The arm of a product of exponentials, T(θ) = e^{[S_1]θ_1} … e^{[S_n]θ_n} M, whose axes are printed as twists, as ω_i with a point or a velocity, or in a table.
+r"""The arm of a product of exponentials, T(θ) = e^{[S_1]θ_1} … e^{[S_n]θ_n} M, whose axes are printed as twists, or as ω_i with a point or a velocity.
 
 Lynch and Park, Modern Robotics, ch. 4; Murray, Li and Sastry, A Mathematical Introduction to Robotic Manipulation, ch. 3.
 """
 
 from __future__ import annotations
 
-import re
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import reduce
@@ -13,26 +12,21 @@ from functools import reduce
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.ring import Ring, Scalar
-from armproof.verification.document import Document, Table
-from armproof.verification.errors import EvaluationError, ReadError
+from armproof.verification.document import Document
+from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.evaluation.screws import Twist, exponents_in, in_brackets, key_of, split, written_out
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
-from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.arms.candidate import Candidate, renamed
 from armproof.verification.tables.arms.letters import equations_of, value_in_letters
 from armproof.verification.tables.arms.poses import candidate_with_pose
-from armproof.verification.tables.check import array_in
 
 Place = tuple[int | None, int]
 Vector = tuple[Scalar, ...]
 
-_OF_A_DIRECTION, _OF_A_VELOCITY, _OF_A_POINT, _OF_A_TWIST = ("omega", "w"), ("v",), ("q", "r", "p"), ("S", "B", "xi")
-_COLUMN = re.compile(r"(?<![A-Za-z\\])\\?(omega|xi|[wvqrpSB])(?![A-Za-z])")  # the \omega_i of a header
-_STYLE = re.compile(r"\\(?:mathcal|mathbf|mathrm|boldsymbol|bm|vec|hat)\b|[\s${}]")
-_NUMBER = re.compile(r"[^\d]*(\d+)[^\d]*")
+_OF_A_DIRECTION, _OF_A_VELOCITY, _OF_A_POINT = ("omega", "w"), ("v",), ("q", "r", "p")
 
 
 @dataclass(frozen=True)
@@ -73,10 +67,6 @@ class _Printed:
                 key, told = bare_key(chain.members[0]), value_in_letters(chain.members[-1], names, algebra)
                 if key and told is not None and isinstance(told[0], Matrix | list):
                     self.values.setdefault(key, (*told, display.place))
-        self.axes: dict[str, _Axis] = {}
-        self.twists: dict[str, tuple[Vector, tuple[n.Name, ...], Place]] = {}
-        for table in (*document.tables, *(array.table for each in document.displays if (array := array_in(each)))):
-            self._note_table(table)
 
     def arm_of(self, node: n.Node, place: Place) -> Candidate | None:
         """Return the arm of a product, None where something of it is not printed; raises EvaluationError, LookupError."""
@@ -118,15 +108,15 @@ class _Printed:
         return (value, "", letters, (place,)) if is_pose and isinstance(value, Matrix) else None
 
     def _axis(self, written: n.Node) -> _Axis | None:
-        r"""Return the axis that [S_1] or \hat\xi_1 is of: as its own letter tells it, else those of its parts, else a row of a table."""
+        r"""Return the axis that [S_1] or \hat\xi_1 is of: as its own letter tells it, else those of its parts."""
         key, is_direction_first = key_of(written), in_brackets(written) is not None
         number = key.rpartition("_")[2]
-        if (told := self._part((key.rpartition("_")[0],), number, 6) or self.twists.get(number)) is not None:
+        if (told := self._part((key.rpartition("_")[0],), number, 6)) is not None:
             cells, letters, place = told
             first, second = cells[:3], cells[3:]
             twist = Twist(first, second) if is_direction_first else Twist(second, first)
             return _Axis(twist, letters, (place,))
-        return self._of_parts(number) or self.axes.get(number)
+        return self._of_parts(number)
 
     def _of_parts(self, number: str) -> _Axis | None:
         """Return the axis of the ω_1 that a display prints, beside its v_1 or a point q_1 on it."""
@@ -142,35 +132,6 @@ class _Printed:
     ) -> tuple[Vector, tuple[n.Name, ...], Place] | None:
         found = (self.values[key] for letter in letters if (key := f"{letter}_{number}") in self.values)
         return next(((_cells(value), own, place) for value, own, place in found if len(_cells(value)) == size), None)
-
-    def _note_table(self, table: Table) -> None:
-        """Keep the axes of a table with the numbers of their joints: columns of ω and v, of ω and a point q, or of six numbers."""
-        heads = [_COLUMN.search(_STYLE.sub(" ", normalise_unicode(cell))) for cell in table.header]
-        at = {head[1]: place for place, head in reversed(list(enumerate(heads))) if head is not None}
-        direction, velocity, point, whole = (
-            next((at[letter] for letter in letters if letter in at), None)
-            for letters in (_OF_A_DIRECTION, _OF_A_VELOCITY, _OF_A_POINT, _OF_A_TWIST)
-        )
-        beside = velocity if velocity is not None else point
-        for row in table.rows if not table.erratum else ():
-            number = _NUMBER.fullmatch(_STYLE.sub("", row[0]))
-            told = [
-                self._cell(row[k]) if k is not None and k < len(row) else ((), ()) for k in (direction, beside, whole)
-            ]
-            (omega, own), (other, more), (cells, letters) = told
-            if number is not None and len(omega) == len(other) == 3:
-                twist = _twist(omega, other, velocity is None)
-                self.axes.setdefault(number[1], _Axis(twist, (*own, *more), ((table.cell, table.line),)))
-            elif number is not None and len(cells) == 6:
-                self.twists.setdefault(number[1], (cells, letters, (table.cell, table.line)))
-
-    def _cell(self, text: str) -> tuple[Vector, tuple[n.Name, ...]]:
-        """Return the vector that a cell of a table holds, with its letters; nothing of another cell."""
-        try:
-            told = value_in_letters(self.names.reader.read_expression(text), self.names, self.algebra)
-        except (ReadError, RecursionError):
-            told = None
-        return (_cells(told[0]), told[1]) if told is not None else ((), ())
 
 
 def _cells(value: Value) -> Vector:
