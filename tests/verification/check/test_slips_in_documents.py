@@ -19,14 +19,17 @@ TABLE = """# An arm
 
 """
 PLANAR = "$$ x = l_1 c_1 + l_2 c_{12} $$\n$$ y = l_1 s_1 + l_2 s_{12} $$\n"
-LEG = TABLE.replace("$d_1$ | $0$ | $\\pi/2$", "0 | $a_1$ | $-90°$").replace("l_2", "a_2").replace(
-    "$0$ | $l_3$", "$d_3$ | $a_3$"
-) + r"""$$ p_x = c_1 (a_1 + a_2 c_2 + a_3 c_{23}) - d_3 s_1 $$
+LEG = (
+    TABLE.replace("$d_1$ | $0$ | $\\pi/2$", "0 | $a_1$ | $-90°$")
+    .replace("l_2", "a_2")
+    .replace("$0$ | $l_3$", "$d_3$ | $a_3$")
+    + r"""$$ p_x = c_1 (a_1 + a_2 c_2 + a_3 c_{23}) - d_3 s_1 $$
 $$ p_y = s_1 (a_1 + a_2 c_2 + a_3 c_{23}) + d_3 c_1 $$
 In the plane of the leg
 $$ R = \sqrt{p_x^2 + p_y^2 - d_3^2} - a_1 $$
 so that
 """
+)
 KHALIL = """Convention de Khalil-Kleinfinger.
 
 | $j$ | $\\alpha_j$ | $d_j$ | $\\theta_j$ | $r_j$ |

@@ -50,7 +50,9 @@ def _heights_by_reach(values: Mapping[str, Scalar], first: str, algebra: ExactAl
     apart = [len(lengths_in(way - z)) for way in ways]
     for way in (way for way, count in zip(ways, apart, strict=True) if count == min(apart)):
         is_slip = is_near(Pair(as_matrix(way), as_matrix(z))) or _lacks_one_link(z, way)
-        if is_slip and symbols_in([z]) - {first} <= symbols_in([way]):  # the first joint, which turns about z, lifts nothing
+        if is_slip and symbols_in([z]) - {first} <= symbols_in(
+            [way]
+        ):  # the first joint, which turns about z, lifts nothing
             yield way
 
 

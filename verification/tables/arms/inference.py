@@ -186,7 +186,9 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     if best.failed and any(each.convention == named != best.convention and each.held for each in others):
         best, *others = _as_named(named, best, others)
         if best.convention != named:
-            return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line)  # its equations speak against its text
+            return Inference(
+                document, problem=say(Kind.CONVENTION_OPEN), line=line
+            )  # its equations speak against its text
     best, rivals, is_shown = _shown_best(document, named or found[0].stated, best, others)
     best = with_point_beyond(document, best) if best.held and not rivals else best
     if best.held and not rivals:
@@ -201,7 +203,7 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     is_pinned = found[0].source == "closed form" and not found[0].is_alone  # then one line alone may be what is wrong
     if rivals or not (best.held or is_shown or (is_pinned and best.failed == 1)):
         return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line, unfit=unfit)
-    if best.contradicted > max(best.held, int(is_pinned)) + found[0].in_words:  # words hold, too
+    if best.failed > max(best.held, int(is_pinned)) + found[0].in_words and not best.is_near:  # words hold, too
         problem = say(Kind.ARM_DOES_NOT_FIT, held=best.held, failed=best.failed)
         return Inference(document, problem=problem, line=line, unfit=unfit)
     return taken
