@@ -206,7 +206,7 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     is_pinned = found[0].source == "closed form" and not found[0].is_alone  # then one line alone may be what is wrong
     if rivals or not (best.held or is_shown or (is_pinned and best.failed == 1)):
         return Inference(document, problem=say(Kind.CONVENTION_OPEN), line=line, unfit=unfit)
-    if best.contradicted > max(best.held, int(is_pinned)) + found[0].in_words:  # words hold, too
+    if best.failed > max(best.held, int(is_pinned)) + found[0].in_words and not best.is_near:  # words hold, too
         problem = say(Kind.ARM_DOES_NOT_FIT, held=best.held, failed=best.failed)
         return Inference(document, problem=problem, line=line, unfit=unfit)
     return taken

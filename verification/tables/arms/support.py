@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -18,6 +17,7 @@ from armproof.verification.equations.sides import Members
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.tables.arms.own_letters import has_index_of_another, has_other_sign
 from armproof.verification.verdict import AXES, HOLDS, EquationResult, Record, Role, TakenArm, Verdict, worst
 
 
@@ -39,7 +39,6 @@ class Inference:
 FRAMES, ORDER, TOLD = 0, -1, -2
 HEIGHTS = -6  # of which coordinates an equation tells what they hold without a joint, x first
 _MOVES = ("jacobian", "velocity", "determinant")
-_LENGTH = re.compile(r"(?<![A-Za-z\\])([adlrADLR])_\{?(\d)\}?")
 _TURNS = frozenset(["rotation", "axis"])
 
 
@@ -264,6 +263,7 @@ def settle_data(
         {key: each.links for each in claims for key in each.defines},
         _never_as_usual(inferred, equations),
         _against(taken, equations, confirmed),
+        _in_several_entries(taken, equations),
     )
     return tuple(map(settled.display, equations)), tuple(map(settled.table, tables))
 
@@ -281,6 +281,17 @@ def _against(taken: TakenArm, records: Iterable[Record], confirmed: frozenset[in
             if ORDER in links - confirmed:  # another order of the joints would make it right: it tells of that alone
                 links = frozenset({ORDER})
             for link in links if each.verdict is Verdict.REFUTED else ():
+                found[link] = found.get(link, frozenset()) | {record.line}
+    return found
+
+
+def _in_several_entries(taken: TakenArm, records: Iterable[Record]) -> Mapping[int, frozenset[int]]:
+    """Return, for each printed link matrix, the lines that do not hold with it in more than one entry: it, or they, may be wrong."""
+    found: dict[int, frozenset[int]] = {}
+    for record in records if taken.source == "matrices" else ():
+        for each in record.outcomes if not record.erratum else ():
+            several = sum(entry.equation == each.index for entry in record.entries) > 1
+            for link in each.links if several and each.verdict is Verdict.REFUTED else ():
                 found[link] = found.get(link, frozenset()) | {record.line}
     return found
 
@@ -364,6 +375,7 @@ class _Settled:
         named: what defined names tell of.
         never_as_usual: the names that convention binds and that are none of the arm's.
         against: the lines that do not hold, for each link that they tell of.
+        in_doubt: those that do not hold of a link in several entries.
     """
 
     taken: TakenArm
@@ -372,6 +384,7 @@ class _Settled:
     named: Mapping[tuple[str, int], frozenset[int]]
     never_as_usual: frozenset[str] = frozenset()
     against: Mapping[int, frozenset[int]] = field(default_factory=dict)
+    in_doubt: Mapping[int, frozenset[int]] = field(default_factory=dict)
 
     def table(self, record: Record) -> Record:
         """Return the record of a table: data, or another table, which is not refuted by this one."""
@@ -418,8 +431,7 @@ class _Settled:
         is_own = self.taken.source == "matrices" and not (links - self.confirmed) & self.taken.mended
         is_own = is_own and not _links_at_fault(result, record, self.confirmed)
         is_slip = self._is_slip(links, result, record) or self._is_off_its_place(doubtful, result, record)
-        is_slip = is_slip or self._has_index_of_another(doubtful, result, record)
-        is_slip = is_slip or self._has_other_sign(doubtful, result, record)
+        is_slip = is_slip or self._has_slip_in_length(doubtful, result, record)
         is_sure = has_sides and (is_own or not doubtful or is_slip)
         is_sure = is_sure and (not self.taken.told_by or TOLD in self.confirmed)
         is_sure = is_sure or result.is_of_no_arm
@@ -464,36 +476,16 @@ class _Settled:
             return False
         return AXES - (wrong[0].row - 1) in self.confirmed
 
-    def _has_index_of_another(self, doubtful: frozenset[int], result: EquationResult, record: Record) -> bool:
-        """Whether one length of a link is that of another row, d_6 for d_4, where the table has it, and in this row that of its own index."""
-        wrong = [entry for entry in record.entries if entry.equation == result.index]
-        if self.taken.source != "table" or len(doubtful) != 1 or len(wrong) != 1:
-            return False
-        link, rows = min(doubtful), self.taken.front["arm"]["rows"]
-        printed, correct = ({*_LENGTH.findall(text)} for text in (wrong[0].printed, wrong[0].correct))
-        if link < 1 or not len(printed) == len(correct) == 1 or wrong[0].finding is None:
-            return False
-        (letter, index), (own_letter, own) = printed.pop(), correct.pop()
-        own_indices = {link, link - 1} if own_letter == "a" and self.taken.convention == "modified" else {link}
-        elsewhere = {str(row[role]) for place, row in enumerate(rows, 1) for role in "ad" if place != link}
-        is_its_own = int(own) in own_indices and int(index) not in own_indices
-        return letter == own_letter and is_its_own and f"{letter}_{index}" in elsewhere
-
-    def _has_other_sign(self, doubtful: frozenset[int], result: EquationResult, record: Record) -> bool:
-        """Whether one length of a link has the other sign of that in its row, d_2 in row 2: the table says what the letter is, and no other line speaks against it."""
+    def _has_slip_in_length(self, doubtful: frozenset[int], result: EquationResult, record: Record) -> bool:
+        """Whether one length of a link alone is other than its row says, which tells what the author calls it."""
         wrong = [entry for entry in record.entries if entry.equation == result.index]
         if self.taken.source != "table" or len(doubtful) != 1 or len(wrong) != 1 or wrong[0].finding is None:
             return False
-        arm = self.taken.front["arm"]
-        link, rows = min(doubtful) - ("base" in arm), arm["rows"]
-        lengths = {*_LENGTH.findall(wrong[0].correct)}
-        is_sign = wrong[0].finding.kind is Kind.WRONG_SIGN and {*_LENGTH.findall(wrong[0].printed)} == lengths
-        if link < 1 or not is_sign or len(lengths) != 1 or self.against.get(min(doubtful)) != frozenset({record.line}):
-            return False
-        ((letter, index),) = lengths
-        own_indices = {link, link - 1} if letter.lower() in "al" and self.taken.convention == "modified" else {link}
-        plain = {str(rows[link - 1][role]) for role in "ad"}
-        return int(index) in own_indices and f"{letter}_{index}" in plain
+        link = min(doubtful)
+        is_alone = self.against.get(link) == frozenset({record.line})  # else the row may be what is wrong
+        return has_index_of_another(self.taken, link, wrong[0]) or (
+            is_alone and has_other_sign(self.taken, link, wrong[0])
+        )
 
     @property
     def _pinned(self) -> frozenset[int]:
@@ -503,7 +495,10 @@ class _Settled:
         return frozenset({*range(1, len(rows) + 1), AXES, AXES - 1, *([AXES - 2] if turns_up else [])})
 
     def _data(self, index: int, links: frozenset[int] = frozenset()) -> EquationResult:
-        lines = sorted(frozenset[int]().union(*(self.against.get(link, ()) for link in links - self.confirmed)))
+        doubts = (
+            lines.get(link, frozenset()) for lines in (self.against, self.in_doubt) for link in links - self.confirmed
+        )
+        lines = sorted(frozenset[int]().union(*doubts))
         is_known = self.taken.in_words or (self.is_used and not lines)
         verdict = Verdict.DEFINED if is_known else Verdict.UNCHECKED
         gives = say(Kind.GIVES_ARM, convention=self.taken.convention)

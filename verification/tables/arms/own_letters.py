@@ -1,0 +1,36 @@
+"""Slips in the one length of a link, which its row of a table tells: d_2 in row 2 is what the author calls that length."""
+
+from __future__ import annotations
+
+import re
+
+from armproof.verification.findings import Kind
+from armproof.verification.verdict import TakenArm, WrongEntry
+
+_LENGTH = re.compile(r"(?<![A-Za-z\\])([adlrADLR])_\{?(\d)\}?")
+
+
+def has_index_of_another(taken: TakenArm, link: int, wrong: WrongEntry) -> bool:
+    """Whether the length is that of another row, d_6 for d_4, where the table has it, and in this row that of its own index."""
+    rows = taken.front["arm"]["rows"]
+    printed, correct = ({*_LENGTH.findall(text)} for text in (wrong.printed, wrong.correct))
+    if link < 1 or not len(printed) == len(correct) == 1:
+        return False
+    (letter, index), (own_letter, own) = printed.pop(), correct.pop()
+    own_indices = {link, link - 1} if own_letter == "a" and taken.convention == "modified" else {link}
+    elsewhere = {str(row[role]) for place, row in enumerate(rows, 1) for role in "ad" if place != link}
+    is_its_own = int(own) in own_indices and int(index) not in own_indices
+    return letter == own_letter and is_its_own and f"{letter}_{index}" in elsewhere
+
+
+def has_other_sign(taken: TakenArm, link: int, wrong: WrongEntry) -> bool:
+    """Whether the length has the other sign of that in its row, where that holds its own letter alone."""
+    arm = taken.front["arm"]
+    row, rows = link - ("base" in arm), arm["rows"]  # a base of its own is no row
+    lengths = {*_LENGTH.findall(wrong.correct)}
+    is_sign = wrong.finding is not None and wrong.finding.kind is Kind.WRONG_SIGN
+    if not 1 <= row <= len(rows) or not is_sign or len(lengths) != 1 or {*_LENGTH.findall(wrong.printed)} != lengths:
+        return False
+    ((letter, index),) = lengths
+    own_indices = {row, row - 1} if letter in "alAL" and taken.convention == "modified" else {row}
+    return int(index) in own_indices and f"{letter}_{index}" in {str(rows[row - 1][role]) for role in "ad"}
