@@ -20,7 +20,13 @@ from armproof.verification.equations.any_jacobian import (
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.compositions import is_composition
 from armproof.verification.equations.differentials import is_of_rates, with_rates
-from armproof.verification.equations.each_joint import holds_for_each_joint, index_of, slip_of_law, with_inverses, without_letters
+from armproof.verification.equations.each_joint import (
+    holds_for_each_joint,
+    index_of,
+    slip_of_law,
+    with_inverses,
+    without_letters,
+)
 from armproof.verification.equations.elementary import is_elementary_rotation
 from armproof.verification.equations.general_links import GeneralStatements, of_link_i
 from armproof.verification.equations.given_values import GivenValues
