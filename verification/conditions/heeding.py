@@ -155,10 +155,13 @@ class Heeding:
         self.names.state.told_lengths |= {name: told[name] for name in told if name in self.given.lengths}
 
     def _stands_already(self, heard: _Heard) -> bool:
-        """Whether a text only says again what follows from the values that stand: "with $\\theta_3 = 90°$", "so that $c_3 = 0$"."""
+        """Whether a text only says again what follows from the values that stand: "so that $c_3 = 0$"."""
         standing = self.names.state.told.standing
         given = self._values(standing)
         if not heard.conditions or heard.in_words or not given:
+            return False
+        told = self._values(heard.conditions).keys() & {*self.given.joints}
+        if told and not given.keys() & {*self.given.joints} <= told:  # "For θ_1 = 30°": nobody knows what θ_2 is now
             return False
         return all(self._follows(each, standing, given) for each in heard.conditions)
 

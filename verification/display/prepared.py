@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TypeGuard
 
+from armproof.verification.display.arc_ranges import is_range_of_arc
 from armproof.verification.equations.index_ranges import without_index_range
 from armproof.verification.evaluation.calls import WHOLE_VECTORS
 from armproof.verification.latex import nodes as n
@@ -198,6 +199,9 @@ def _without_for_all(statements: list[n.Statement], names: Names) -> list[n.Stat
     while index < len(statements):
         after = index + 1
         statement = statements[index]
+        if is_range_of_arc(statement, kept[-1] if kept else None):
+            index = after
+            continue
         if len(statements) > 1 and _is_whole_number(statement, names):
             if kept and isinstance(quantifier := kept[-1], n.Connective) and quantifier.text in ("exists", "forall"):
                 kept.pop()

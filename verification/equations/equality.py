@@ -10,7 +10,7 @@ from typing import Any
 
 from armproof.verification.algebra.angles import cos_sin, has_arcs
 from armproof.verification.algebra.calculus import symbols_in
-from armproof.verification.algebra.matrix import Identity, Matrix
+from armproof.verification.algebra.matrix import Identity, Matrix, is_zero
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import (
@@ -71,7 +71,8 @@ class Equality:
         pairs = [self._with_last_coordinate(true.node, pair) for pair in pairs]
         if true.rank < 4:  # only a quantity of the arm may be met in another shape
             rotations, reshaped = _is_made_of_rotations(true.node), pairs
-            pairs = [pair for pair in pairs if not pair.note or (rotations and pair.note == ROTATION)]
+            notes = [ROTATION] if rotations else [HOMOGENEOUS] if _is_of_point(true.node) else []
+            pairs = [pair for pair in pairs if not pair.note or (pair.note in notes and not _is_direction(pair))]
             if not pairs:
                 return self._of_wrong_size(outcome, true, printed, reshaped)
         distances: list[dict[tuple[int, int], Any]] = []
@@ -225,3 +226,15 @@ def _is_made_of_rotations(node: n.Node) -> bool:
 
 def _is_zero(value: Value) -> bool:
     return isinstance(value, Scalar) and value.is_zero()
+
+
+def _is_of_point(node: n.Node) -> bool:
+    """Whether a tree is a point, or one that transforms take to another frame: {}^AP = {}^A_BT {}^BP, of which the 1 below is left to the reader."""
+    node = bare(node)
+    name = bare(node.factors[-1]) if isinstance(node, n.Product) else node
+    return isinstance(name, n.Name) and name.base in ("p", "P") and not name.dots
+
+
+def _is_direction(pair: Pair) -> bool:
+    """Whether a column of homogeneous coordinates has no 1 below."""
+    return pair.note == HOMOGENEOUS and is_zero(pair.printed.rows[3][0])

@@ -68,7 +68,7 @@ def product_value(evaluator: Evaluating, node: n.Product) -> Value:
             raise UnboundName(before.key + "(0)")  # θ(0) is no product: it is the value at the time 0
         value = evaluator.evaluate(factor)
         is_vector = isinstance(value, Matrix) and value.shape == (3, 1)
-        if evaluator.names.arm is None and _is_point(factor) and _is_pose(result) and is_vector:
+        if is_vector and _is_point(factor) and _is_pose(result):
             result = result.block(range(3), range(3)) @ value + result.block(range(3), range(3, 4))
             continue  # {}^AP = {}^A_BT {}^BP, of which the 1 below is left to the reader
         if isinstance(bare(factor), n.Name) and not isinstance(value, Matrix | Identity) and _is_pose(result):

@@ -1,4 +1,4 @@
-r"""Angles up to multiples: θ = 0 [π], θ ≡ π (2π), θ = 0 \pmod{2π} are read as θ = 0 + kπ, every character at its place."""
+r"""Angles up to multiples: θ = 0 [π], θ ≡ π (2π), θ = 0 \pmod{2π} are read as θ = 0 + kπ; of 0, π, … the first are all, every character at its place."""
 
 from __future__ import annotations
 
@@ -16,6 +16,11 @@ _CONGRUENT = re.compile(
     rf"|\\(?:mod|bmod)(?![A-Za-z])\s*\{{?\s*(?P<bare>{_MODULUS})\s*\}}?|\({_GAP}{_WORD}{_GAP}(?P<said>{_MODULUS}){_GAP}\)"
     rf"|\[{_GAP}{_WORD}{_GAP}(?P<told>{_MODULUS}){_GAP}\]|{_WORD}{_GAP}(?P<spoken>{_MODULUS})){_END}"
 )
+_DEGREES = r"\s*(?:°|\^\s*\{?\s*\\circ\s*\}?)"
+_TURNS = rf"(?:\\pm\s*)?(?:\d?\s*{_PI}|(?:360|540|720){_DEGREES})"
+_AND_SO_ON = re.compile(  # 0, π, …: what goes on are whole turns more
+    rf"(?P<listed>=\s*0(?:{_DEGREES})?\s*,\s*(?:\\pm\s*)?(?:{_PI}|180{_DEGREES})(?:\s*,\s*{_TURNS})*)(?P<dots>\s*,\s*(?:\\(?:[lc]?dots|dotsc)(?![A-Za-z])|…|\.\.\.))"
+)
 _BESIDE = re.compile(rf"(?<=[\w)}}\]])(?P<gap>{_GAP})(?P<last>\\[,;:! ]|[\s~])(?=\[\s*{_MODULUS}\s*\]{_END})")
 
 
@@ -24,6 +29,7 @@ def with_multiples(text: str) -> str:
 
     Behind what is no constant a modulus stands beside the equation.
     """
+    text = _AND_SO_ON.sub(lambda found: found["listed"] + " " * len(found["dots"]), text)
     if "\\pi" not in text and "π" not in text:
         return text
     letter = next((each for each in "knm" if re.search(rf"(?<![A-Za-z\\]){each}(?![A-Za-z])", text) is None), "k")
