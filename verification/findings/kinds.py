@@ -652,6 +652,7 @@ class Kind(MessageKind):
     FOR_ARM_OF = "for_arm_of", "for the arm of the {source} at line {line}"
     NO_ARM_IN_TABLE = "no_arm_in_table", "no arm can be built of the table: {reason}"
     CONVENTION_OPEN = "convention_open", "the table gives the arm, but nothing that is decided tells its convention: write `convention: classic` or `convention: modified` in the front matter"
+    CONVENTION_DISPUTED = "convention_disputed", "the text tells the {told} convention of DH tables, and the equations hold by the other alone: text or equations are wrong; write `convention: classic` or `convention: modified` in the front matter"
     LENGTH_MOVES = "length_moves", "what is shown of the arm has `{name}` as a length, and its rate stands in an equation: name the arm in the front matter"
     ARM_DOES_NOT_FIT = "arm_does_not_fit", "taken for the document's arm, the table fits {held} equations and contradicts {failed}: name the arm in the front matter"
     OTHER_THAN_SOURCE = "other_than_source", "differs from the {source} at line {line}, and nothing else that is decided tells which is right"
