@@ -291,5 +291,12 @@ def _unreadable(display: Display, error: ReadError) -> Finding:
 def _is_spoken_of(display: Display) -> bool:
     """Whether the text around a display may say that it is so elsewhere, in a case, of something else, or not at all."""
     elsewhere = display.of_other_point or display.in_other_frame
-    says = display.said_next or display.supposed or display.meant or display.denied or display.strange
+    says = (
+        display.said_next
+        or display.supposed
+        or display.meant
+        or display.directions
+        or display.denied
+        or display.strange
+    )
     return bool(elsewhere or says or display.may_not_print)

@@ -141,7 +141,10 @@ class DocumentChecker:
         except DocumentError as error:
             raise document.fault(error.key or "quantities", error) from None
         self.names = replace(self.names, is_part=self.inferred.arm is not None and self.inferred.arm.is_part)
-        self.names = replace(self.names, lacks_base=lacks_base(document, arm, self.inferred))
+        is_of_formulas = self.inferred.arm is not None and self.inferred.arm.source == "closed form"
+        self.names = replace(
+            self.names, lacks_base=lacks_base(document, arm, self.inferred), is_of_formulas=is_of_formulas
+        )
         if shown_transforms(self.inferred):  # by what the arm was taken from, and not stated by the author
             self.names = replace(self.names, stated_transforms="")
         self.names.reader.spelling = spelling_of(document, self.names.reader.words)

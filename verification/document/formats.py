@@ -25,7 +25,8 @@ from armproof.verification.document.model import CODE, INLINE, Called, Display, 
 from armproof.verification.document.moving_on import OF_MOTION
 from armproof.verification.document.named_quantities import NAMED
 from armproof.verification.document.notebook import read_notebook, read_percent
-from armproof.verification.document.other_meanings import MAY_ASK, MAY_MEAN, with_other_meanings
+from armproof.verification.document.orientations import MAY_ORIENT, told_orientations
+from armproof.verification.document.other_meanings import MAY_ASK, MAY_MEAN, told_below, with_other_meanings
 from armproof.verification.document.rst import read_rst
 from armproof.verification.document.screw_tables import with_screws
 from armproof.verification.document.sentences import (
@@ -115,6 +116,8 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     small = text.lower()
     if MAY_MEAN.search(small) or MAY_ASK.search(small):
         document = with_other_meanings(document, text)
+    if MAY_ORIENT.search(small):
+        document = with_directions(document, text)
     if (images := sum(not shows_its_latex(each) for each in _IMAGE.findall(text))) and suffix != ".py":
         told = say(Kind.IMAGES, count=images) if images > 1 else say(Kind.IMAGE)
         document = replace(document, remarks=(*document.remarks, told))
@@ -123,6 +126,17 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     convention = told_convention(text) if MAY_TELL.search(text) else ""
     document = replace(document, named=named_arms(text), planar=planar, headings=headings, convention=convention)
     return with_accepts(document, text.replace("\r\n", "\n"), suffix) if MARK in text else document
+
+
+def with_directions(document: Document, text: str) -> Document:
+    """Return a document whose displays know what the text of their section tells of directions."""
+    told = [*told_below(text, told_orientations)]
+    return replace(document, displays=tuple(_directed(each, told) for each in document.displays)) if told else document
+
+
+def _directed(display: Display, told: Sequence[tuple[str, int, float]]) -> Display:
+    own = [each for each, begin, end in told if begin <= display.line < end or display.file or display.cell is not None]
+    return replace(display, directions=() if display.erratum else tuple(dict.fromkeys(own)))
 
 
 def _headings(text: str) -> Iterator[tuple[int, str]]:

@@ -65,6 +65,7 @@ class Display:
     meant: tuple[
         str, ...
     ] = ()  # the letters that the text gives another meaning than the arm has for them, and of which link or operation it speaks
+    directions: tuple[str, ...] = ()  # what the text of its section tells of axes, of angles and of the arm at zero
     opening: str = "$$"  # what it begins with in the file
     file: str = ""  # in which it stands, below the document's folder, where a main file inputs others; `cell` counts the changes
     said: tuple[str, ...] = ()  # the equations and postures in the text between the display before and this one

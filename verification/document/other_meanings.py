@@ -6,7 +6,7 @@ It holds from the heading above it on. What frame or point a text speaks of, it 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import inf
@@ -141,6 +141,16 @@ def _reach(line: int, text: str) -> tuple[int, float]:
     headings = [*_headings(text)]
     begin, level = next((each for each in reversed(headings) if each[0] <= line), (0, 0))
     return begin, next((at for at, own in headings if at > line and own <= level), inf)
+
+
+def told_below(text: str, tells: Callable[[str], Iterable[str]]) -> Iterator[tuple[str, int, float]]:
+    """Yield what sentences tell, each with the lines of the section, from its heading on, of which it holds."""
+    shown = _SHOWN.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
+    for found in _SENTENCE.finditer(shown):
+        sentence = found.group()
+        for each in tells(sentence) if len(sentence) <= MOST_CHARACTERS else ():
+            line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
+            yield each, *_reach(line, text)
 
 
 def _headings(text: str) -> Iterator[tuple[int, int]]:

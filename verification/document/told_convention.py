@@ -6,7 +6,7 @@ import re
 
 MAY_TELL = re.compile(r"craig|modifi|khalil|proximal|classi|standard|distal|spong|paul|original", re.IGNORECASE)
 _OF_FRAMES = re.compile(
-    r"conven[tcz]|denavit|\bd-?h\b|\b(?:notations?|param[eè]\w+) (?:of|de|von) (?:craig|khalil)", re.IGNORECASE
+    r"[ck]onven[tcz]|denavit|\bd-?h\b|\b(?:notations?|param[eè]\w+) (?:of|de|von) (?:craig|khalil)", re.IGNORECASE
 )
 _MODIFIED = re.compile(r"\b(?:craig|modifi\w+|khalil|proximal)\b", re.IGNORECASE)
 _CLASSIC = re.compile(

@@ -42,7 +42,7 @@ class Names:
 
     `general` marks the names of its general statements, which are about no arm; they share the state but have free letters
     of their own. `is_part`: whether the arm is only the first part of the one that the document is about;
-    `lacks_base`: whether that has joints before the arm's first.
+    `lacks_base`: whether that has joints before the arm's first; `is_of_formulas`: whether coordinates gave the arm.
     """
 
     arm: Arm | None
@@ -54,6 +54,7 @@ class Names:
     general: bool = False
     is_part: bool = False
     lacks_base: bool = False
+    is_of_formulas: bool = False
 
     @property
     def base(self) -> str:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
 from armproof.models.arm import Arm
-from armproof.verification.document import Display, Document
+from armproof.verification.document import Display, Document, Table
 from armproof.verification.document.other_meanings import COLUMNS
 from armproof.verification.errors import DocumentError, ReadError
 from armproof.verification.findings import Kind, finding_of, say
@@ -86,6 +86,7 @@ _ROW_OF_COLUMNS = re.compile(  # [J_1 & J_2]
 )
 _QUATERNION = {*"0123"}
 _BARE = re.compile(r"(?<![\d.\w^{])[1-9]\d+(?:\.\d+)?(?![\d.]|\s*(?:\}?\s*\^|°|\\degree))")
+_UNIT_OF_COLUMN = re.compile(r"(?<![A-Za-z])(mm|cm)(?![A-Za-z])")
 _OF_ANGLES = frozenset("30 45 60 90 120 135 180 270 360".split())
 
 
@@ -142,7 +143,7 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
     lengths = frozenset(f"{letter}_{index}" for letter, index in _LENGTH.findall(text))
     return Spelling(
         words, frozenset(apart), comma, variables, angle, sums, _masses(said), own, _refers_below(document.displays), lengths,
-        frozenset(_SCREW.findall(text)), _own_unit(document.displays), frozenset(of_theta | of_q | of_cosine), _normals(said),
+        frozenset(_SCREW.findall(text)), _own_unit(document.displays, document.tables), frozenset(of_theta | of_q | of_cosine), _normals(said),
         dressed_letters(texts), starred_names(texts), _of_two_velocities(texts),
         frozenset(f"{letter}_{axis}" for letter, axis in _LOAD.findall(said)) | _moments(texts),
         frozenset(_columns(document.displays)), bool(of_theta) and of_q == _QUATERNION,
@@ -180,7 +181,7 @@ def _of_two_velocities(texts: Iterable[str]) -> frozenset[str]:
     return frozenset(script for script, is_angular in kinds.items() if len(is_angular) > 1)
 
 
-def _own_unit(displays: Iterable[Display]) -> str:
+def _own_unit(displays: Sequence[Display], tables: Iterable[Table]) -> str:
     """Return mm where a document calculates in it: a number that it gives in mm, or that leads to one, stands without the unit."""
     measured: set[tuple[str, str]] = set()
     bare: set[str] = set()
@@ -192,8 +193,20 @@ def _own_unit(displays: Iterable[Display]) -> str:
             alone = set(_BARE.findall(_IN_UNIT.sub("", latex))) - _OF_ANGLES if latex is display.latex else set()
             is_beside = is_beside or bool(found and alone)
             bare |= alone
+    of_tables = {unit for number, unit in _lengths_of(tables) if number in bare}
+    if len(of_tables) == 1:  # then what a display gives in metres is not what it stands beside
+        return of_tables.pop()
     units = {unit for _, unit in measured}
     return units.pop() if units in ({"mm"}, {"cm"}) and (is_beside or bare & {number for number, _ in measured}) else ""
+
+
+def _lengths_of(tables: Iterable[Table]) -> Iterator[tuple[str, str]]:
+    """Yield the numbers of tables whose unit, mm or cm, their header says, with it."""
+    for table in tables:
+        units = [_UNIT_OF_COLUMN.search(header) for header in table.header]
+        for row in table.rows:
+            cells = [(cell, unit[1]) for cell, unit in zip(row, units, strict=False) if unit is not None]
+            yield from ((number, unit) for cell, unit in cells for number in _BARE.findall(cell))
 
 
 def _masses(said: str) -> frozenset[str]:

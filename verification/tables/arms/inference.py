@@ -60,7 +60,8 @@ def infer_arm(document: Document) -> Inference:
 
 def _inferred(document: Document) -> Inference:
     of_table = _of_tables(document)
-    if of_table.arm is not None:
+    is_disputed = of_table.problem is not None and of_table.problem.kind is Kind.CONVENTION_DISPUTED
+    if of_table.arm is not None or is_disputed:  # the matrices are the equations that may be wrong
         return of_table
     if (of_screws := candidate_of_screws(document, plain_names(document))) is not None:
         return _settle(document, [of_screws])
@@ -186,12 +187,10 @@ def _settle(document: Document, found: list[Candidate]) -> Inference:
     if is_told:
         return _taken(document, found, best, bool(more)) if found[0].told_by in best.joints else Inference(document)
     named = document.convention if found[0].source == "table" else ""
-    if best.failed and any(each.convention == named != best.convention and each.held for each in others):
+    if best.failed:
         best, *others = _as_named(named, best, others)
-        if best.convention != named:
-            return Inference(
-                document, problem=say(Kind.CONVENTION_OPEN), line=line
-            )  # its equations speak against its text
+    if _speaks_against(best, others, named, found[0].stated):
+        return Inference(document, problem=say(Kind.CONVENTION_DISPUTED, told=named), line=line)
     best, rivals, is_shown = _shown_best(document, named or found[0].stated, best, others)
     best = with_point_beyond(document, best) if best.held and not rivals else best
     if best.held and not rivals:
@@ -222,6 +221,14 @@ def _as_named(convention: str, best: Reading, others: list[Reading]) -> list[Rea
         return [best, *others]
     own = [each for each, is_own in zip(others, is_as_good, strict=True) if is_own]
     return [*own, best, *(each for each, is_own in zip(others, is_as_good, strict=True) if not is_own)]
+
+
+def _speaks_against(best: Reading, others: Sequence[Reading], told: str, stated: str) -> bool:
+    """Whether equations hold by another convention than the author tells in words: text or equations are wrong, unless the header of the table sides with these."""
+    of_told = [each for each in others if each.convention == told != best.convention]
+    if best.failed and any(each.held for each in of_told):
+        return True
+    return stated in ("", told) and bool(of_told) and all(each.counts != best.counts for each in of_told)
 
 
 def _shown_best(

@@ -253,6 +253,8 @@ def settle_data(
     """Return the records of displays and tables, what the arm was taken from as data among them."""
     equations, tables, taken = tuple(equations), tuple(tables), inferred.arm
     if taken is None:
+        if inferred.problem is not None and inferred.problem.kind is Kind.CONVENTION_DISPUTED:
+            equations = tuple(_unless_it_rests_on(inferred.problem, record) for record in equations)
         return _told(inferred, equations), _told(inferred, tables)
     claims = [each for record in equations for each in record.outcomes if not _is_data(taken, record, each.links)]
     confirmed = frozenset(link for each in claims if each.verdict in HOLDS for link in each.links)
@@ -348,6 +350,25 @@ def _told(inferred: Inference, records: tuple[Record, ...]) -> tuple[Record, ...
         if record.line == inferred.line and record.verdict is Verdict.UNCHECKED
         else record
         for record in records
+    )
+
+
+def _unless_it_rests_on(problem: Finding, record: Record) -> Record:
+    """Leave open what a document says of an arm that its text denies: what its displays define, and what is made of that."""
+    if record.erratum:
+        return record
+    rests = [each.verdict is Verdict.DEFINED or (each.verdict in HOLDS and bool(each.uses)) for each in record.outcomes]
+    if not any(rests):
+        return record
+    outcomes = tuple(
+        replace(each, verdict=Verdict.UNCHECKED, findings=(problem,)) if is_open else each
+        for each, is_open in zip(record.outcomes, rests, strict=True)
+    )
+    return replace(
+        record,
+        outcomes=outcomes,
+        verdict=worst([each.verdict for each in outcomes]),
+        findings=(problem, *record.findings),
     )
 
 

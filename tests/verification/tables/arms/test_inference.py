@@ -109,6 +109,7 @@ def test_the_author_breaks_a_tie() -> None:
         ("The frames follow the modified DH convention.", "modified"),
         ("Les repères sont placés selon la convention de Craig.", "modified"),
         ("We use the standard Denavit-Hartenberg parameters.", "classic"),
+        ("Wir verwenden die modifizierte Konvention von Craig.", "modified"),
         ("We use the classical, and not the modified convention.", ""),
         ("See W. Khalil, E. Dombre, Modélisation et commande.", ""),
         ("The parameters are modified below.", ""),
@@ -124,6 +125,12 @@ def test_equations_that_speak_against_the_convention_of_the_text_decide_nothing(
     assert "refuted" in verdicts(verify_text(PLAIN + "\n" + of_both))
     assert set(verdicts(verify_text(text + PLAIN + "\n" + of_both))) == {"unchecked"}
     assert verdicts(verify_text(text + PLAIN + "\n" + CRAIG)) == ["proved"] * 2
+    assert set(verdicts(verify_text(text + PLAIN + "\n" + CLASSIC))) == {
+        "unchecked"
+    }  # nothing holds by that of the text
+    assert "proved" in verdicts(
+        verify_text(text.replace("modified DH convention of Craig", "classic DH convention") + PLAIN + "\n" + CLASSIC)
+    )
 
 
 SINGULAR = "$$ J = \\begin{bmatrix} -l_1 s_1 - l_2 s_{12} & -l_2 s_{12} \\\\ l_1 c_1 + l_2 c_{12} & l_2 c_{12} \\end{bmatrix} $$\n\n"

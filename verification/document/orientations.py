@@ -1,0 +1,86 @@
+r"""What a text tells of directions: where an axis points, from where and to which side an angle is counted, along what the arm lies at zero.
+
+"$y$ points down", "$\theta_2$ is the angle of depression below the horizontal", "when all angles are zero the arm points along $y$":
+an arm that is taken from the very formulas fits each of them with any sign.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from armproof.verification.document.hearing import words_of
+
+AXIS_DOWN = "axis down"  # and the axis that points there
+RISES, FALLS = "rises", "falls"  # an angle that lifts what it moves from the horizontal, or lowers it, and its letter
+AT_ZERO = "at zero"  # and the direction in which the arm lies where all angles are zero: x, -y, up, down
+
+MAY_ORIENT = re.compile(  # what no such sentence lacks, in small letters
+    r"down|\bbas\b|unten|abwärts|abajo|basso|baixo|depress|dépress|depres|elevat|élévat|elevac|elevaz|erhebung|höhenwinkel|horizont|orizzont|waagerecht|waagrecht|zero|null|cero|\bnul"
+)
+_LETTER_OF_AXIS = re.compile(
+    r"\$\s*([xyz])(?:_\{?0\}?)?\s*\$(?:[ -](?:axis|achse|axe|eje|asse|eixo)(?!\w))?", re.IGNORECASE
+)
+_BARE_AXIS = re.compile(r"(?<![\w$-])([xyz])[ -](?:axis|achse)(?!\w)", re.IGNORECASE)
+_BEFORE_AXIS = re.compile(r"(?<!\S)(?:l' |d' )?(?:axe|eje|asse|eixo) (?=[xyz]-axis)")
+_JOINT = re.compile(r"\\(?:var)?(?:theta|phi|beta|alpha|psi|gamma)(?:_\{?\d\}?)?|q_\{?\d\}?")
+_FORMULA = re.compile(r"\$([^$]*)\$|\\\((.*?)\\+\)")
+_DOWN = r"(?:down|downwards?|unten|abwärts|bas|abajo|basso|baixo)"
+_UP = r"(?:up|upwards?|oben|aufwärts|haut|arriba|alto|cima)"
+_OTHERS = (  # what no words between an axis and its direction are
+    r"not|nicht|pas|no|non|não|of|des|du|der|del|della|do|da|tool|frame|joint|if|when|wenn|si|from|von|depuis|desde|¤|\S+-axis"
+)
+_AXIS_DOWN = re.compile(rf"(?<!\S)([xyz])-axis (?:(?!(?:{_OTHERS}) )[^\s,;:.]+ ){{0,5}}?{_DOWN}(?!\S)")
+_LEVEL = r"(?:horizontal\w*|orizzontale|waagr?e?rechten?|ground|boden|sol|suelo)"
+_ARTICLE = r"(?:the |l' |la |le |der |die |dem |den |el |il |de |de l' |de la |della |dell' |à )*"
+_ABOVE = rf"(?:above|over|über|oberhalb|au-dessus|dessus|encima|sobre|sopra|acima) {_ARTICLE}{_LEVEL}"
+_BELOW = rf"(?:below|under|beneath|unter|unterhalb|au-dessous|en-dessous|dessous|sous|debajo|bajo|sotto|abaixo) {_ARTICLE}{_LEVEL}"
+_FROM = rf"(?:from|von|ab|depuis|à partir|desde|da|dall'|dalla|a partir) {_ARTICLE}{_LEVEL} (?:¤ )?(?:aus |vers |le |la |nach |hacia |verso |il |para |measured |counted |positive )*"
+_RISES = re.compile(
+    rf"(?<!\S)(?:(?:angle of )?elevations?|élévation|elevación|elevazione|elevação|erhebungswinkel|höhenwinkel|elevationswinkel)(?!\S)|(?<!\S){_ABOVE}|(?<!\S){_FROM}{_UP}(?!\S)"
+)
+_FALLS = re.compile(
+    rf"(?<!\S)(?:angle of )?(?:depression|dépression|depresión|depressione|depressão|depressionswinkel|senkungswinkel)(?!\S)|(?<!\S){_BELOW}|(?<!\S){_FROM}{_DOWN}(?!\S)"
+)
+_OF_ALL_AT_ZERO = re.compile(
+    r"(?<!\S)(?:(?:all|alle|tous|toutes|todos|todas|tutti|tutte|both|beide|every|each)(?: [^\s,;:.]+){0,4}? (?:(?:are|is|sind|sont|son|sono|são|equal|gleich|to|auf|valen|est) )*(?:zero|0|null|nuls?|nulles?|cero|nulos|nulas|nulli|nulle|zeros?)(?!\S)"
+    r"|(?:zero|null)[ -]?(?:position|posture|configuration|pose|stellung|lage)(?!\S)|(?:nullstellung|nulllage|nullposition)(?!\S)"
+    r"|(?:position|posture|configuration|posición|posizione|configuración|configurazione|posição) (?:zéro|cero|zero|nulle|nula|nulla)(?!\S))"
+)
+_ALONG = re.compile(
+    r"(?:along|entlang|längs|selon|suivant|le long|según|lungo|a lo largo|in|in richtung|dans|en|ao longo)(?: (?:the|der|die|de|del|l'|la|positive|positiven|direction|du|del|do|axes?|direzione|dirección|richtung|of|dell'|des|sens)){0,4} (-?)([xyz])-axis"
+    rf"|(?:points?|pointing|stands?|zeigt|weist|steht|pointe|dirigé|dressé|apunta|punta|rivolto|straight)(?: [^\s,;:.]+){{0,3}}? (?:(?P<up>{_UP})|(?P<down>{_DOWN}))(?!\S)"
+)
+_ARM = re.compile(r"(?<!\S)(?:arm|robot|roboter|bras|brazo|braccio|braço|manipulator|links?|tool|it|er|il)(?!\S)")
+_DENIES = re.compile(r"(?<!\S)(?:not|nicht|never|no|non|não|ne|n'|keine?|unlike|instead|statt)(?!\S)")
+
+
+def told_orientations(sentence: str) -> Iterator[str]:
+    """Yield what a sentence tells of directions, as what holds of the displays in its section: each with the sentence on a second line."""
+    line = " ".join(sentence.split())
+    yield from (f"{each}\n{line}" for each in _told(line))
+
+
+def _told(sentence: str) -> Iterator[str]:
+    plain = _BARE_AXIS.sub(r"\1-axis", _LETTER_OF_AXIS.sub(r"\1-axis", sentence))
+    words = _BEFORE_AXIS.sub("", words_of(plain).lower())
+    if _DENIES.search(words):
+        return
+    yield from (f"{AXIS_DOWN} {found[1]}" for found in _AXIS_DOWN.finditer(words))
+    formulas = [each[0] or each[1] for each in _FORMULA.findall(plain)]
+    for kind, pattern in ((RISES, _RISES), (FALLS, _FALLS)):
+        for found in pattern.finditer(words):
+            if (letter := _letter_by(words, formulas, found)) is not None:
+                yield f"{kind} {letter}"
+    if _OF_ALL_AT_ZERO.search(words) and _ARM.search(words):
+        found = [*_ALONG.finditer(words)]
+        for along in sorted(found, key=lambda each: each[2] is None)[:1]:  # an axis tells more than "up"
+            yield f"{AT_ZERO} {'up' if along['up'] else 'down' if along['down'] else (along[1] or '') + along[2]}"
+
+
+def _letter_by(words: str, formulas: list[str], found: re.Match[str]) -> str | None:
+    """Return the letter of the angle that a phrase speaks of: the last before it, else the first behind."""
+    at = words.count("¤", 0, found.start())
+    before = [each.strip() for each in formulas[:at] if _JOINT.fullmatch(each.strip())]
+    behind = [each.strip() for each in formulas[at:] if _JOINT.fullmatch(each.strip())]
+    return before[-1] if before else next(iter(behind), None)
