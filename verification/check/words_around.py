@@ -9,9 +9,10 @@ from dataclasses import replace
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.conditions.other_meanings import OtherMeanings
 from armproof.verification.conditions.told_directions import ToldDirections
+from armproof.verification.conditions.told_notation import written_as_told
 from armproof.verification.document import Display
 from armproof.verification.document.other_meanings import FRAME
-from armproof.verification.document.sentences import not_known_in, quoted
+from armproof.verification.document.sentences import EVERYWHERE, not_known_in, quoted
 from armproof.verification.document.subjects import WRIST
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Kind, say
@@ -42,6 +43,8 @@ class WordsAround:
             outcome = self._unless_of_the_tool(outcome)
         if display.in_other_frame and outcome.verdict in DECIDED and any(map(self._is_in_base, _names_in(outcome))):
             outcome = outcome.left_open(say(Kind.OF_OTHER_POINT))
+        if display.meant and not display.erratum and outcome.verdict is not Verdict.UNCHECKED:
+            outcome = self._unless_noted(outcome, display)
         if display.meant and not display.erratum and outcome.verdict in DECIDED:
             outcome = self.meanings.of_quantity(self.meanings.judge(outcome, display.meant), display.meant)
             outcome = self.meanings.of_arm(outcome, display.meant)
@@ -56,6 +59,15 @@ class WordsAround:
         if display.strange and outcome.verdict is not Verdict.UNCHECKED:
             words = ", ".join(not_known_in(display.strange))
             outcome = outcome.left_open(say(Kind.STRANGE_WORDS, text=quoted(display.strange), words=words))
+        return outcome
+
+    def _unless_noted(self, outcome: Outcome, display: Display) -> Outcome:
+        """Leave open what is written in a notation that the text says to be another, and a rank that it says to be so everywhere and that is not."""
+        noted = written_as_told(outcome, display, self.names.reader)
+        if noted is not None:
+            return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=noted))
+        if EVERYWHERE in display.meant and outcome.verdict in DECIDED:
+            return self.circumstances.of_rank_everywhere(outcome)
         return outcome
 
     def _is_of_other_frame(self, display: Display) -> bool:

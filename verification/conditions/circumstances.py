@@ -302,6 +302,15 @@ class Circumstances:
         is_near = not told.conditions or told.line == line or told.is_direct
         return found if is_near else [each.unless_refuted(say(Kind.OTHER_AS_TOLD)) for each in found]
 
+    def of_rank_everywhere(self, outcome: Outcome) -> Outcome:
+        """Leave open a rank that the text says to be so in every configuration, unless it is: what is proved of one is generic."""
+        if not any(map(n.is_rank, (below for node in outcome.nodes for below in n.walk(node)))):
+            return outcome
+        with self.checker.exact.budget.paused():
+            from armproof.verification.conditions.ranks_there import rank_everywhere
+        chain = n.Chain(tuple(outcome.nodes), ("=",) * (len(outcome.nodes) - 1))
+        return rank_everywhere(self.checker, chain, outcome, say(Kind.RANK_SOMEWHERE))
+
     def _told(self, told: Told) -> Iterator[tuple[n.Chain, ...]]:
         """Yield the conditions that the text gives, alone and with what was stated before; one of several postures each."""
         if not told.conditions:

@@ -8,7 +8,8 @@ from armproof.verification.document.postures import bent_to
 
 _FORMULA = r"(?:\$`?(?P<{0}>[^$`]{{1,200}})`?\$|\\\((?P<{0}_tex>.{{1,200}}?)\\\)|:math:`(?P<{0}_rst>[^`]{{1,200}})`)"
 _WRITE = re.compile(
-    r"\b(?:writ(?:e|ing|ten)|abbreviat(?:e|es|ing|ed)|denot(?:e|es|ing|ed)|use|using|not(?:e|ons|ant)|écri(?:t|vons|vant)|abr[eèé]g(?:e|eons|eant))\s*\Z"
+    r"\b(?:writ(?:e|ing|ten)|abbreviat(?:e|es|ing|ed)|denot(?:e|es|ing|ed)|use|using|not(?:e|ons|ant)|écri(?:t|vons|vant)|abr[eèé]g(?:e|eons|eant)|schreib(?:e|en)(?: wir)?|escrib(?:e|imos|iremos)|escreve(?:mos)?|scriv(?:e|iamo))\s*\Z",
+    re.IGNORECASE,
 )
 _IS = (
     r"(?:(?:stands?|(?:is|are) (?:an abbreviation|abbreviations|a shorthand|shorthand|short|written)) for|(?:is|are) (?:an abbreviation|a shorthand) of|"
@@ -16,9 +17,13 @@ _IS = (
     r"est l['’]abréviation de|abrège(?:nt)?|steht für|stehen für|bezeichne[tn]|bedeute[tn]|significan?|denotan?)"
 )
 _AND = r"\s*(?:,|and|et|und|y)\s+"
+_KIND = (  # of what a formula is: "the difference $\\theta_1 - \\theta_2$"
+    r"(?:the|la|le|l['’]|die|den|der|das|el|il|lo|a|o)\s*(?:sum|difference|angle|somme|différence|Summe|Differenz|Winkel|suma|diferencia|ángulo|somma|differenza|angolo|soma|diferença|ângulo)"
+    r"(?: (?:angle|of the angles|des angles|der Winkel|de los ángulos))?,?\s+"
+)
 _TURN = r"(?:(?:the |le )?(?P<turn>cos|sin)(?:ine|inus|e|us) (?:of|de) (?:(?:the|the angle|the sum|la somme|l['’]angle) )?)?"
 _SAID = re.compile(
-    rf"{_FORMULA.format('name')}\s+(?P<verb>{_IS}|is|est|for|pour|by|par|as)\s+{_TURN}{_FORMULA.format('value')}",
+    rf"{_FORMULA.format('name')}\s+(?:(?P<verb>{_IS}|is|est|ist|es|for|pour|für|para|per|by|par|as)\s+{_TURN}(?P<kind>{_KIND})?|{_KIND}){_FORMULA.format('value')}",
     re.DOTALL,
 )
 _TWO_SAID = re.compile(
@@ -52,10 +57,11 @@ def said_in_words(text: str, at: int) -> str | None:
     found = _SAID.match(text, at)
     if found is None:
         return _of_shorthand(text, at)
-    name, value, verb = _formula(found, "name"), _formula(found, "value"), found["verb"]
+    name, value, verb = _formula(found, "name"), _formula(found, "value"), found["verb"] or "for"
     if verb in ("by", "par", "as"):
         name, value = value, name
-    needs_turn, needs_write = verb in ("is", "est"), verb in ("for", "pour", "by", "par", "as")
+    needs_turn = verb in ("is", "est", "ist", "es") and not found["kind"]
+    needs_write = verb in ("for", "pour", "für", "para", "per", "by", "par", "as")
     if (needs_turn and not found["turn"]) or (needs_write and not _WRITE.search(text, max(0, at - 20), at)):
         return _of_shorthand(text, at)
     value = rf"\{found['turn']}({value})" if found["turn"] else value

@@ -17,6 +17,7 @@ from armproof.verification.document.hearing import MOST_CHARACTERS, hears, hears
 from armproof.verification.document.letters_anew import MAY_RENAME, letters_anew
 from armproof.verification.document.model import Display, Document
 from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, subjects
+from armproof.verification.document.told_notation import MAY_NOTE, notations_told
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
     r"horizontal|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
@@ -198,9 +199,11 @@ def _meanings(text: str) -> Iterator[Meaning]:
         if MAY_ASK.search(small) and says("ASKS_WHICH", words_of(sentence)):
             line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
             yield Meaning(line, (ASKED,), reach=(line, _reach(line, text)[1]))
+        line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
+        if len(sentence) <= MOST_CHARACTERS and MAY_NOTE.search(small):
+            yield from (Meaning(line, (each,)) for each in notations_told(sentence))
         if len(sentence) > MOST_CHARACTERS or not (MAY_MEAN.search(small) or MAY_RENAME.search(small)):
             continue
-        line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
         plain = with_axes(" ".join(sentence.split()))
         words, formulas = (
             _OF_EULER.sub("these", words_of(plain)),

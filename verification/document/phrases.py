@@ -35,6 +35,10 @@ même formule/relation/équation/expression/résultat (se/est) (trouve/figure/tr
 gleiche/dieselbe/selbe formel/gleichung/beziehung (steht/findet) (sich) in (vielen/den/allen/mehreren) (meisten) (anderen) büchern/lehrbüchern/texten/vorlesungen
 misma fórmula/ecuación/expresión/relación (se/está) (encuentra/aparece) en (muchos/varios/todos) (los) (otros) libros/textos/cursos/apuntes
 stessa formula/equazione/espressione/relazione (si) (trova/ritrova) in (molti/altri/tutti) (i/altri) libri/testi/corsi
+twice as fast/long/large/big/much/high/heavy/far/great/quick/quickly/wide
+doppelt/halb so schnell/lang/groß/hoch/viel/schwer/weit
+and/or the other way round/around
+and/or/et/und/y/o/e/ou vice versa/viceversa/conversely/inversement/réciproquement/umgekehrt/inversamente/recíprocamente/vice-versa/viceversa
 no need
 no hace/hará falta
 no/non/não es/è/é necesario/necessario/necessário/preciso
@@ -570,3 +574,38 @@ SWAPPED = """
 ¤ turns the first link and ¤ the second
 """
 JOINING = "but and now then so thus hence mais et or donc aber und pero y".split()
+
+# -- what holds without exception: a rank is then no generic one
+
+EVERYWHERE = """
+in/for/at/over every/all/any/each (the) (possible/admissible/single) (joint) posture~/configuration~/position~/pose~/angle~/point~/state~/value~
+in/for/at every/all/any/each ¤
+everywhere/always/invariably
+without/sans/ohne/sin/senza/sem (any/aucune/jede/ninguna/alcuna) exception/exceptions/ausnahme/excepción/eccezione/exceção
+whatever/regardless/irrespective/independent/independently (of) (the) (value~) (of) (the) (joint) posture~/configuration~/position~/pose~/angle~/¤
+whatever ¤
+never/nowhere … singular~/loses/degenerate~/vanishes
+no singular (postures/configurations/positions)
+has/have no singularit~
+not singular anywhere
+quel/quelle/quels/quelles que soit/soient
+dans/en/pour/à toute/toutes/tout/tous/chaque (les/la/le) (possibles) configuration~/position~/posture~/pose~/angle~/valeur~/¤
+partout/toujours
+jamais … singuli~/dégénér~
+ne perd/devient/s'annule jamais
+in/für/bei allen/alle/aller/jeder/jede/jedem/jeden/sämtlichen (beliebigen/möglichen) stellung~/lage~/konfiguration~/position~/pose~/haltung~/winkel~/gelenkwinkel~/gelenkstellung~/¤
+überall/stets/immer/ausnahmslos
+nie/niemals/nirgends … singulär~
+keine singulär~/singularität~
+en/para todo/todos/toda/todas/cada/cualquier/cualquiera (los/las/la/el) (posibles) configuración/configuraciones/posición/posiciones/postura~/pose~/ángulo~/valor~/¤
+siempre/nunca … singular~
+siempre
+sea/sean cual/cuales/cuáles sea/sean
+in/per tutte/tutti/ogni/qualsiasi/qualunque/ciascuna (le/i/gli) (possibili) configurazion~/posizion~/postura/posture/angol~/valor~/¤
+ovunque/sempre/dappertutto
+em/para todas/todos/toda/todo/cada/qualquer/quaisquer (as/os/a/o) (possíveis) configuraç~/configuração/posiç~/posição/postura~/ângulo~/valor~/¤
+"""
+BUT_SOMEWHERE = """
+almost/nearly/generically/generic/except/excepting/excluding/other/outside/away/but/unless/save/apart/non-singular/nonsingular/regular/sauf/hors/excepté/presque/régulièr~/außer/ausgenommen/ausser/fast/regulär~/nicht-singulär~/nichtsingulär~/salvo/excepto/menos/casi/fuera/regular~/tranne/eccetto/quasi/fuori/regolar~/exceto/fora/quase
+hors de/des
+"""

@@ -51,6 +51,7 @@ OTHER_FRAME = r"\text{in another frame}"  # what is none of anything in the base
 STRANGE_ABOVE, STRANGE = r"\text{strange above}", r"\text{strange}"
 PROSE = r"\text{prose}"  # that there are words between two displays: without them what leads to one leads to the next
 MEANT = r"\text{meant}"  # of which link it is, which quantity, or what is done to it; that follows
+EVERYWHERE = "everywhere"  # what is said of every configuration
 WOULD_BE = "would be"  # of another case than that at hand: it says there what a letter is
 ABOVE = r"\text{above}"  # before a place or a quantity that is said of the display above
 OF_ABOVE = (DENIED_ABOVE, LIMITED_ABOVE, STRANGE_ABOVE, ABOVE)
@@ -70,6 +71,7 @@ _GENERAL = re.compile(
     r"|quel(?:le)?s? que soi(?:en)?t (?:la|les) (?:configuration|position|angles?|valeurs?))\b",
     re.IGNORECASE,
 )
+_COMPARES = re.compile(r"[=≠<>≈]|\\(?:neq?|not|[lg]eq?|setminus)(?![A-Za-z])")
 _WORD = re.compile(r"[^\W\d_]+")
 _ALTERNATIVES = re.compile(  # $s_3 = 0$ or; a blank is of one part alone, or a list of twenty formulas has a million ways to be none
     r"(?:\s*+(?>\$[^$]+\$|\\\(.+?\\\)|:math:`[^`]+`)(?:\s*+,)?+(?:\s*+(?:oder|or|ou|o|and|und|et|y))?+)+\s*\Z"
@@ -159,6 +161,8 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
         heard.append(SUPPOSED)
     if says_what_would_be(words, at_its_end=True):
         heard.append(MEANT + WOULD_BE)
+    if _is_of_all(sentence, words) or (hears("THEN", words) and _is_of_all(before, words_before)):
+        heard.append(MEANT + EVERYWHERE)
     if is_of_other_place(words) or (hears("OF_THE_ONE_BEFORE", words) and is_of_other_place(words_before)):
         heard.append(OTHER_POINT)
     if says("OTHER_FRAME", words):
@@ -178,6 +182,12 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
     if found is not None and is_of_singularities(sentence[: found.start()].rstrip()):
         heard.append(SINGULAR)
     return tuple(heard)
+
+
+def _is_of_all(sentence: str, words: str) -> bool:
+    """Whether a sentence says that something is so in every configuration, and leaves none out: no formula of it compares anything."""
+    compares = any(_COMPARES.search(found.group()) for found in FORMULA.finditer(sentence))
+    return not compares and hears("EVERYWHERE", words) is not None and hears("BUT_SOMEWHERE", words) is None
 
 
 def _leads_away(words: str, words_before: str) -> bool:

@@ -317,6 +317,7 @@ class Kind(MessageKind):
     NUMBERS_OF_NOWHERE = "numbers_of_nowhere", "which configuration, and which lengths? state the values before, as in \\theta_1 = 0"
     HOLDS_THERE = "holds_there", "at the configuration given before"
     FORCE_LEFT_OUT = "force_left_out", "only one side holds {names}: say before what that is, as in F_x = 10"
+    RANK_SOMEWHERE = "rank_somewhere", "the text says so of every configuration, and it holds of almost all of them: say which are left out, as in \\theta_2 \\neq 0"
     OTHER_AS_TOLD = "other_as_told", "it does not hold at the values that the text before gives: state them in a display to have it checked there"
     OTHER_ORDER = "other_order", "it holds as atan2(x, y), and nothing in the document holds as atan2(y, x): write it so to have it checked"
     HOLDS_AS_TOLD = "holds_as_told", "it holds at the values that the text before gives, and not everywhere: state them in the display, with \\Rightarrow"

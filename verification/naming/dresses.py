@@ -50,19 +50,21 @@ def dressed_letters(texts: Sequence[str]) -> frozenset[str]:
 
 
 def starred_names(texts: Sequence[str]) -> frozenset[str]:
-    """Return the keys of names that have a value with a star and stand without it too: l_2 of l_2^* = 2, d of d = l_1 and d^* = l_2."""
+    """Return the keys of names that have a value with a star and stand without it too: l_2 of l_2^* = 2, d of d = l_1 and d^* = l_2, θ_2 of θ_2^* = -θ_2."""
     texts = [_WORDS.sub(" ", text) for text in texts]
     plain = {_key(*found[:2]) for text in texts for found in _NAME.findall(text) if not found[2]}
     given = {_key(letter, sub) for text in texts for _, letter, sub, _ in _HEAD.findall(text)}
-    return frozenset(key for key, is_number in _starred(texts) if key in plain and (is_number or key in given))
+    return frozenset(key for key, tells in _starred(texts) if key in plain and (tells or key in given))
 
 
 def _starred(texts: Sequence[str]) -> Iterator[tuple[str, bool]]:
-    """Yield the keys of starred names that an equation begins with, and whether it gives them a number."""
+    """Yield the keys of starred names that an equation begins with, and whether it tells them from the plain ones: by a number, or a formula of these."""
     for text in texts:
         for letter, one, other, value in _STARRED_HEAD.findall(text):
             if letter.lstrip("\\") in STARRED:
-                yield _key(letter, one or other), not re.search(r"[A-Za-z]", _NO_LETTER.sub("", value))
+                key = _key(letter, one or other)
+                is_number = not re.search(r"[A-Za-z]", _NO_LETTER.sub("", value))
+                yield key, is_number or key in {_key(*found[:2]) for found in _NAME.findall(value) if not found[2]}
 
 
 def _key(letter: str, sub: str) -> str:
