@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.conditions.other_meanings import OtherMeanings
+from armproof.verification.conditions.told_names import ToldNames
 from armproof.verification.document import Display
 from armproof.verification.document.other_meanings import FRAME
 from armproof.verification.document.sentences import not_known_in, quoted
@@ -29,6 +30,7 @@ class WordsAround:
         self.circumstances = circumstances
         self.meanings = OtherMeanings(circumstances.checker, circumstances.given)
         self.names = circumstances.names
+        self.told = ToldNames(self.names, self._has_hand)
 
     def judge(self, outcome: Outcome, display: Display) -> Outcome:
         """Leave open what the words around a display say to be so elsewhere, in a case, of another point, or not at all."""
@@ -44,6 +46,7 @@ class WordsAround:
             outcome = self.meanings.of_quantity(self.meanings.judge(outcome, display.meant), display.meant)
             outcome = self.meanings.of_arm(outcome, display.meant)
         if display.meant and not display.erratum:
+            outcome = self.told.judge(outcome, display.meant)
             outcome = self.meanings.in_order(outcome, display.meant)
         if display.denied and outcome.verdict is not Verdict.UNCHECKED:
             outcome = replace(outcome.left_open(say(Kind.DENIED)), defines=())

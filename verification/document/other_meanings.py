@@ -17,6 +17,7 @@ from armproof.verification.document.hearing import MOST_CHARACTERS, hears, hears
 from armproof.verification.document.letters_anew import MAY_RENAME, letters_anew
 from armproof.verification.document.model import Display, Document
 from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, subjects
+from armproof.verification.document.told_names import MAY_TELL_NAMES, USUAL, Told, told_in_rows, told_names
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
     r"horizontal|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
@@ -180,6 +181,7 @@ def _with(display: Display, said: Iterable[tuple[Meaning, int, float]]) -> Displ
 def _meanings(text: str) -> Iterator[Meaning]:
     """Yield what the sentences of a text say of letters and places that is not what an arm has for them."""
     shown = _SHOWN.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
+    named = [(text.count("\n", 0, at) + 1, each) for at, each in told_in_rows(text)]
     goes_on = ""  # what stands before a semicolon: "In this section …; $\\theta_3$ is then …"
     for found in _SENTENCE.finditer(shown):
         sentence = found.group()
@@ -188,6 +190,8 @@ def _meanings(text: str) -> Iterator[Meaning]:
         if MAY_ASK.search(small) and says("ASKS_WHICH", words_of(sentence)):
             line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
             yield Meaning(line, (ASKED,), reach=(line, _reach(line, text)[1]))
+        if "$" in sentence or "\\(" in sentence:
+            named += _named_in(text, found)
         if len(sentence) > MOST_CHARACTERS or not (MAY_MEAN.search(small) or MAY_RENAME.search(small)):
             continue
         line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
@@ -222,6 +226,26 @@ def _meanings(text: str) -> Iterator[Meaning]:
             yield Meaning(line, is_place=True)
         if says("OTHER_ORIGIN", words) or _has_base_elsewhere(words.lower(), formulas):
             yield Meaning(line, is_origin=True)
+    yield from _of_names(named, text)
+
+
+def _named_in(text: str, found: re.Match[str]) -> Iterator[tuple[int, Told]]:
+    """Yield what a sentence of a text says names to be, with its line."""
+    sentence = found.group()
+    if len(sentence) <= MOST_CHARACTERS and MAY_TELL_NAMES.search(sentence.lower()):
+        line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
+        yield from ((line, each) for each in told_names(with_axes(" ".join(sentence.split()))))
+
+
+def _of_names(named: Sequence[tuple[int, Told]], text: str) -> Iterator[Meaning]:
+    """Yield which names have not their usual meaning, from the heading above on, up to one below which they are said to have it again."""
+    for line, told in named:
+        if told.place == USUAL:
+            continue
+        begin = line if told.is_anew else _reach(line, text)[0]
+        again = (at for at, each in named if at > line and each.name == told.name and each != told)
+        end = next((head for at in again if (head := _reach(at, text)[0]) > line), None)
+        yield Meaning(line, (told.as_meant(),), reach=None if end is None and not told.is_anew else (begin, inf if end is None else end - 1))
 
 
 def _of_headings(text: str) -> Iterator[Meaning]:
@@ -231,7 +255,8 @@ def _of_headings(text: str) -> Iterator[Meaning]:
         said = _MARKS_OF_HEADING.sub(" ", with_axes(lines[line - 1]))
         words, formulas = words_of(said), [each[0] or each[1] for each in _FORMULA.findall(said)]
         equal = (EQUAL,) if says("EQUAL_LENGTHS", words) else ()
-        if letters := (*_letters(words, formulas), *equal):
+        named = tuple(each.as_meant() for each in told_names(said))
+        if letters := (*_letters(words, formulas), *equal, *named):
             yield Meaning(line, letters, reach=_reach(line, text))
 
 

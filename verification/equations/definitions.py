@@ -319,6 +319,8 @@ class Definitions:
         if bare is not None and other is None:
             if self.defines and bare.startswith("R("):  # it may turn the other way than R(θ) usually does
                 self.names.leave_unknown([bare], self.line)
+            if self.defines:
+                self.names.state.valueless.setdefault(bare, self.line)
             given = (say(Kind.DEFINES_WITHOUT_VALUE, name=bare),)
             return [Outcome(Verdict.DEFINED, given, equation + k) for k in range(len(members) - 1)]
         problem = other or unbound

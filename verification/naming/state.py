@@ -218,6 +218,7 @@ class DocumentState:
         own_shorthands: sines and cosines by their indices, c_{12}, that the text says to be something else than they usually are.
         other_sizes: usual names that are printed as a matrix of another size, each with what was said there.
         awaited: a name without a value → the matrix of letters that it is equated to, its entries once it has one, and the line.
+        valueless: usual names that a display equates to what has no value, x_e = x_d - x, each with its line.
         of_tool: a name that awaits its value → the lines that hold where the letters of its matrix are of the tool's pose.
         printed: the rotation that a matrix printed last was, or that of the pose: its entries may be the r_ij behind it.
         entries_held: the rotations of which the r_ij of equations were that hold, None as their matrix says, with the lines of those.
@@ -260,6 +261,7 @@ class DocumentState:
     own_shorthands: frozenset[tuple[str, object]] = frozenset()
     other_sizes: dict[str, Finding] = field(default_factory=dict)
     awaited: dict[str, tuple[n.Node, int]] = field(default_factory=dict)
+    valueless: dict[str, int] = field(default_factory=dict)
     of_tool: dict[str, frozenset[int]] = field(default_factory=dict)
     printed: Quantity | None = None
     entries_held: dict[Quantity | None, frozenset[int]] = field(default_factory=dict)
