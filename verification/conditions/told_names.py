@@ -40,7 +40,8 @@ class ToldNames:
             name = self._name(latex)
             found = next((each for each in written if name is not None and _is(each, name)), None)
             if found is not None and self._is_otherwise(found, place):
-                doubt = say(Kind.TOLD_OTHERWISE, name=found.key, text=words if len(words) <= _LONGEST else f"{words[:_LONGEST]}…")
+                text = words if len(words) <= _LONGEST else f"{words[:_LONGEST]}…"
+                doubt = say(Kind.TOLD_OTHERWISE, name=found.key, text=text)
                 return replace(outcome.left_open(doubt), as_usual=None)
         return outcome
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from armproof.verification.document.hearing import words_of
 from armproof.verification.document.letters_anew import holds_from_here
@@ -59,7 +60,9 @@ def told_names(plain: str) -> Iterator[Told]:
     for place, latex in zip(places, formulas, strict=True):
         if found := _names(latex):
             names[place] = found
-    numbers = {place: found[1] for place, latex in zip(places, formulas, strict=True) if (found := _NUMBER.fullmatch(latex))}
+    numbers = {
+        place: found[1] for place, latex in zip(places, formulas, strict=True) if (found := _NUMBER.fullmatch(latex))
+    }
     written = {word.lower(): word for word in said}
     said = [numbers.get(place, word.lower()) for place, word in enumerate(said)]
     is_anew = holds_from_here(" ".join(said))
@@ -91,7 +94,7 @@ def told_in_rows(text: str) -> Iterator[tuple[int, Told]]:
 
 
 def _of_cells(cells: Sequence[str]) -> Iterator[Told]:
-    for cell, behind in zip(cells, cells[1:], strict=False):
+    for cell, behind in pairwise(cells):
         formulas = [each[0] or each[1] for each in _FORMULA.findall(cell)]
         own = [word for word in words_of(cell).split() if word not in (*_AND, "¤", ":")]
         said = words_of(behind).lower().split()
@@ -177,8 +180,10 @@ def _phrase(behind: Sequence[str]) -> list[str]:
         if word in (".", ";", "!", "?", ":") and found:
             break
         ahead = behind[place + 1 : place + 3]
-        if word in _AND and ahead[:1] == ["¤"] and (
-            len(ahead) < 2 or any(is_of(ahead[1], kind) for kind in ("DEFINITE", "BE", "STANDS"))
+        if (
+            word in _AND
+            and ahead[:1] == ["¤"]
+            and (len(ahead) < 2 or any(is_of(ahead[1], kind) for kind in ("DEFINITE", "BE", "STANDS")))
         ):
             break
         found.append(word)
