@@ -12,6 +12,7 @@ from armproof.verification.check.limits import SECONDS_TO_DECIDE, SECONDS_TO_EXP
 from armproof.verification.check.slips import Slips
 from armproof.verification.check.words_around import WordsAround
 from armproof.verification.conditions.circumstances import Circumstances
+from armproof.verification.conditions.told_names import unless_rate_of_valueless
 from armproof.verification.display.statements import Statements
 from armproof.verification.display.taken_arm import OfTakenArm, names_in
 from armproof.verification.document import Display
@@ -134,6 +135,8 @@ class DisplayChecker:
         outcomes, extra = self._with_later_definitions(statements, display)
         if _is_spoken_of(display):
             outcomes = [self.words.judge(outcome, display) for outcome in outcomes]
+        if not display.erratum:
+            outcomes = [unless_rate_of_valueless(self.names, outcome) for outcome in outcomes]
         for key in {key for outcome in outcomes for key in outcome.defines if display.may_not_print}:
             self.names.doubt(key)
         if not outcomes:

@@ -9,6 +9,7 @@ from dataclasses import replace
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.conditions.other_meanings import OtherMeanings
 from armproof.verification.conditions.told_directions import ToldDirections
+from armproof.verification.conditions.told_names import ToldNames
 from armproof.verification.conditions.told_notation import written_as_told
 from armproof.verification.document import Display
 from armproof.verification.document.other_meanings import FRAME
@@ -32,6 +33,7 @@ class WordsAround:
         self.meanings = OtherMeanings(circumstances.checker, circumstances.given)
         self.directions = ToldDirections(circumstances.checker)
         self.names = circumstances.names
+        self.told = ToldNames(self.names, self._has_hand)
 
     def judge(self, outcome: Outcome, display: Display) -> Outcome:
         """Leave open what the words around a display say to be so elsewhere, in a case, of another point, or not at all."""
@@ -49,6 +51,7 @@ class WordsAround:
             outcome = self.meanings.of_quantity(self.meanings.judge(outcome, display.meant), display.meant)
             outcome = self.meanings.of_arm(outcome, display.meant)
         if display.meant and not display.erratum:
+            outcome = self.told.judge(outcome, display.meant)
             outcome = self.meanings.in_order(outcome, display.meant)
         if display.directions:
             outcome = self.directions.judge(outcome, display.directions)

@@ -23,6 +23,7 @@ from armproof.verification.document.other_meanings import (
     ORDER,
     OUTWARDS,
     PASSIVE,
+    SIGNED,
     TURNS,
     UPRIGHT,
 )
@@ -71,6 +72,10 @@ class OtherMeanings:
         lengths = {*self.given.lengths}
         if EQUAL in meant and outcome.verdict is Verdict.REFUTED and len(lengths) > 1 and written & lengths:
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=min(written & lengths)))
+        signed = {self._key(each.removeprefix(SIGNED)) for each in meant if each.startswith(SIGNED)}
+        slides = {key for key in signed if key in self.given.joints and not self.names.is_angle(key)}
+        if slides and outcome.tells(Kind.ON_A_BRANCH, Kind.TO_DECIMALS_ON_A_BRANCH):
+            return outcome.left_open(say(Kind.POSITIVE_ALONE, letters=", ".join(sorted(slides))))
         for each in meant:
             letters = self._meant_by(each)
             if not written.isdisjoint(letters):

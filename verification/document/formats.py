@@ -54,6 +54,7 @@ from armproof.verification.document.struck_out import MAY_STRIKE, with_struck_ou
 from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
 from armproof.verification.document.told_convention import MAY_TELL, told_convention
+from armproof.verification.document.told_names import MAY_TELL_NAMES
 from armproof.verification.document.told_notation import MAY_NOTE
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
@@ -115,7 +116,7 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     ):
         document = replace(document, displays=tuple(replace(each, strange="") for each in document.displays))
     small = text.lower()
-    if MAY_MEAN.search(small) or MAY_ASK.search(small) or MAY_NOTE.search(small):
+    if any(each.search(small) for each in (MAY_MEAN, MAY_ASK, MAY_NOTE, MAY_TELL_NAMES)):
         document = with_other_meanings(document, text)
     if MAY_ORIENT.search(small):
         document = with_directions(document, text)

@@ -34,6 +34,11 @@ _LETTER_STAYS = re.compile(r"\bthe letters? (?:stays?|remains?) ¤|\bla lettre r
 _LONE = re.compile(r"\\?[A-Za-z]+(?:\s*_\s*(?:\{\s*\w+\s*\}|\w))?")
 
 
+def holds_from_here(words: str) -> bool:
+    """Whether a sentence says that something is so from here on, and so was not before."""
+    return _FROM_HERE.search(words.lower()) is not None
+
+
 def letters_anew(words: str, formulas: Sequence[str]) -> tuple[tuple[str, ...], bool]:
     r"""Return the letters to which a sentence gives another meaning, as LaTeX, and whether it does so for its section alone.
 

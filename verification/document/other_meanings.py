@@ -17,10 +17,11 @@ from armproof.verification.document.hearing import MOST_CHARACTERS, hears, hears
 from armproof.verification.document.letters_anew import MAY_RENAME, letters_anew
 from armproof.verification.document.model import Display, Document
 from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, subjects
+from armproof.verification.document.told_names import MAY_TELL_NAMES, USUAL, Told, told_in_rows, told_names
 from armproof.verification.document.told_notation import MAY_NOTE, notations_told
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
-    r"horizontal|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
+    r"horizontal|negati[vf]|négati[vf]|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
     r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|transpos|invers|masse?\b|gravit|bar[iy]c|schwerp|acc[eé]l|beschl|jacobi|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from|convention|mirror|miroir|spiegel|espejo|repli|gefalt|plegad|ripieg|eingeklappt|\border\b|\bordre\b|reihenfolge|\borden\b|\bordine\b|q\}*\s*=|\\omega_|passiv|pasiv|equal (?:bar|link|length|segment|arm)|[ée]gaux|[ée]gales|gleiche|iguales|uguali|left and right|inches|feet|pouces|zoll|pulgadas|pollici"
 )
 MAY_ASK = re.compile(
@@ -72,6 +73,14 @@ _TELLS = re.compile(  # what a sentence begins with that is of the display besid
 _BASE_AT = re.compile(
     r"(?<!\S)(?:base|shoulder|pedestal|first joint|basis|sockel|socle|embase|épaule|hombro|spalla) (?:is|stands|sits|lies|(?:is |stands )?(?:mounted|placed|located|fixed)|est|se trouve|steht|liegt|está|sta|è) (?:placed |located |placée |située )?(?:at|in|en|bei|a|au point|at the point) ¤ "
 )
+_OF_ALL = re.compile(  # what is printed from here on, and not the next display alone
+    r"(?<!\S)(?:all|every|everything|throughout|tout(?:es?)?|tous|alle[nrs]?|sämtliche[nrs]?|tod[oa]s?|tutt[oiae]) ",
+    re.IGNORECASE,
+)
+_IS_SIGNED = re.compile(  # d_2 is positive on one side and negative on the other
+    r"\bpositi[vf]\w* .{0,60}?\bn[eé]gati[vf]|\bn[eé]gati[vf]\w* .{0,60}?\bpositi[vf]|\bpositiv[oa]\b.{0,60}?\bnegativ[oa]\b",
+    re.IGNORECASE,
+)
 _NOUGHT = re.compile(r"\(\s*0(?:\s*[,;]\s*0)*\s*\)")
 _TUPLE = re.compile(r"\(\s*[^(),;]+(?:[,;]\s*[^(),;]+)+\)(?:\^\{?(?:T|\\top)\}?)?")
 _UNIT = re.compile(
@@ -99,6 +108,7 @@ PASSIVE = "passive"  # R that turns axes
 OUTWARDS = "outwards"  # T_{ij} whose first index is the frame that the second sees
 ASKED = "asked"  # what the reader is to call true or false
 EQUAL = "equal"  # lengths that are, where two letters have two lengths elsewhere
+SIGNED = "signed"  # a letter of the arm that may have either sign
 COLUMNS = "columns"  # J_1, J_2 that are columns of J
 ORDER = "order"  # the joint variables as q holds them
 ANEW = "anew"  # a letter that is something else for a while
@@ -109,7 +119,7 @@ _NEAR_ABOVE, _NEAR_BELOW = 4, 8  # lines between a sentence and a display beside
 
 @dataclass(frozen=True)
 class Meaning:
-    """What a sentence says on a line: letters that have another meaning, the frame whose origin it is of, what it is of `beside`, another point, frame or origin.
+    """What a sentence says on a line: letters that have another meaning, the frame whose origin it is of, what it is of `beside`, another point, frame or origin; or that all is expressed in another frame, `is_frame`.
 
     Letters of what would be, under a heading or to be called true or false, have it within the lines of `reach` alone. Letters `anew` have it from the sentence on, to the end of its section where `is_of_section`, and only where they have stood above it.
     """
@@ -120,6 +130,7 @@ class Meaning:
     beside: str = ""
     is_place: bool = False
     is_origin: bool = False
+    is_frame: bool = False
     anew: tuple[str, ...] = ()
     is_of_section: bool = False
     reach: tuple[int, float] | None = None
@@ -170,7 +181,7 @@ def _with(display: Display, said: Iterable[tuple[Meaning, int, float]]) -> Displ
     if display.erratum:
         return display
     letters = [*display.meant]
-    is_elsewhere = False
+    is_elsewhere = in_other_frame = False
     for each, begins, ends in said:
         is_near = each.line - _NEAR_ABOVE <= display.line <= each.line + _NEAR_BELOW
         is_near = is_near and begins <= display.line < ends
@@ -185,12 +196,19 @@ def _with(display: Display, said: Iterable[tuple[Meaning, int, float]]) -> Displ
             letters += each.letters
         is_elsewhere |= each.is_place and is_near
         is_elsewhere |= each.is_origin and display.line >= begins
-    return replace(display, meant=tuple(dict.fromkeys(letters)), of_other_point=display.of_other_point or is_elsewhere)
+        in_other_frame |= each.is_frame and begins <= display.line < ends
+    return replace(
+        display,
+        meant=tuple(dict.fromkeys(letters)),
+        of_other_point=display.of_other_point or is_elsewhere,
+        in_other_frame=display.in_other_frame or in_other_frame,
+    )
 
 
 def _meanings(text: str) -> Iterator[Meaning]:
     """Yield what the sentences of a text say of letters and places that is not what an arm has for them."""
     shown = _SHOWN.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
+    named = [(text.count("\n", 0, at) + 1, each) for at, each in told_in_rows(text)]
     goes_on = ""  # what stands before a semicolon: "In this section …; $\\theta_3$ is then …"
     for found in _SENTENCE.finditer(shown):
         sentence = found.group()
@@ -202,6 +220,8 @@ def _meanings(text: str) -> Iterator[Meaning]:
         line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
         if len(sentence) <= MOST_CHARACTERS and MAY_NOTE.search(small):
             yield from (Meaning(line, (each,)) for each in notations_told(sentence))
+        if "$" in sentence or "\\(" in sentence:
+            named += _named_in(text, found)
         if len(sentence) > MOST_CHARACTERS or not (MAY_MEAN.search(small) or MAY_RENAME.search(small)):
             continue
         plain = with_axes(" ".join(sentence.split()))
@@ -233,8 +253,34 @@ def _meanings(text: str) -> Iterator[Meaning]:
             yield Meaning(line, is_place=True)
         if len({*_UNIT.findall(words.lower())}) > 1:  # lengths in inches, and what is printed in millimetres
             yield Meaning(line, is_place=True)
+        if _OF_ALL.search(words) and says("OTHER_FRAME", words):
+            yield Meaning(line, is_frame=True)
+        if _IS_SIGNED.search(words):
+            alone = tuple(f"{SIGNED} {each.strip()}" for each in formulas if _LETTER.fullmatch(each.strip()))
+            yield Meaning(line, alone)
         if says("OTHER_ORIGIN", words) or _has_base_elsewhere(words.lower(), formulas):
             yield Meaning(line, is_origin=True)
+    yield from _of_names(named, text)
+
+
+def _named_in(text: str, found: re.Match[str]) -> Iterator[tuple[int, Told]]:
+    """Yield what a sentence of a text says names to be, with its line."""
+    sentence = found.group()
+    if len(sentence) <= MOST_CHARACTERS and MAY_TELL_NAMES.search(sentence.lower()):
+        line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
+        yield from ((line, each) for each in told_names(with_axes(" ".join(sentence.split()))))
+
+
+def _of_names(named: Sequence[tuple[int, Told]], text: str) -> Iterator[Meaning]:
+    """Yield which names have not their usual meaning, from the heading above on, up to one below which they are said to have it again."""
+    for line, told in named:
+        if told.place == USUAL:
+            continue
+        begin = line if told.is_anew else _reach(line, text)[0]
+        again = (at for at, each in named if at > line and each.name == told.name and each != told)
+        end = next((head for at in again if (head := _reach(at, text)[0]) > line), None)
+        is_limited = told.is_anew or end is not None
+        yield Meaning(line, (told.as_meant(),), reach=(begin, inf if end is None else end - 1) if is_limited else None)
 
 
 def _of_headings(text: str) -> Iterator[Meaning]:
@@ -244,7 +290,8 @@ def _of_headings(text: str) -> Iterator[Meaning]:
         said = _MARKS_OF_HEADING.sub(" ", with_axes(lines[line - 1]))
         words, formulas = words_of(said), [each[0] or each[1] for each in _FORMULA.findall(said)]
         equal = (EQUAL,) if says("EQUAL_LENGTHS", words) else ()
-        if letters := (*_letters(words, formulas), *equal):
+        named = tuple(each.as_meant() for each in told_names(said))
+        if letters := (*_letters(words, formulas), *equal, *named):
             yield Meaning(line, letters, reach=_reach(line, text))
 
 
