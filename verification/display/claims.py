@@ -133,7 +133,7 @@ class Claims:
         if define:
             outcomes = self.checker.zeros.heed_display(chain, outcomes, line)
         if before is not None:
-            outcomes = self.checker.zeros.settled(outcomes, before, self.displays, again)
+            outcomes = self.checker.zeros.settled(chain, outcomes, before, self.displays, again)
         of_jacobian = self.checker.members.speaks_of_jacobian(chain)
         if of_jacobian and (doubt := self.checker.rows.others((chain,), outcomes, again)) is not None:
             outcomes = [outcome.left_open(doubt) for outcome in outcomes]

@@ -64,6 +64,7 @@ class OtherZeros:
 
     def settled(
         self,
+        chain: n.Chain,
         outcomes: list[Outcome],
         before: DocumentState,
         displays: Sequence[Display],
@@ -71,7 +72,8 @@ class OtherZeros:
     ) -> list[Outcome]:
         """Return what holds with the marks left out, where it does not with the letters as they were; of two that do not, the nearer.
 
-        What was defined by the letters as they were is taken back then: the state is what it was `before`.
+        What was defined by the letters as they were is taken back then: the state is what it was `before`. A formula in which such a joint stands
+        but once may be right of the other zero by a slip, a cosine for a sine: it is left open unless another under its heading shows the marks left out.
         """
         verdicts = {each.verdict for each in outcomes}
         if not verdicts & {Verdict.REFUTED, Verdict.UNCHECKED} or any(map(self._is_written, displays)):
@@ -92,7 +94,13 @@ class OtherZeros:
         is_nearer = all(each.verdict is Verdict.REFUTED for each in outcomes) and 0 < wrong[1] < wrong[0]
         if not ({each.verdict for each in second} <= {*HOLDS} or is_nearer):
             return outcomes
+        if not is_nearer and not self._tells(chain) and state.counts_anew_in != state.section:
+            left_out = [
+                say(Kind.MARK_LEFT_OUT, name=zero.key, symbol=key, line=zero.line) for key, zero in state.zeros.items()
+            ]
+            return [each.left_open(left_out[0]) if each.verdict is Verdict.REFUTED else each for each in outcomes]
         state.become(before)
+        state.counts_anew_in = state.section
         state.consulted |= consulted
         for outcome in second:
             for symbol, zero in state.zeros.items():
@@ -108,6 +116,17 @@ class OtherZeros:
             return False
         claims = (chain for chain in found if chain.relations and self._told(chain) is None)
         return any(below.key in keys for chain in claims for below in n.names(chain))
+
+    def _tells(self, chain: n.Chain) -> bool:
+        """Whether a joint that has a marked letter stands more than once in a chain."""
+        symbols = [
+            self.names.joint_angle(index)
+            for each in n.walk(chain)
+            if isinstance(each, n.JointAngles)
+            for _, index in each.terms
+        ]
+        symbols += [self.names.known_symbol(each.key) for each in n.names(chain)]
+        return any(symbols.count(key) > 1 for key in self.names.state.zeros)
 
     @contextmanager
     def _counted_anew(self) -> Iterator[None]:

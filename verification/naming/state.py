@@ -219,6 +219,7 @@ class DocumentState:
         angles: what the letter of a joint with an offset in the DH table means, "variable" or "table", once that is shown.
         zeros: joints → the zero from which a marked letter of theirs is counted.
         counts_anew: whether their letters are read without the marks.
+        counts_anew_in: the heading under which an equation has shown that they are.
         section: the heading under which the display stands that is being checked.
         exercise: that of the exercise to which it belongs.
         apart: how many exercises that mostly have an arm of their own have begun.
@@ -264,6 +265,7 @@ class DocumentState:
     angles: str = ""
     zeros: dict[str, OtherZero] = field(default_factory=dict)
     counts_anew: bool = False
+    counts_anew_in: str = "nowhere yet"
     section: str = ""
     exercise: str = ""
     apart: int = 0

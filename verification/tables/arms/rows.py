@@ -111,10 +111,12 @@ def _read_row(names: Names, table: Table, columns: Columns, number: int, in_metr
         texts = (*texts[: columns.theta], cell, *texts[columns.theta + 1 :])
     kind, variable = columns.first("sigma"), columns.first("q")
     named = read_cell(names, texts[variable], number, variable).name if variable is not None else None
+    cells = {column: read_cell(names, texts[column], number, column, in_metres) for column in used}
+    turns = any(name.key != "pi" for name in _names_in(cells[columns.theta]))
     return _Row(
         number,
-        {column: read_cell(names, texts[column], number, column, in_metres) for column in used},
-        (read_kind(texts[kind]) if kind is not None else "") or _fixed_beside(texts, {*used, label}),
+        cells,
+        (read_kind(texts[kind]) if kind is not None else "") or ("" if turns else _fixed_beside(texts, {*used, label})),
         named.key if named is not None else "",
         texts[label] if label is not None else "",
     )
