@@ -80,6 +80,22 @@ DOCUMENTS = {
     "an angular velocity of an arm of which another line is of the other convention": KHALIL
     + r"$$ {}^1T_2=\begin{bmatrix} C_2 & -S_2 & 0 & D_2 \\ 0 & 0 & 1 & 0 \\ -S_2 & -C_2 & 0 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$"
     "\n" + OF_THE_OTHER_CONVENTION.replace("-S_1 (", "«-S_1¦S_1» ("),
+    "a height that the first joint moves": r"""$$ x = \cos\theta_1 (a \cos\theta_2 + b \cos(\theta_2+\theta_3)) $$
+$$ y = \sin\theta_1 (a \cos\theta_2 + b \cos(\theta_2+\theta_3)) $$
+$$ z = h + a \sin\theta_«2¦1» + b \sin(\theta_2+\theta_3) $$
+$$ x^2 + y^2 + (z-h)^2 = a^2 + b^2 + 2ab\cos\theta_3 $$""",
+    "an angle twice in a coordinate beside its Jacobian": r"""$$ p = \begin{bmatrix} L_1 \cos q_1 + L_2 \cos(q_1 + q_«2¦1») \\ L_1 \sin q_1 + L_2 \sin(q_1 + q_2) \end{bmatrix} $$
+$$ J = \begin{bmatrix} -L_1 \sin q_1 - L_2 \sin(q_1 + q_2) & -L_2 \sin(q_1 + q_2) \\ L_1 \cos q_1 + L_2 \cos(q_1 + q_2) & L_2 \cos(q_1 + q_2) \end{bmatrix} $$""",
+    "the letter of a joint that turns for one that slides": "| i | a | α | d | θ |\n|---|---|---|---|---|\n| 1 | 0 | 90° | 0 | $q_1$ |\n| 2 | 0 | 90° | 0 | $q_2$ |\n| 3 | 0 | 0 | $q_3$ | 0 |\n\n"
+    r"$$ p_x = q_3 \cos q_1 \sin q_2 $$"
+    "\n"
+    r"$$ p_y = q_3 \sin q_1 \sin q_2 $$"
+    "\n"
+    r"$$ p_z = -q_«3¦2» \cos q_2 $$",
+    "a coordinate of a velocity beside the other one": "| i | a | α | d | θ |\n|---|---|---|---|---|\n| 1 | $l_1$ | 0 | 0 | $\\theta_1$ |\n| 2 | $l_2$ | 0 | 0 | $\\theta_2$ |\n\n"
+    r"$$ v_x = -l_1 s_1 \dot\theta_1 - l_2 s_{12} (\dot\theta_1 + \dot\theta_«2¦1») $$"
+    "\n"
+    r"$$ v_y = l_1 c_1 \dot\theta_1 + l_2 c_{12} (\dot\theta_1 + \dot\theta_2) $$",
     "what is said again of a letter that is a root": LEG + r"$$ R = a_2 c_2 + a_3 c_{«23¦13»} $$",
     "a rate beside a Jacobian whose columns may stand in another order": r"""$$ x = r \cos\theta, \quad y = r \sin\theta $$
 $$ \dot x = \dot r \cos\theta - r \«sin¦cos»\theta \, \dot\theta $$
@@ -99,6 +115,11 @@ LEFT_OPEN = {
     "a question that doubts": PLANAR
     + r"$$ x^2 + y^2 = l_1^2 + l_2^2 - 2 l_1 l_2 c_2 $$" + "\nWhy can this not be so?\n",
 }  # fmt: skip
+
+
+LINKS = r"""$$ A_1 = \begin{bmatrix} c_1 & -s_1 & 0 & l_1 c_1 \\ s_1 & c_1 & 0 & l_1 s_1 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$
+$$ A_2 = \begin{bmatrix} c_2 & -s_2 & 0 & l_2 c_2 \\ s_2 & c_2 & 0 & l_2 s_2 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$
+$$ T_2^0 = A_1 A_2 = \begin{bmatrix} c_{12} & -s_{12} & 0 & «l_1 c_1 + l_2 c_{12}¦-l_1 c_1 - l_2 c_{12}» \\ s_{12} & c_{12} & 0 & «l_1 s_1 + l_2 s_{12}¦l_1 s_1 - l_2 s_{12}» \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$"""
 
 
 def last(marked: str, side: int = 1) -> Record:
@@ -123,3 +144,16 @@ def test_its_right_twin_is_decided(document: str):
 @pytest.mark.parametrize("document", LEFT_OPEN.values(), ids=LEFT_OPEN.keys())
 def test_what_may_be_meant_otherwise_is_left_open(document: str):
     assert last(document).verdict.value == "unchecked"
+
+
+def test_a_rotation_that_either_of_two_entries_would_mend_is_refuted():
+    wrong = r"{}^AR_B = \begin{bmatrix} \cos\phi & \sin\phi & 0 \\ \sin\phi & \cos\phi & 0 \\ 0 & 0 & 1 \end{bmatrix}"
+    right, other = wrong.replace("& \\sin", "& -\\sin"), wrong.replace("\\\\ \\sin", "\\\\ -\\sin")
+    verdicts = [verify_text(f"$$ {latex} $$").equations[0].verdict.value for latex in (wrong, right, other)]
+    assert verdicts == ["refuted", "unchecked", "unchecked"]  # what nothing uses is defined by nothing
+
+
+def test_a_link_matrix_is_in_doubt_where_its_product_is_wrong_in_several_entries():
+    right, wrong = (verify_text(MARK.sub(lambda found, side=side: found[side], LINKS)) for side in (1, 2))
+    assert [record.verdict.value for record in right.equations] == ["proved"] * 3
+    assert [record.verdict.value for record in wrong.equations] == ["unchecked", "unchecked", "refuted"]
