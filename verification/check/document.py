@@ -17,8 +17,8 @@ from armproof.verification.algebra.ring import Ring
 from armproof.verification.check.beforehand import Beforehand, lacks_base, shown_transforms
 from armproof.verification.check.display import DisplayChecker
 from armproof.verification.check.limits import SECONDS_TO_DECIDE
-from armproof.verification.check.parts import joined, unless_called_another, unless_of_another_arm
 from armproof.verification.check.noticed import settle_noticed
+from armproof.verification.check.parts import joined, unless_called_another, unless_of_another_arm
 from armproof.verification.check.points import Points
 from armproof.verification.diagnosis.accepted import with_accepted
 from armproof.verification.display.statements import Statements
