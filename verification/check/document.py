@@ -17,6 +17,7 @@ from armproof.verification.algebra.ring import Ring
 from armproof.verification.check.beforehand import Beforehand, lacks_base, shown_transforms
 from armproof.verification.check.display import DisplayChecker
 from armproof.verification.check.limits import SECONDS_TO_DECIDE
+from armproof.verification.check.noticed import settle_noticed
 from armproof.verification.check.parts import joined, unless_called_another, unless_of_another_arm
 from armproof.verification.check.points import Points
 from armproof.verification.check.table_values import values_of_tables
@@ -214,7 +215,7 @@ class DocumentChecker:
         if self.inferred.arm is not None or self.inferred.problem is not None:
             equations, tables = settle_data(self.inferred, equations, tables)
         if self._has_definitions(equations):  # what was refuted by an arm that nothing confirms may have used them
-            equations = settle_used(equations)
+            equations = settle_noticed(settle_used(equations), self.displays.slips)
         index = None if self.arm is None else 0
         return DocumentResult(
             str(self.document.path),

@@ -112,7 +112,7 @@ class Slips:
         if before is None or before.line != slip.line or not isinstance(slip.formula, n.Node):
             return True
         with_slip = replace(before, evaluate=self.checker.members.meaning(slip.formula))
-        return self._holds_where(record, slip.name, before) and not self._holds_where(record, slip.name, with_slip)
+        return self.holds_where(record, slip.name, before) and not self.holds_where(record, slip.name, with_slip)
 
     def _may_slip(self, key: tuple[str, int]) -> bool:
         """Whether what is said of a name claims something: a list of letters does not, F = (F_x, F_y)."""
@@ -123,7 +123,8 @@ class Slips:
 
         return not names_alone(before.formula)
 
-    def _holds_where(self, record: Record, name: str, meaning: Definition) -> bool:
+    def holds_where(self, record: Record, name: str, meaning: Definition) -> bool:
+        """Whether a display holds with another meaning of a name."""
         before = self.names.state.definitions[name]
         self.names.state.definitions[name] = meaning
         try:

@@ -6,15 +6,17 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
+from armproof.models.errors import ArmproofError
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.conditions.other_meanings import OtherMeanings
 from armproof.verification.conditions.told_directions import ToldDirections
 from armproof.verification.conditions.told_names import ToldNames
-from armproof.verification.conditions.told_notation import written_as_told
+from armproof.verification.conditions.told_notation import ATAN2, written_as_told
 from armproof.verification.document import Display
 from armproof.verification.document.other_meanings import FRAME
 from armproof.verification.document.sentences import EVERYWHERE, not_known_in, quoted
 from armproof.verification.document.subjects import WRIST
+from armproof.verification.equations.argument_order import as_told
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
@@ -68,10 +70,19 @@ class WordsAround:
         """Leave open what is written in a notation that the text says to be another, and a rank that it says to be so everywhere and that is not."""
         noted = written_as_told(outcome, display, self.names.reader)
         if noted is not None:
-            return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=noted))
+            told = self._in_told_order(outcome) if noted == ATAN2 else None
+            return told or outcome.left_open(say(Kind.MEANT_OTHERWISE, name=noted))
         if EVERYWHERE in display.meant and outcome.verdict in DECIDED:
             return self.circumstances.of_rank_everywhere(outcome)
         return outcome
+
+    def _in_told_order(self, outcome: Outcome) -> Outcome | None:
+        """Return an equation that holds as the text has the arguments of atan2, and not as they usually stand."""
+        check = self.circumstances.checker.check
+        try:
+            return as_told(outcome, lambda chain: check(chain, outcome.equation, 0, define=False))
+        except (ArmproofError, RecursionError):
+            return None
 
     def _is_of_other_frame(self, display: Display) -> bool:
         """Whether the sentence beside a display is of the origin of another frame than the last."""

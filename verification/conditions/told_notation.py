@@ -11,6 +11,7 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.reader import Reader
 
+ATAN2 = "atan2"
 _ARCS = ("asin", "acos", "atan")
 _FORCES = frozenset("FfwWhH")
 
@@ -25,8 +26,8 @@ def written_as_told(outcome: Outcome, display: Display, reader: Reader) -> str |
         sides = [each for chain in reader.read(display.latex) if isinstance(chain, n.Chain) for each in chain.members]
     below = [each for node in sides for each in n.walk(node)]
     calls = [each for each in below if isinstance(each, n.Call)]
-    if ABSCISSA_FIRST in meant and any(n.is_call(each, "atan2") for each in calls):
-        return "atan2"
+    if ABSCISSA_FIRST in meant and any(n.is_call(each, ATAN2) for each in calls):
+        return ATAN2
     powers = (each.head for each in calls if each.function in _ARCS and "-1" in each.head.replace(" ", ""))
     if RECIPROCAL in meant and (head := next(powers, None)) is not None:
         return head

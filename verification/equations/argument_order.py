@@ -19,10 +19,25 @@ def order_shown(outcome: Outcome, check: Callable[[n.Chain], Sequence[Outcome]])
     calls = [each for each in calls if each.function == "atan2" and len(each.arguments) == 2]
     if not calls or outcome.verdict in HOLDS:
         return USUAL if calls else ""
-    turned: dict[int, n.Node] = {id(each): replace(each, arguments=each.arguments[::-1]) for each in calls}
-    one, other = (n.substitute_each(node, turned) for node in outcome.nodes)
-    found = check(n.Chain((one, other), ("=",)))
+    found = check(_turned(outcome.nodes))
     return OTHER if found and all(each.verdict in HOLDS for each in found) else ""
+
+
+def as_told(outcome: Outcome, check: Callable[[n.Chain], Sequence[Outcome]]) -> Outcome | None:
+    """Return an equation that does not hold as it is read, and does with x before y, as the text says; None of another."""
+    if outcome.verdict is not Verdict.REFUTED or len(outcome.nodes) != len(("left", "right")):
+        return None
+    found = check(_turned(outcome.nodes))
+    holds = len(found) == 1 and found[0].verdict in HOLDS
+    return replace(found[0], equation=outcome.equation, uses=outcome.uses) if holds else None
+
+
+def _turned(nodes: Sequence[n.Node]) -> n.Chain:
+    """Return an equation with the arguments of each atan2 in the other order."""
+    calls = [each for node in nodes for each in n.walk(node) if n.is_call(each, "atan2") and len(each.arguments) == 2]
+    turned: dict[int, n.Node] = {id(each): replace(each, arguments=each.arguments[::-1]) for each in calls}
+    one, other = (n.substitute_each(node, turned) for node in nodes)
+    return n.Chain((one, other), ("=",))
 
 
 def settle_orders(records: Iterable[Record]) -> tuple[Record, ...]:

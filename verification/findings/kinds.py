@@ -68,6 +68,7 @@ class Kind(MessageKind):
     DEFINES_ZERO = "defines_zero", "`{name}` would be zero at every configuration"
     DEFINES_ENTRIES = "defines_entries", "gives `{names}` their meaning"
     DEFINES_WITHOUT_VALUE = "defines_without_value", "gives `{name}` its meaning in terms of names without a value"
+    NO_WITNESS = "no_witness", "what is decided by {names} holds as well with a sign in it turned, or rows for columns, and does not show that it is right: bind it in the front matter (quantities) to have it checked"
     NEVER_USED = "never_used", "no claim that is decided uses {names}: bind it in the front matter (quantities) to have it checked"
     USED_OTHERWISE = "used_otherwise", "line {line} adds `{name}` to a coordinate as a part of it: bind the name in the front matter (quantities) to have it checked"
     NOT_AS_USUAL_BOUND = "not_as_usual_bound", "`{name}` is usually {reading}, and with that meaning the equation does not hold: to have it checked, write in the front matter {line}"

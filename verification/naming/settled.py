@@ -62,6 +62,15 @@ def used_names(results: Iterable[EquationResult]) -> frozenset[Key]:
     return frozenset(used)
 
 
+def uses_of(key: Key, results: Iterable[EquationResult]) -> list[EquationResult]:
+    """Return the equations that rest on a definition, by way of others too."""
+    results = list(results)
+    through = {key}
+    while new := {k for each in results if _used(each) & through for k in each.defines} - through:
+        through |= new
+    return [each for each in results if _used(each) & through]
+
+
 def _used(result: EquationResult) -> frozenset[Key]:
     """Return what an equation rests on, without the matrix of J where it holds of any."""
     is_any = any(each.kind is Kind.OF_ANY_JACOBIAN for each in result.findings)

@@ -116,3 +116,20 @@ def test_a_shorthand_is_said_to_be_a_difference(text, said):
 def test_twice_as_fast_denies_nothing():
     assert not denies_above("A gear makes the second joint turn twice as fast as the first, and the other way round.")
     assert denies_above("The last term stands there twice.")
+
+
+def test_what_is_told_of_atan2_decides():
+    told = "Here atan2 takes the abscissa first."
+    assert verdict_behind(told, r"\theta_2 = \operatorname{atan2}(c_2, s_2)") in HOLDS
+    assert verdict_behind(told, r"\theta_2 = \operatorname{atan2}(s_2, c_2)") in OPEN
+    assert verdict_behind(told, r"\theta_2 = \operatorname{atan2}(c_1, s_2)") in OPEN
+    assert verdict_behind("Here atan2 takes the ordinate first.", r"\theta_2 = \operatorname{atan2}(s_2, c_2)") in HOLDS
+
+
+def test_a_reciprocal_sine_is_not_decided():
+    told = r"Here $\sin^{-1}\theta$ means the reciprocal $1/\sin\theta$."
+    assert verdict_behind(told, r"\frac{1}{\det J} = \frac{\sin^{-1}\theta_2}{l_1 l_2}") in OPEN
+    assert (
+        verdict_behind("Here the sine is a ratio.", r"\frac{1}{\det J} = \frac{\sin^{-1}\theta_2}{l_1 l_2}")
+        is Verdict.REFUTED
+    )
