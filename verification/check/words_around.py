@@ -9,6 +9,7 @@ from dataclasses import replace
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.conditions.other_meanings import OtherMeanings
 from armproof.verification.conditions.told_directions import ToldDirections
+from armproof.verification.conditions.told_indices import unless_told_otherwise
 from armproof.verification.document import Display
 from armproof.verification.document.other_meanings import FRAME
 from armproof.verification.document.sentences import not_known_in, quoted
@@ -49,6 +50,7 @@ class WordsAround:
             outcome = self.meanings.in_order(outcome, display.meant)
         if display.directions:
             outcome = self.directions.judge(outcome, display.directions)
+            outcome = unless_told_otherwise(outcome, display.directions, self.names)
         if display.denied and outcome.verdict is not Verdict.UNCHECKED:
             outcome = replace(outcome.left_open(say(Kind.DENIED)), defines=())
         if display.may_not_print and outcome.verdict is not Verdict.UNCHECKED:

@@ -42,7 +42,9 @@ class ToldDirections:
         return replace(left, defines=(), as_usual=None)
 
     def _is_doubted(self, outcome: Outcome, told: str) -> bool:
-        kind = next(each for each in (AXIS_DOWN, RISES, FALLS, AT_ZERO) if told.startswith(each))
+        kind = next((each for each in (AXIS_DOWN, RISES, FALLS, AT_ZERO) if told.startswith(each)), None)
+        if kind is None:
+            return False
         which = told.removeprefix(kind).strip()
         if kind == AXIS_DOWN:
             return which in self._coordinates(outcome)

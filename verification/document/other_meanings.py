@@ -143,12 +143,12 @@ def _reach(line: int, text: str) -> tuple[int, float]:
     return begin, next((at for at, own in headings if at > line and own <= level), inf)
 
 
-def told_below(text: str, tells: Callable[[str], Iterable[str]]) -> Iterator[tuple[str, int, float]]:
+def told_below(text: str, *tells: Callable[[str], Iterable[str]]) -> Iterator[tuple[str, int, float]]:
     """Yield what sentences tell, each with the lines of the section, from its heading on, of which it holds."""
     shown = _SHOWN.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
     for found in _SENTENCE.finditer(shown):
         sentence = found.group()
-        for each in tells(sentence) if len(sentence) <= MOST_CHARACTERS else ():
+        for each in (each for one in tells for each in one(sentence)) if len(sentence) <= MOST_CHARACTERS else ():
             line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
             yield each, *_reach(line, text)
 
