@@ -132,7 +132,7 @@ class DisplayChecker:
 
     def _judge(self, record: Record, display: Display, statements: list[n.Statement]) -> Record:
         outcomes, extra = self._with_later_definitions(statements, display)
-        if _is_spoken_of(display):
+        if _is_spoken_of(display) or self.words.meanings.order_doubt is not None:
             outcomes = [self.words.judge(outcome, display) for outcome in outcomes]
         for key in {key for outcome in outcomes for key in outcome.defines if display.may_not_print}:
             self.names.doubt(key)

@@ -48,6 +48,7 @@ class WordsAround:
             outcome = self.meanings.of_arm(outcome, display.meant)
         if display.meant and not display.erratum:
             outcome = self.meanings.in_order(outcome, display.meant)
+        outcome = self.meanings.of_entries(outcome)
         if display.directions:
             outcome = self.directions.judge(outcome, display.directions)
             outcome = unless_told_otherwise(outcome, display.directions, self.names)
