@@ -73,8 +73,8 @@ def _told(sentence: str) -> Iterator[str]:
             if (letter := _letter_by(words, formulas, found)) is not None:
                 yield f"{kind} {letter}"
     if _OF_ALL_AT_ZERO.search(words) and _ARM.search(words):
-        found = [*_ALONG.finditer(words)]
-        for along in sorted(found, key=lambda each: each[2] is None)[:1]:  # an axis tells more than "up"
+        lying = [*_ALONG.finditer(words)]
+        for along in sorted(lying, key=lambda each: each[2] is None)[:1]:  # an axis tells more than "up"
             yield f"{AT_ZERO} {'up' if along['up'] else 'down' if along['down'] else (along[1] or '') + along[2]}"
 
 
