@@ -29,8 +29,9 @@ _ARTICLE = (
     r"(?:the |a |le |la |l' |el |das |des |der |dem |den |die |il |o |da |do |del |dell' |della |du |de |von |of )*"
 )
 _PLACE = rf"{_ARTICLE}(?:coordinate )?({_FRAME})(?: (\w)(?!\w))?"
-_SEEN = re.compile(
-    rf"(?<!\S){_PLACE} (?:(?:is|are|as|expressed|described|written|given|seen|viewed|exprimé|décrit|ausgedrückt|beschrieben|gesehen|expresado|visto|espresso|relative|relativ|with|respect|par|rapport|respecto|rispetto) )*(?:in|im|en|dans|nel|nella|no|na|to|al|a|à|au|bezüglich|from|aus|von|desde|depuis|dal|dalla) {_PLACE}"
+_AS_SEEN = r"(?:is|are|as|expressed|described|written|given|seen|viewed|exprimé|décrit|vu|ausgedrückt|beschrieben|gesehen|expresado|visto|espresso|relative|relativ|with|respect|par|rapport|con|respecto|rispetto)"
+_SEEN = re.compile(  # "from frame 0 to frame 1" says neither
+    rf"(?<!\S){_PLACE} (?:(?:{_AS_SEEN} )*(?:in|im|en|dans|nel|nella|no|na|bezüglich)|(?:{_AS_SEEN} )+(?:to|al|a|à|au|from|aus|von|desde|depuis|dal|dalla)) {_PLACE}"
 )
 _TURNS = re.compile(
     rf"(?<!\S)(?:coordinates|coordonnées|koordinaten|coordenadas|coordinate) {_ARTICLE}(?:in |im |en |dans |from |aus )?{_PLACE} (?:in |into |to |en |a |à |auf )(?:those|celles|jene|die|las|los|quelle|coordinates|coordonnées|koordinaten|coordenadas)(?: in| im| en| dans)? {_PLACE}"

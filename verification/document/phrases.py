@@ -520,9 +520,6 @@ punkte/vektoren/ortsvektoren sind/als zeilen/zeilenvektoren
 puntos/vectores son/como (vectores) (fila) filas/fila
 punti/vettori sono/come (vettori) riga/righe
 pontos/vetores são/como (vetores) linha/linhas
-matrices/matrix act/acts/multiply/stand/stands from/on the right
-matrices (agissent) à droite
-matrizen (wirken/stehen) von rechts
 """
 SEEN_FROM = """
 frame/repère/system/koordinatensystem/sistema/referencial/marco ¤ … seen/viewed/described/expressed/given/relative/respect/vu/exprimé/rapport/gesehen/bezüglich/ausgedrückt/visto/respecto/rispetto/relação … (frame/repère/system/koordinatensystem/sistema/referencial/marco) ¤
