@@ -133,7 +133,7 @@ class DisplayChecker:
 
     def _judge(self, record: Record, display: Display, statements: list[n.Statement]) -> Record:
         outcomes, extra = self._with_later_definitions(statements, display)
-        if _is_spoken_of(display):
+        if _is_spoken_of(display) or self.words.meanings.order_doubt is not None:
             outcomes = [self.words.judge(outcome, display) for outcome in outcomes]
         if not display.erratum:
             outcomes = [unless_rate_of_valueless(self.names, outcome) for outcome in outcomes]

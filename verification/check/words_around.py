@@ -12,6 +12,7 @@ from armproof.verification.conditions.other_meanings import OtherMeanings
 from armproof.verification.conditions.told_directions import ToldDirections
 from armproof.verification.conditions.told_names import ToldNames
 from armproof.verification.conditions.told_notation import ATAN2, written_as_told
+from armproof.verification.conditions.told_indices import unless_told_otherwise
 from armproof.verification.document import Display
 from armproof.verification.document.other_meanings import FRAME
 from armproof.verification.document.sentences import EVERYWHERE, not_known_in, quoted
@@ -55,8 +56,10 @@ class WordsAround:
         if display.meant and not display.erratum:
             outcome = self.told.judge(outcome, display.meant)
             outcome = self.meanings.in_order(outcome, display.meant)
+        outcome = self.meanings.of_entries(outcome)
         if display.directions:
             outcome = self.directions.judge(outcome, display.directions)
+            outcome = unless_told_otherwise(outcome, display.directions, self.names)
         if display.denied and outcome.verdict is not Verdict.UNCHECKED:
             outcome = replace(outcome.left_open(say(Kind.DENIED)), defines=())
         if display.may_not_print and outcome.verdict is not Verdict.UNCHECKED:

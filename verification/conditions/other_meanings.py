@@ -32,10 +32,11 @@ from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.given_values import GivenValues
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import ReadError
-from armproof.verification.findings import Kind, say
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
-from armproof.verification.verdict import Verdict
+from armproof.verification.naming.conventions import is_entry
+from armproof.verification.verdict import DECIDED, Verdict
 
 _VELOCITIES = ("v", "V")
 _MOVING = (*_VELOCITIES, *"xyzpPXYZ")  # what has an acceleration
@@ -52,6 +53,7 @@ class OtherMeanings:
         self.checker = checker
         self.given = given
         self.names = checker.names
+        self.order_doubt: tuple[str, Finding] | None = None  # of rotations one after another, and the section
 
     def judge(self, outcome: Outcome, meant: Sequence[str]) -> Outcome:
         """Leave open what is written with a letter that the text gives another meaning than the arm has for it."""
@@ -107,9 +109,21 @@ class OtherMeanings:
             found = [product for node in outcome.nodes for product in _products_of_rotations(node)]
             if any(_are_otherwise(product, order, bool(angles)) for product in found):
                 doubt = say(Kind.TURNED_IN_ORDER, order=" ".join(f"R_{axis}" for axis in axes))
+                self.order_doubt = self.names.state.section, doubt
                 for key in outcome.defines:
                     self.names.leave_open(key, doubt)
                 return replace(outcome.left_open(doubt), defines=())
+        return outcome
+
+    def of_entries(self, outcome: Outcome) -> Outcome:
+        """Leave open what is said of the entries r_{31} of rotations whose order is not decided, in their section."""
+        if self.order_doubt is None or self.order_doubt[0] != self.names.state.section:
+            return outcome
+        written = [name for node in outcome.nodes for name in n.names(node)]
+        if any(map(is_entry, written)) and (outcome.verdict in DECIDED or outcome.defines):
+            for key in outcome.defines:
+                self.names.leave_open(key, self.order_doubt[1])
+            return replace(outcome.left_open(self.order_doubt[1]), defines=())
         return outcome
 
     def of_quantity(self, outcome: Outcome, meant: Sequence[str]) -> Outcome:

@@ -42,7 +42,9 @@ class ToldDirections:
         return replace(left, defines=(), as_usual=None)
 
     def _is_doubted(self, outcome: Outcome, told: str) -> bool:
-        kind = next(each for each in (AXIS_DOWN, RISES, FALLS, AT_ZERO) if told.startswith(each))
+        kind = next((each for each in (AXIS_DOWN, RISES, FALLS, AT_ZERO) if told.startswith(each)), None)
+        if kind is None:
+            return False
         which = told.removeprefix(kind).strip()
         if kind == AXIS_DOWN:
             return which in self._coordinates(outcome)
@@ -50,8 +52,9 @@ class ToldDirections:
             joints = self._other_at_zero(which)
             return bool(joints) and not joints.isdisjoint(self._written(outcome)) and bool(self._coordinates(outcome))
         letter = self._key(which)
-        is_other = letter is not None and letter in self._written(outcome)
-        return is_other and not self._turns_so(letter, -1 if kind == FALLS else 1)
+        if letter is None or letter not in self._written(outcome):
+            return False
+        return not self._turns_so(letter, -1 if kind == FALLS else 1)
 
     def _key(self, latex: str) -> str | None:
         try:

@@ -19,6 +19,7 @@ from armproof.verification.document.formula_links import shows_its_latex
 from armproof.verification.document.front_matter import read_any_text, suffix_of
 from armproof.verification.document.heading import encloses
 from armproof.verification.document.hearing import words_of
+from armproof.verification.document.index_directions import MAY_INDEX, told_indices
 from armproof.verification.document.listings import assignments, with_listings
 from armproof.verification.document.markdown import read_markdown_file
 from armproof.verification.document.model import CODE, INLINE, Called, Display, Document, Listing
@@ -118,8 +119,8 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     small = text.lower()
     if any(each.search(small) for each in (MAY_MEAN, MAY_ASK, MAY_NOTE, MAY_TELL_NAMES)):
         document = with_other_meanings(document, text)
-    if MAY_ORIENT.search(small):
-        document = with_directions(document, text)
+    if (may_orient := MAY_ORIENT.search(small) is not None) or MAY_INDEX.search(small):
+        document = with_directions(document, text, may_orient)
     if (images := sum(not shows_its_latex(each) for each in _IMAGE.findall(text))) and suffix != ".py":
         told = say(Kind.IMAGES, count=images) if images > 1 else say(Kind.IMAGE)
         document = replace(document, remarks=(*document.remarks, told))
@@ -130,9 +131,9 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     return with_accepts(document, text.replace("\r\n", "\n"), suffix) if MARK in text else document
 
 
-def with_directions(document: Document, text: str) -> Document:
-    """Return a document whose displays know what the text of their section tells of directions."""
-    told = [*told_below(text, told_orientations)]
+def with_directions(document: Document, text: str, may_orient: bool) -> Document:
+    """Return a document whose displays know what the text of their section tells of directions and of indices."""
+    told = [*told_below(text, told_orientations if may_orient else lambda _: (), told_indices)]
     return replace(document, displays=tuple(_directed(each, told) for each in document.displays)) if told else document
 
 

@@ -30,7 +30,17 @@ _UP = r"(?:up|upwards?|oben|aufwärts|haut|arriba|alto|cima)"
 _OTHERS = (  # what no words between an axis and its direction are
     r"not|nicht|pas|no|non|não|of|des|du|der|del|della|do|da|tool|frame|joint|if|when|wenn|si|from|von|depuis|desde|¤|\S+-axis"
 )
-_AXIS_DOWN = re.compile(rf"(?<!\S)([xyz])-axis (?:(?!(?:{_OTHERS}) )[^\s,;:.]+ ){{0,5}}?{_DOWN}(?!\S)")
+_POINTS = (
+    r"points?|pointing|pointed|is|are|runs?|directed|positive|measured|counted|pointe|pointant|est|dirigée?|orientée?|comptée?|zeigt|weist|ist|geht|läuft|gerichtet|positiv"
+    r"|apunta|está|es|dirigid[oa]|punta|è|rivolt[oa]|dirett[oa]|aponta"
+)
+_AXIS_DOWN = re.compile(
+    rf"(?<!\S)([xyz])-axis (?:(?=(?:[^\s,;:.]+ ){{0,2}}?(?:{_POINTS}) )(?:(?!(?:{_OTHERS}) )[^\s,;:.]+ ){{1,5}}?)?(?:vers le |nach |hacia |verso il |para )?{_DOWN}(?!\S)"
+)
+_OF_FORCE = re.compile(  # what is down along an axis
+    r"(?<!\S)(?:forces?|gravity|weight|load|acceleration|kraft|last|schwerkraft|gewicht|erdbeschleunigung|poids|pesanteur|gravité|charge|fuerza|gravedad|peso|carga|forza|gravità|carico|força|gravidade)(?!\S)"
+)
+_NEGATIVE = re.compile(r"(?<!\S)(?:negativ\w*|négati\w*)(?!\S)")
 _LEVEL = r"(?:horizontal\w*|orizzontale|waagr?e?rechten?|ground|boden|sol|suelo)"
 _ARTICLE = r"(?:the |l' |la |le |der |die |dem |den |el |il |de |de l' |de la |della |dell' |à )*"
 _ABOVE = rf"(?:above|over|über|oberhalb|au-dessus|dessus|encima|sobre|sopra|acima) {_ARTICLE}{_LEVEL}"
@@ -66,15 +76,17 @@ def _told(sentence: str) -> Iterator[str]:
     words = _BEFORE_AXIS.sub("", words_of(plain).lower())
     if _DENIES.search(words):
         return
-    yield from (f"{AXIS_DOWN} {found[1]}" for found in _AXIS_DOWN.finditer(words))
+    if not _OF_FORCE.search(words):
+        yield from (f"{AXIS_DOWN} {found[1]}" for found in _AXIS_DOWN.finditer(words))
     formulas = [each[0] or each[1] for each in _FORMULA.findall(plain)]
     for kind, pattern in ((RISES, _RISES), (FALLS, _FALLS)):
-        for found in pattern.finditer(words):
+        for found in pattern.finditer(words) if not _NEGATIVE.search(words) else ():
             if (letter := _letter_by(words, formulas, found)) is not None:
                 yield f"{kind} {letter}"
-    if _OF_ALL_AT_ZERO.search(words) and _ARM.search(words):
-        found = [*_ALONG.finditer(words)]
-        for along in sorted(found, key=lambda each: each[2] is None)[:1]:  # an axis tells more than "up"
+    of_one_axis = len({*re.findall(r"[xyz]-axis", words)}) < 2  # of two, one points along the other
+    if of_one_axis and _OF_ALL_AT_ZERO.search(words) and _ARM.search(words):
+        lying = [*_ALONG.finditer(words)]
+        for along in sorted(lying, key=lambda each: each[2] is None)[:1]:  # an axis tells more than "up"
             yield f"{AT_ZERO} {'up' if along['up'] else 'down' if along['down'] else (along[1] or '') + along[2]}"
 
 

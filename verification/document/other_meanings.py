@@ -14,6 +14,7 @@ from math import inf
 from armproof.verification.document.clauses import mentions_only, says_what_would_be
 from armproof.verification.document.heading import is_ruled
 from armproof.verification.document.hearing import MOST_CHARACTERS, hears, hears_denied, says, with_axes, words_of
+from armproof.verification.document.lengths_in_units import lengths_in_two_units
 from armproof.verification.document.letters_anew import MAY_RENAME, letters_anew
 from armproof.verification.document.model import Display, Document
 from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, subjects
@@ -87,12 +88,17 @@ _UNIT = re.compile(
     r"(?<!\S)(?:in|en|into) (inch|feet|foot|pouce|zoll|pulgada|pollici|mm|millim|cm|centim|zentim|decim|met|mèt|m )"
 )
 _PLURAL = re.compile(
-    r"\b(?:angles|(?:second|third|last|elbow|other) angle|both|all|each|every|chaque|rotations?|turns|positi[fv]e?|winkel|ángulos|deux|number(?:ed)?|roles)\b",
+    r"\b(?:angles|(?:second|third|last|elbow|other) (?:angle|motor|encoder|drive|actuator|servo|sensor)|(?:second|deuxième|dernier) (?:moteur|codeur|capteur)|zweiter? (?:motor|encoder|antrieb|geber)"
+    r"|(?:segundo|secondo) (?:motor|encoder|motore|actuador|attuatore)|both|all|each|every|chaque|rotations?|turns|positi[fv]e?|winkel|ángulos|deux|number(?:ed)?|roles)\b",
     re.IGNORECASE,
 )
 _VERTICAL = re.compile(r"(?<!\S)(?:vertical|senkrecht|lotrecht)", re.IGNORECASE)
 _OTHERWISE = re.compile(  # what an angle from the vertical may be besides
     r"clockwise|horair|uhrzeiger|horari|orari|y-axis|downward|bas\b|number|from the (?:tip|tool|end|gripper|hand)|role|fold|interior|inner|intérieur|hang|pendant",
+    re.IGNORECASE,
+)
+_IS_TURNED = re.compile(
+    r"(?<!\S)(?:is|are|be|being|was|est|sont) (?:first |then |next |now |d'abord |ensuite |puis )?(?:turned|rotated|tournée?s?) ",
     re.IGNORECASE,
 )
 _OF_EULER = re.compile(  # angles of an orientation, and of no joint
@@ -155,12 +161,12 @@ def _reach(line: int, text: str) -> tuple[int, float]:
     return begin, next((at for at, own in headings if at > line and own <= level), inf)
 
 
-def told_below(text: str, tells: Callable[[str], Iterable[str]]) -> Iterator[tuple[str, int, float]]:
+def told_below(text: str, *tells: Callable[[str], Iterable[str]]) -> Iterator[tuple[str, int, float]]:
     """Yield what sentences tell, each with the lines of the section, from its heading on, of which it holds."""
     shown = _SHOWN.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
     for found in _SENTENCE.finditer(shown):
         sentence = found.group()
-        for each in tells(sentence) if len(sentence) <= MOST_CHARACTERS else ():
+        for each in (each for one in tells for each in one(sentence)) if len(sentence) <= MOST_CHARACTERS else ():
             line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
             yield each, *_reach(line, text)
 
@@ -242,7 +248,10 @@ def _meanings(text: str) -> Iterator[Meaning]:
             yield Meaning(line, anew=known, is_of_section=is_of_section)
         if (frame := _OF_FRAME.search(words)) is not None:
             yield Meaning(line, frame=frame[1])
-        if turns := _turns(plain, words):
+        whole = with_axes(
+            " ".join((before + sentence).split())
+        )  # "It is turned about x, then y; all axes are those of the base"
+        if not goes_on and (turns := _turns(whole, words_of(whole))):
             yield Meaning(line, beside=f"{TURNS} {turns}")
         if _TELLS.match(words):
             for heard in subjects(words, formulas):
@@ -251,6 +260,7 @@ def _meanings(text: str) -> Iterator[Meaning]:
         is_over = words.rstrip()[-1:] in ".!" and not mentions_only(words)
         if is_over and any(says(each, words) for each in ("OTHER_POINT", "OTHER_FRAME")):
             yield Meaning(line, is_place=True)
+        yield from (Meaning(line, (f"{ALL} {each}",)) for each in lengths_in_two_units(plain))
         if len({*_UNIT.findall(words.lower())}) > 1:  # lengths in inches, and what is printed in millimetres
             yield Meaning(line, is_place=True)
         if _OF_ALL.search(words) and says("OTHER_FRAME", words):
@@ -419,7 +429,8 @@ def _turns(plain: str, words: str) -> str:
     """Return the axes of the factors of rotations that a sentence has one after another: the last first about fixed axes, the first about those turned before."""
     if not (hears("TURNS", words) and hears("AFTER_ONE_ANOTHER", words)):
         return ""
-    is_fixed, is_turned = hears("FIXED_AXES", words) is not None, hears("TURNED_AXES", words) is not None
+    of_axes = _IS_TURNED.sub("", words)
+    is_fixed, is_turned = hears("FIXED_AXES", words) is not None, hears("TURNED_AXES", of_axes) is not None
     axes = [next(filter(None, found.groups())).lower() for found in _AXIS_TURNED.finditer(plain)]
     if is_fixed == is_turned or not 2 <= len(axes) <= 3:
         return ""

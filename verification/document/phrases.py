@@ -523,6 +523,16 @@ rotation/rotations/rotación/rotaciones/rotazione/rotazioni/rotação/rotações
 turns/rotates/turning/rotating (only) the (coordinate) axes/frame (,) (and) not/rather
 axes are/being turned/rotated (,) (and) not
 """
+ROW_VECTORS = """
+points/vectors/positions/coordinates are/as/is (written/taken/treated) (as) (row) rows/row-vectors
+points/vectors/positions/coordinates are/as (written/taken/treated) (as) row vectors
+we (use/work) (with) row vectors/row-vectors
+points/vecteurs/positions sont (des/écrits/écrites/notés) (comme) (en) (vecteurs) lignes/ligne
+punkte/vektoren/ortsvektoren sind/als zeilen/zeilenvektoren
+puntos/vectores son/como (vectores) (fila) filas/fila
+punti/vettori sono/come (vettori) riga/righe
+pontos/vetores são/como (vetores) linha/linhas
+"""
 SEEN_FROM = """
 frame/repère/system/koordinatensystem/sistema/referencial/marco ¤ … seen/viewed/described/expressed/given/relative/respect/vu/exprimé/rapport/gesehen/bezüglich/ausgedrückt/visto/respecto/rispetto/relação … (frame/repère/system/koordinatensystem/sistema/referencial/marco) ¤
 coordinates/coordonnées/koordinaten/coordenadas/coordinate … ¤ … into/to/en/in/a … ¤

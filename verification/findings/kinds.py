@@ -124,6 +124,7 @@ class Kind(MessageKind):
     LEFT_OUT = "left_out", "'{text}' stands beside the equation, not in it: what it says is not decided"
     WORDS_CHANGE_IT = "words_change_it", "'{text}' changes what the equation says, and words are not decided"
     ONE_ROW = "one_row", "one row alone is printed for `{name}`: say which is meant in the front matter (quantities)"
+    TOLD_INDICES = "told_indices", "the matrix stands with other indices, or turned over, than the text tells: {text}"
     TOLD_DIRECTION = "told_direction", "the formulas that give the arm do not follow, or do not show, what the text tells of directions: {text}"
     OF_OTHER_POINT = "of_other_point", "the text speaks of another point or frame than the tool in the base: bind the name in the front matter (quantities) to have it checked"
     MEANT_OTHERWISE = "meant_otherwise", "the text says that {name} is something else than the arm has for it: what is written with it is not decided"
