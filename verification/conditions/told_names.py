@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from armproof.verification.algebra.quantity import Quantity
-from armproof.verification.document.told_names import INNER, LINK, OTHER, POINT, TOLD, TOOL, WRIST
+from armproof.verification.document.told_names import INNER, LINK, OTHER, POINT, STRANGE, TOLD, TOOL, WANTED, WRIST
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
@@ -18,6 +18,7 @@ from armproof.verification.naming.quantities import numbered_frames
 from armproof.verification.verdict import DECIDED, Verdict
 
 _RUNNING = re.compile(r"[ijkn](?:[+-]1)?")  # the index of ω_i, which is any number
+_TRANSFORMS = ("T", "A", "H", "R")
 _LONGEST = 80  # characters of what is quoted
 
 
@@ -72,9 +73,13 @@ class ToldNames:
         if not usual:
             return False
         which, _, number = place.partition(" ")
+        if which == WANTED:  # a target with a number is one of several
+            return name.sub.isdigit()
+        if which == STRANGE and name.base in _TRANSFORMS and (name.pre_sup or name.sup) and (name.pre_sub or name.sub):
+            return False  # its indices tell it
         if which == POINT:
             return any(each.kind == "origin" for each in usual)
-        return which == OTHER or self._is_elsewhere(usual, which, number)
+        return which in (OTHER, STRANGE) or self._is_elsewhere(usual, which, number)
 
     def _is_elsewhere(self, usual: Sequence[Quantity], which: str, number: str) -> bool:
         """Whether none of the usual quantities is of the place of the arm that a definition names."""

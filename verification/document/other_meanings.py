@@ -17,8 +17,9 @@ from armproof.verification.document.hearing import MOST_CHARACTERS, hears, hears
 from armproof.verification.document.lengths_in_units import lengths_in_two_units
 from armproof.verification.document.letters_anew import MAY_RENAME, letters_anew
 from armproof.verification.document.model import Display, Document
+from armproof.verification.document.strange import is_in_known_language
 from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, subjects
-from armproof.verification.document.told_names import MAY_TELL_NAMES, USUAL, Told, told_in_rows, told_names
+from armproof.verification.document.told_names import MAY_TELL_NAMES, STRANGE, USUAL, Told, told_in_rows, told_names
 from armproof.verification.document.told_notation import MAY_NOTE, notations_told
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
@@ -82,6 +83,8 @@ _IS_SIGNED = re.compile(  # d_2 is positive on one side and negative on the othe
     r"\bpositi[vf]\w* .{0,60}?\bn[eé]gati[vf]|\bn[eé]gati[vf]\w* .{0,60}?\bpositi[vf]|\bpositiv[oa]\b.{0,60}?\bnegativ[oa]\b",
     re.IGNORECASE,
 )
+_ROW = re.compile(r"^[ \t]*\|.*$", re.MULTILINE)  # of a table, which is no sentence
+_TELLS_LANGUAGE = 8000  # characters of a text
 _NOUGHT = re.compile(r"\(\s*0(?:\s*[,;]\s*0)*\s*\)")
 _TUPLE = re.compile(r"\(\s*[^(),;]+(?:[,;]\s*[^(),;]+)+\)(?:\^\{?(?:T|\\top)\}?)?")
 _UNIT = re.compile(
@@ -275,16 +278,18 @@ def _meanings(text: str) -> Iterator[Meaning]:
 
 def _named_in(text: str, found: re.Match[str]) -> Iterator[tuple[int, Told]]:
     """Yield what a sentence of a text says names to be, with its line."""
-    sentence = found.group()
+    sentence = _ROW.sub("", found.group())
     if len(sentence) <= MOST_CHARACTERS and MAY_TELL_NAMES.search(sentence.lower()):
-        line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
+        said = found.group()
+        line = text.count("\n", 0, found.start() + len(said) - len(said.lstrip())) + 1
         yield from ((line, each) for each in told_names(with_axes(" ".join(sentence.split()))))
 
 
 def _of_names(named: Sequence[tuple[int, Told]], text: str) -> Iterator[Meaning]:
     """Yield which names have not their usual meaning, from the heading above on, up to one below which they are said to have it again."""
+    is_read = all(told.place != STRANGE for _, told in named) or is_in_known_language(words_of(text[:_TELLS_LANGUAGE]))
     for line, told in named:
-        if told.place == USUAL:
+        if told.place == USUAL or (told.place == STRANGE and not is_read):
             continue
         begin = line if told.is_anew else _reach(line, text)[0]
         again = (at for at, each in named if at > line and each.name == told.name and each != told)

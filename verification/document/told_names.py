@@ -17,7 +17,8 @@ from armproof.verification.document.told_words import holds as is_of
 from armproof.verification.document.told_words import is_other, is_told, is_usual_word, number_of
 
 TOLD = "told"  # a name that the text says to be something; with its place, and the words
-OTHER, TOOL, WRIST, INNER, LINK, POINT = "other", "tool", "wrist", "inner", "link", "point"
+OTHER, STRANGE, WANTED, POINT = "other", "strange", "wanted", "point"  # strange: in words that are not known
+TOOL, WRIST, INNER, LINK = "tool", "wrist", "inner", "link"
 USUAL = ""  # where a definition tells no more than convention does
 MAY_TELL_NAMES = re.compile(  # in small letters: what no text that defines a name in words lacks
     r"\b(?:let|call|denot|stands? for|mean|designat|represent|is|are|be|was|soi(?:t|ent)|note|notons|notée?|appel|nomm|désign|est|sont|sei|seien|ist|sind|bezeichne|nenn|heiß|sea|sean|llam|denomin|es|son|sia|siano|chiam|indic|è|sono|seja|sejam|cham|é|são|start|begin|pass|motion|move|wobei|où)"
@@ -227,9 +228,12 @@ def _told(listed: Sequence[str], phrase: Sequence[str], is_sure: bool) -> Iterat
     text = _text(phrase)
     comma = phrase.index(",") if "," in phrase else len(phrase)
     own = [word for word in phrase if is_told(word)]
-    strange = is_sure and any(not is_usual_word(word) for word in phrase[:comma] if is_told(word))
-    if is_other(phrase) or strange:
+    is_strange = any(not is_usual_word(word) for word in own if word in phrase[:comma])
+    is_computed = any(is_of(word, "COMPUTED") for word in phrase)
+    if is_other(phrase):
         yield from (Told(each, OTHER, text) for each in listed)
+    elif is_sure and is_strange and not is_computed:
+        yield from (Told(each, STRANGE, text) for each in listed)
     elif is_sure and own:
         yield from (Told(each, _place(phrase[:comma]), text) for each in listed)
 
@@ -241,6 +245,8 @@ def _text(said: Sequence[str]) -> str:
 
 def _place(phrase: Sequence[str]) -> str:
     """Return of which place of the arm a definition is, `USUAL` where it tells none."""
+    if any(is_of(word, "WANTED") for word in phrase):
+        return WANTED
     if number := number_of(phrase):
         return f"{LINK} {number}"
     for kind, place in (("WRIST", WRIST), ("INNER", INNER), ("TOOL", TOOL)):
