@@ -102,6 +102,7 @@ class DisplayChecker:
         self.names.state.enter(display.section)
         self.names.state.listed = display.listed
         self.names.state.omega_is_first = OMEGA_FIRST in display.meant
+        self.checker.rows.take_task(display.meant)
         self.ring.forget_signs()
         try:
             with self.ring.budget.of(SECONDS_TO_DECIDE):

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.conditions.other_meanings import OtherMeanings
+from armproof.verification.conditions.told_otherwise import ToldOtherwise
 from armproof.verification.document import Display
 from armproof.verification.document.other_meanings import FRAME
 from armproof.verification.document.sentences import not_known_in, quoted
@@ -28,6 +29,7 @@ class WordsAround:
     def __init__(self, circumstances: Circumstances) -> None:
         self.circumstances = circumstances
         self.meanings = OtherMeanings(circumstances.checker, circumstances.given)
+        self.otherwise = ToldOtherwise(circumstances.checker)
         self.names = circumstances.names
 
     def judge(self, outcome: Outcome, display: Display) -> Outcome:
@@ -43,6 +45,7 @@ class WordsAround:
         if display.meant and not display.erratum and outcome.verdict in DECIDED:
             outcome = self.meanings.of_quantity(self.meanings.judge(outcome, display.meant), display.meant)
             outcome = self.meanings.of_arm(outcome, display.meant)
+            outcome = self.otherwise.judge(outcome, display.meant)
         if display.meant and not display.erratum:
             outcome = self.meanings.in_order(outcome, display.meant)
         if display.denied and outcome.verdict is not Verdict.UNCHECKED:

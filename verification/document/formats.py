@@ -52,6 +52,7 @@ from armproof.verification.document.struck_out import MAY_STRIKE, with_struck_ou
 from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
 from armproof.verification.document.told_convention import MAY_TELL, told_convention
+from armproof.verification.document.told_since import MAY_SAY_SINCE
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
 
@@ -112,7 +113,7 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     ):
         document = replace(document, displays=tuple(replace(each, strange="") for each in document.displays))
     small = text.lower()
-    if MAY_MEAN.search(small) or MAY_ASK.search(small):
+    if any(each.search(small) for each in (MAY_MEAN, MAY_ASK, MAY_SAY_SINCE)):
         document = with_other_meanings(document, text)
     if (images := sum(not shows_its_latex(each) for each in _IMAGE.findall(text))) and suffix != ".py":
         told = say(Kind.IMAGES, count=images) if images > 1 else say(Kind.IMAGE)
