@@ -11,6 +11,7 @@ from armproof.models.errors import ArmproofError
 from armproof.verification.check.limits import SECONDS_TO_DECIDE, SECONDS_TO_EXPLAIN
 from armproof.verification.check.slips import Slips
 from armproof.verification.check.words_around import WordsAround
+from armproof.verification.conditions.by_turned_angles import unless_by_angles
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.display.statements import Statements
 from armproof.verification.display.taken_arm import OfTakenArm, names_in
@@ -135,6 +136,7 @@ class DisplayChecker:
         outcomes, extra = self._with_later_definitions(statements, display)
         if _is_spoken_of(display):
             outcomes = [self.words.judge(outcome, display) for outcome in outcomes]
+        outcomes = [unless_by_angles(outcome, self.checker) for outcome in outcomes]
         for key in {key for outcome in outcomes for key in outcome.defines if display.may_not_print}:
             self.names.doubt(key)
         if not outcomes:

@@ -13,7 +13,7 @@ from armproof.verification.document.word_lists import WordLists
 LOCKED = "locked"  # joints: rates behind it are those of others
 
 MAY_LOCK = re.compile(
-    r"lock|block|brak|clamp|jam|stuck|broken|froz|freez|fixed|constan|only|alone|keep|held|holds?\b|still|immobil|stand|verrou|bloqu|frein|panne|seul|garde|figé|gesperrt|sperr|gebremst|brems|blockier|fest|verriegel|arretier|behält|nur\b|allein|fren|solo|sólo|inmóvil|quiet|conserva|mantien|rest|trav|apenas|só\b|reste|fail|dead|defekt|ausgefallen|switched off|averi"
+    r"lock|block|brak|clamp|jam|stuck|broken|froz|freez|fixed|[ck]onst|costant|unchang|inchang|unver|only|alone|keep|held|holds?\b|still|immobil|stand|verrou|bloqu|frein|panne|seul|garde|figé|gesperrt|sperr|gebremst|brems|blockier|fest|verriegel|arretier|behält|nur\b|allein|fren|solo|sólo|inmóvil|quiet|conserva|mantien|rest|trav|apenas|só\b|reste|fail|dead|defekt|ausgefallen|switched off|averi"
 )
 _is = WordLists("""
 LOCKED locked blocked braked clamped jammed stuck broken frozen immobile immobilised immobilized locks blocks seized failed verrouill~ bloqué~ bloque bloquent bloquons freiné~ panne immobile~ immobilis~ figé~ coincé~ gesperrt~ sperrt sperren gebremst~ blockiert~ verriegel~ arretier~ festgeklemmt~ festgehalten~ festgestellt~ klemmt defekt ausgefallen bloquead~ frenad~ inmóvil~ averiad~ trabad~ bloccat~ frenat~ blocca bloccano fermo ferma travad~ parad~ bloquead~
@@ -26,7 +26,7 @@ _BRAKE = re.compile(
     r"(?<!\S)(?:brakes?|locks?|pins?|bolts?|freins?|bremsen?|frenos?|freni|freno|freios?) (?:\S+ )?(?:holds?|keeps?|locks?|blocks?|tient|bloque|retient|immobilise|hält|halten|blockiert|sperrt|sujeta|mantiene|bloquea|tiene|blocca|segura|on) "
 )
 _ALONE = re.compile(
-    r"(?<!\S)(?:(?:only|seule?s?|nur|solo|sólo|solamente|soltanto|apenas|somente|só) (?:[^,;:.\s]+ ){0,4}?(?:moves?|turns?|rotates?|slides?|varies|vary|runs?|works?|changes?|bouge|tourne|varie|se déplace|bewegt|dreht|ändert|läuft|mueve|gira|varía|muove|ruota|varia|move|is driven|is actuated)"
+    r"(?<!can )(?<!may )(?<!\S)(?:(?:only|seule?s?|nur|solo|sólo|solamente|soltanto|apenas|somente|só) (?:[^,;:.\s]+ ){0,4}?(?:moves?|turns?|rotates?|slides?|varies|vary|runs?|works?|changes?|bouge|tourne|varie|se déplace|bewegt|dreht|ändert|läuft|mueve|gira|varía|muove|ruota|varia|move|is driven|is actuated)"
     r"|(?:moves?|turns?|bouge|tourne|bewegt sich|dreht sich|se mueve|si muove|gira) (?:only|alone|seule?|nur|allein|solo|da solo)"
     r"|(?:does not|do not|doesn' t|don' t|cannot|can' t|no longer) (?:\S+ )?(?:move|turn|rotate|slide|change|vary)|ne (?:bouge|tourne|varie|se déplace|bougent|tournent) (?:pas|plus)|(?:bewegt|dreht|ändert) sich (?:nicht|nicht mehr)|no (?:se )?(?:mueve|gira|cambia)|non (?:si )?(?:muove|gira|cambia)) "
 )

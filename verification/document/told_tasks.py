@@ -37,6 +37,7 @@ _OF_OTHERS = re.compile(  # joints, lengths, torques, forces, indices, one point
 _COORDINATE = re.compile(
     r"[xyzXYZ](?:\s*_\s*(?:\{[A-Za-z\\{} ]+\}|[A-Za-z]))?|[pP]\s*_\s*\{?\s*[xyz]\s*\}?|\\(?:var)?(?:phi|psi)(?:\s*_\s*\{?[A-Za-z]+\}?)?|\\alpha|\\gamma"
 )
+_BY = re.compile(r"(?:respect to|as (?:a )?functions? of|respecto (?:de|a)|rapport (?:à|aux)|bezüglich|nach|rispetto a|em relação a)(?: the| l'| la| le| les| den)?(?: \w+){0,2} \Z")
 _JACOBIAN = re.compile(r"\\?(?:mathbf|boldsymbol|bm)?\s*\{?\s*J\b.*")
 
 
@@ -50,7 +51,7 @@ def told_tasks(words: str, formulas: Sequence[str]) -> Iterator[str]:
             yield _task(TASK, named)
             return
     is_ordered = re.search(r"(?<!\S)(?:order|ordre|reihenfolge|orden|ordine|ordem) ", small) is not None
-    tuples = [entries for each in plain if (entries := _entries(each))]
+    tuples = [entries for place, each in enumerate(plain) if (entries := _entries(each)) and not _is_argument(small, place)]
     if tuples and (_OF_TASK.search(small) or _OF_ROW.search(small) or is_ordered):
         yield _task(TASK, tuples[-1])
         return
@@ -66,6 +67,12 @@ def coordinates_of(task: str) -> tuple[list[str], bool]:
     """Return the coordinates of a task as LaTeX, and whether their order is told."""
     is_ordered = not task.startswith(f"{TASK_UNORDERED} ")
     return task.removeprefix(f"{TASK_UNORDERED if not is_ordered else TASK} ").split(_MARK), is_ordered
+
+
+def _is_argument(words: str, place: int) -> bool:
+    """Whether a formula, by its place among them, is what something is differentiated by."""
+    before = "¤".join(words.split("¤")[: place + 1])
+    return _BY.search(before) is not None
 
 
 def _task(kind: str, names: Sequence[str]) -> str:
