@@ -31,13 +31,15 @@ _ENTRIES = re.compile(
     r"(?:^|[^=]*=)\s*(?:\\left)?\s*(?:[\[(]|\\begin\{[bp]?matrix\})(?P<entries>[^()\[\]=]*?)(?:\\right)?\s*(?:[\])]|\\end\{[bp]?matrix\})\s*(?:\^\s*\{?\s*(?:T|\\top|\\intercal|\\mathsf\s*\{?T\}?)\s*\}?)?\s*"
 )
 _NAME = re.compile(r"(?:\\[A-Za-z]+|[A-Za-z])(?:\s*_\s*(?:\{[^{}]*\}|\w))?")
-_OF_OTHERS = re.compile(  # joints, lengths, torques, forces, indices, one point of several
-    r"\\(?:var)?theta\s*_|[qdlar]\s*_|q\b|\\tau|[ijkmnNst]\Z|[FfMm]\s*_|\\dot|\w+\s*_\s*\{?\s*\d"
+_OF_OTHERS = re.compile(  # joints, lengths, velocities, torques, forces, indices, one point of several
+    r"[vV](?:\s*_|\Z)|\\omega|\\(?:var)?theta\s*_|[qdlar]\s*_|q\b|\\tau|[ijkmnNst]\Z|[FfMm]\s*_|\\dot|\w+\s*_\s*\{?\s*\d"
 )
 _COORDINATE = re.compile(
     r"[xyzXYZ](?:\s*_\s*(?:\{[A-Za-z\\{} ]+\}|[A-Za-z]))?|[pP]\s*_\s*\{?\s*[xyz]\s*\}?|\\(?:var)?(?:phi|psi)(?:\s*_\s*\{?[A-Za-z]+\}?)?|\\alpha|\\gamma"
 )
-_BY = re.compile(r"(?:respect to|as (?:a )?functions? of|respecto (?:de|a)|rapport (?:à|aux)|bezüglich|nach|rispetto a|em relação a)(?: the| l'| la| le| les| den)?(?: \w+){0,2} \Z")
+_BY = re.compile(
+    r"(?:respect to|as (?:a )?functions? of|respecto (?:de|a)|rapport (?:à|aux)|bezüglich|nach|rispetto a|em relação a)(?: the| l'| la| le| les| den)?(?: \w+){0,2} \Z"
+)
 _JACOBIAN = re.compile(r"\\?(?:mathbf|boldsymbol|bm)?\s*\{?\s*J\b.*")
 
 
@@ -51,7 +53,9 @@ def told_tasks(words: str, formulas: Sequence[str]) -> Iterator[str]:
             yield _task(TASK, named)
             return
     is_ordered = re.search(r"(?<!\S)(?:order|ordre|reihenfolge|orden|ordine|ordem) ", small) is not None
-    tuples = [entries for place, each in enumerate(plain) if (entries := _entries(each)) and not _is_argument(small, place)]
+    tuples = [
+        entries for place, each in enumerate(plain) if (entries := _entries(each)) and not _is_argument(small, place)
+    ]
     if tuples and (_OF_TASK.search(small) or _OF_ROW.search(small) or is_ordered):
         yield _task(TASK, tuples[-1])
         return

@@ -25,10 +25,16 @@ TOLD = [
     ("La segunda articulación está bloqueada.", "locked"),
     ("Il secondo giunto è bloccato.", "locked"),
     ("The second axis is now turned round.", "turned round 2"),
-    (r"On inverse maintenant le sens du second moteur : un $\theta_2$ positif plie le coude.", r"turned round \theta_2"),
+    (
+        r"On inverse maintenant le sens du second moteur : un $\theta_2$ positif plie le coude.",
+        r"turned round \theta_2",
+    ),
     ("Der zweite Motor ist jetzt umgepolt.", "turned round 2"),
     ("Ahora se invierte el sentido del segundo motor.", "turned round 2"),
-    (r"From now on the scale runs in the opposite direction: a positive $d_2$ is on the other side.", "turned round d_2"),
+    (
+        r"From now on the scale runs in the opposite direction: a positive $d_2$ is on the other side.",
+        "turned round d_2",
+    ),
     ("The second robot has the same bars.", "other build"),
     ("Un autre bras a les mêmes segments.", "other build"),
     ("Der zweite Roboter hat einen Riemen.", "other build"),
