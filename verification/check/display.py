@@ -11,6 +11,7 @@ from armproof.models.errors import ArmproofError
 from armproof.verification.check.limits import SECONDS_TO_DECIDE, SECONDS_TO_EXPLAIN
 from armproof.verification.check.slips import Slips
 from armproof.verification.check.words_around import WordsAround
+from armproof.verification.conditions.by_turned_angles import unless_by_angles
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.conditions.told_names import unless_rate_of_valueless
 from armproof.verification.display.statements import Statements
@@ -103,6 +104,7 @@ class DisplayChecker:
         self.names.state.enter(display.section)
         self.names.state.listed = display.listed
         self.names.state.omega_is_first = OMEGA_FIRST in display.meant
+        self.checker.rows.take_task(display.meant)
         self.ring.forget_signs()
         try:
             with self.ring.budget.of(SECONDS_TO_DECIDE):
@@ -137,6 +139,7 @@ class DisplayChecker:
             outcomes = [self.words.judge(outcome, display) for outcome in outcomes]
         if not display.erratum:
             outcomes = [unless_rate_of_valueless(self.names, outcome) for outcome in outcomes]
+        outcomes = [unless_by_angles(outcome, self.checker) for outcome in outcomes]
         for key in {key for outcome in outcomes for key in outcome.defines if display.may_not_print}:
             self.names.doubt(key)
         if not outcomes:

@@ -13,6 +13,7 @@ from armproof.verification.conditions.told_directions import ToldDirections
 from armproof.verification.conditions.told_indices import unless_told_otherwise
 from armproof.verification.conditions.told_names import ToldNames
 from armproof.verification.conditions.told_notation import ATAN2, written_as_told
+from armproof.verification.conditions.told_otherwise import ToldOtherwise
 from armproof.verification.document import Display
 from armproof.verification.document.other_meanings import FRAME
 from armproof.verification.document.sentences import EVERYWHERE, not_known_in, quoted
@@ -35,6 +36,7 @@ class WordsAround:
         self.circumstances = circumstances
         self.meanings = OtherMeanings(circumstances.checker, circumstances.given)
         self.directions = ToldDirections(circumstances.checker)
+        self.otherwise = ToldOtherwise(circumstances.checker)
         self.names = circumstances.names
         self.told = ToldNames(self.names, self._has_hand)
 
@@ -53,6 +55,7 @@ class WordsAround:
         if display.meant and not display.erratum and outcome.verdict in DECIDED:
             outcome = self.meanings.of_quantity(self.meanings.judge(outcome, display.meant), display.meant)
             outcome = self.meanings.of_arm(outcome, display.meant)
+            outcome = self.otherwise.judge(outcome, display.meant)
         if display.meant and not display.erratum:
             outcome = self.told.judge(outcome, display.meant)
             outcome = self.meanings.in_order(outcome, display.meant)

@@ -21,6 +21,7 @@ from armproof.verification.document.strange import is_in_known_language
 from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, subjects
 from armproof.verification.document.told_names import MAY_TELL_NAMES, STRANGE, USUAL, Told, told_in_rows, told_names
 from armproof.verification.document.told_notation import MAY_NOTE, notations_told
+from armproof.verification.document.told_since import Since, told_since
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
     r"horizontal|negati[vf]|négati[vf]|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
@@ -147,14 +148,15 @@ class Meaning:
 
 def with_other_meanings(document: Document, text: str) -> Document:
     """Return a document whose displays know which letters its text gives another meaning than usual, and where it is of another place."""
+    since = [*told_since(text, document.displays, [*_sentences(text)], lambda line: _reach(line, text))]
     found = [*_meanings(text), *_of_headings(text)]
     for display in document.displays:
         if letters := tuple(_orders([display.latex], "")):  # q = [r; θ]
             found.append(Meaning(display.line, letters))
-    if not found:
+    if not (found or since):
         return document
     said = [(each, *_reach(each.line, text)) for each in found]
-    return replace(document, displays=tuple(_with(display, said) for display in document.displays))
+    return replace(document, displays=tuple(_with(display, said, since) for display in document.displays))
 
 
 def _reach(line: int, text: str) -> tuple[int, float]:
@@ -185,7 +187,7 @@ def _headings(text: str) -> Iterator[tuple[int, int]]:
             yield at, 1 + marks.index(below[0])
 
 
-def _with(display: Display, said: Iterable[tuple[Meaning, int, float]]) -> Display:
+def _with(display: Display, said: Iterable[tuple[Meaning, int, float]], since: Iterable[Since]) -> Display:
     """Return a display with what holds of it: of a letter from the heading above on, of a place beside it alone."""
     if display.erratum:
         return display
@@ -206,6 +208,7 @@ def _with(display: Display, said: Iterable[tuple[Meaning, int, float]]) -> Displ
         is_elsewhere |= each.is_place and is_near
         is_elsewhere |= each.is_origin and display.line >= begins
         in_other_frame |= each.is_frame and begins <= display.line < ends
+    letters += (each.said for each in since if each.begins <= display.line < each.ends)
     return replace(
         display,
         meant=tuple(dict.fromkeys(letters)),
@@ -214,9 +217,20 @@ def _with(display: Display, said: Iterable[tuple[Meaning, int, float]]) -> Displ
     )
 
 
+def _sentences(text: str) -> Iterator[tuple[int, str]]:
+    """Yield the sentences of a text, each with the place where it begins."""
+    for found in _SENTENCE.finditer(_without_shown(text)):
+        sentence = found.group()
+        yield found.start() + len(sentence) - len(sentence.lstrip()), sentence.strip()
+
+
+def _without_shown(text: str) -> str:
+    return _SHOWN.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
+
+
 def _meanings(text: str) -> Iterator[Meaning]:
     """Yield what the sentences of a text say of letters and places that is not what an arm has for them."""
-    shown = _SHOWN.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
+    shown = _without_shown(text)
     named = [(text.count("\n", 0, at) + 1, each) for at, each in told_in_rows(text)]
     goes_on = ""  # what stands before a semicolon: "In this section …; $\\theta_3$ is then …"
     for found in _SENTENCE.finditer(shown):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, nullcontext
 from dataclasses import replace
 
@@ -14,6 +14,7 @@ from armproof.verification.equations.alignment import Pair, equal_matrices, squa
 from armproof.verification.equations.outcome import Outcome, hold
 from armproof.verification.equations.rates import OMEGA_ABOVE, rows_told
 from armproof.verification.equations.sides import Members
+from armproof.verification.equations.told_rows import rows_of_task
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
@@ -34,6 +35,13 @@ class RowsOfJacobians:
         self.members = members
         self.names = members.names
 
+    def take_task(self, meant: Sequence[str]) -> None:
+        """Read J in the rows of the task that the text tells from here on, and no more as before where that is another."""
+        told = rows_of_task(meant, self.names)
+        if told != self.names.state.task_rows:
+            self.names.state.task_rows = told
+            self.names.state.shown.clear()
+
     def choose(self, chain: n.Chain) -> n.Chain:
         """Return a chain in which J of det J and J^{-1} is square; a matrix printed for J decides its rows anew."""
         shown = self.names.state.shown
@@ -49,7 +57,7 @@ class RowsOfJacobians:
             if not isinstance(below, n.Name) or not self._is_open(below):
                 continue
             is_told = rows is None and self.names.state.omega_is_first and _prints_whole(chain, below)
-            if (told := OMEGA_ABOVE if is_told else rows) is not None:
+            if told := OMEGA_ABOVE if is_told else rows or self.names.state.task_rows:
                 shown[replace(below, dots=0).key] = JacobianRows(told, self.names.state.section, printed=False)
         for below in [*n.walk(chain)]:
             inverted = isinstance(below, n.Postfix) and below.operator == "-1"

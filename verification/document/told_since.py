@@ -1,0 +1,63 @@
+"""What sentences say of the displays behind them, up to the end of their section: a task, a joint that is locked or turned round, a second robot."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from math import inf
+
+from armproof.verification.document.hearing import MOST_CHARACTERS, with_axes, words_of
+from armproof.verification.document.locked_joints import LOCKED, MAY_LOCK, locks
+from armproof.verification.document.model import Display
+from armproof.verification.document.told_builds import (
+    MAY_TELL_BUILD,
+    OTHER_BUILD,
+    is_of_other_machine,
+    next_table,
+    told_build,
+    turned_round,
+)
+from armproof.verification.document.told_tasks import MAY_TELL_TASK, told_tasks
+
+_FORMULA = re.compile(r"\$([^$]*)\$|\\\((.*?)\\+\)")
+MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
+    f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}"
+)
+_BESIDE = 12  # lines behind a sentence that may be said of what is near alone
+
+Reach = Callable[[int], tuple[int, float]]
+
+
+@dataclass(frozen=True)
+class Since:
+    """What is said of the displays from one line to another."""
+
+    said: str
+    begins: float
+    ends: float
+
+
+def told_since(
+    text: str, displays: Sequence[Display], sentences: Sequence[tuple[int, str]], reach: Reach
+) -> Iterator[Since]:
+    """Yield what the sentences of a text say of displays behind them, each with its place."""
+    for place, sentence in sentences:
+        if len(sentence) > MOST_CHARACTERS or not MAY_SAY_SINCE.search(sentence.lower()):
+            continue
+        plain = with_axes(" ".join(sentence.split()))
+        words, formulas = words_of(plain), [each[0] or each[1] for each in _FORMULA.findall(plain)]
+        line = text.count("\n", 0, place) + 1
+        begin, end = reach(line)
+        lines = [display.line for display in displays]
+        joints, since = turned_round(words, formulas)
+        if joints and any(each < line for each in lines):  # what is said before all is of the arm as it is
+            ends = {"from here": inf, "now": end}.get(since, min(end, line + _BESIDE))
+            yield from (Since(each, line, ends) for each in joints)
+        if is_of_other_machine(words) and any(begin <= each < line for each in lines):
+            table = next_table(text, place)
+            yield Since(OTHER_BUILD, line, end if table is None else min(end, text.count("\n", 0, table) + 1))
+        yield from (Since(each, begin, inf) for each in told_build(words, formulas))
+        yield from (Since(each, line, end) for each in told_tasks(words, formulas))
+        if locks(words, formulas):
+            yield Since(LOCKED, line, end)

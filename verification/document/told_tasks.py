@@ -1,0 +1,93 @@
+r"""The coordinates that a text makes the rows of J: "The task is the pair $(y, \varphi)$; its Jacobian is", "the first row of $J$ belongs to $y$".
+
+Which rows of the arm's Jacobian they are is told where the arm is known: `equations/told_rows.py`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+TASK = "task"  # with the coordinates as LaTeX, parted by semicolons, in the order of the rows of J
+TASK_UNORDERED = "task of"  # with those that are named, in no order
+_MARK = ";"
+
+MAY_TELL_TASK = re.compile(
+    r"task|tâche|aufgabe|tarea|compito|tarefa|jacob|control|contrôl|regul|regel|steuer|asserv|command|pilot|measur|mesur|mess|mide|misur|rows?\b|lignes?\b|zeilen?\b|filas?\b|righe?\b|linhas?\b|output|sortie|ausg[aä]ng|operational|opérationnel|order|ordre|reihenfolge|orden|ordine"
+)
+_OF_TASK = re.compile(  # what a tuple of coordinates is of
+    r"(?<!\S)(?:tasks?|task-space|tâches?|aufgabe|arbeitsraum\w*|aufgabenkoordinaten|tareas?|compit[oi]|tarefas?|jacobians?|jacobienn?e?s?|jacobi-?matri\w*|jacobian[oa]s?|control\w*|contrôl\w*|regul\w*|geregelt|regeln|gesteuert|steuern|asserv\w*|command\w*|pilot\w*|measur\w*|mesur\w*|misst|messen|gemessen|miden?|misura\w*|outputs?|sorties?|ausgang|ausgänge|operational|opérationnel\w*|controla\w*) "
+)
+_OF_ROW = re.compile(
+    r"(?<!\S)(?:(first|second|third|upper|lower|top|bottom|last) (?:rows?|line)|rows?|(?:première|deuxième|seconde|troisième|dernière)? ?lignes?|(?:erste|zweite|dritte|letzte|obere|untere)?n? ?zeilen?|(?:primera|segunda|tercera)? ?filas?|(?:prima|seconda|terza)? ?righe?|linhas?) "
+)
+_ONE_BY_ONE = re.compile(
+    r"(?<!\S)(?:first|upper|top|première|premier|supérieure|erste|obere|primera|prima|primeira) (?:row|line|ligne|zeile|fila|riga|linha) (?:of |de |von |di |der )?(?:¤ )?(?:\S+ ){0,4}?¤ (?:[^.;]*?(?:second|lower|bottom|last|deuxième|seconde|inférieure|zweite|untere|segunda|seconda)[^.;]*?¤)"
+)
+_CONTROLLED = re.compile(
+    r"(?<!\S)(?:control\w*|contrôl\w*|regulated?|geregelt|regeln|gesteuert|steuern|asserv\w*|command[eéo]\w*|pilot\w*|measure[sd]?|measuring|mesur\w*|gemessen|misst|controla\w*|regola\w*|controll\w*|task|tâche|tarea|compito) "
+)
+_ENTRIES = re.compile(
+    r"(?:^|[^=]*=)\s*(?:\\left)?\s*(?:[\[(]|\\begin\{[bp]?matrix\})(?P<entries>[^()\[\]=]*?)(?:\\right)?\s*(?:[\])]|\\end\{[bp]?matrix\})\s*(?:\^\s*\{?\s*(?:T|\\top|\\intercal|\\mathsf\s*\{?T\}?)\s*\}?)?\s*"
+)
+_NAME = re.compile(r"(?:\\[A-Za-z]+|[A-Za-z])(?:\s*_\s*(?:\{[^{}]*\}|\w))?")
+_OF_OTHERS = re.compile(  # joints, lengths, velocities, torques, forces, indices, one point of several
+    r"[vV](?:\s*_|\Z)|\\omega|\\(?:var)?theta\s*_|[qdlar]\s*_|q\b|\\tau|[ijkmnNst]\Z|[FfMm]\s*_|\\dot|\w+\s*_\s*\{?\s*\d"
+)
+_COORDINATE = re.compile(
+    r"[xyzXYZ](?:\s*_\s*(?:\{[A-Za-z\\{} ]+\}|[A-Za-z]))?|[pP]\s*_\s*\{?\s*[xyz]\s*\}?|\\(?:var)?(?:phi|psi)(?:\s*_\s*\{?[A-Za-z]+\}?)?|\\alpha|\\gamma"
+)
+_BY = re.compile(
+    r"(?:respect to|as (?:a )?functions? of|respecto (?:de|a)|rapport (?:à|aux)|bezüglich|nach|rispetto a|em relação a)(?: the| l'| la| le| les| den)?(?: \w+){0,2} \Z"
+)
+_JACOBIAN = re.compile(r"\\?(?:mathbf|boldsymbol|bm)?\s*\{?\s*J\b.*")
+
+
+def told_tasks(words: str, formulas: Sequence[str]) -> Iterator[str]:
+    """Yield the task that a sentence names: its last tuple, its coordinates as rows of J one by one, or those that are controlled."""
+    small = words.lower()
+    plain = [each.strip() for each in formulas]
+    if _ONE_BY_ONE.search(small):
+        named = [each for each in plain if _COORDINATE.fullmatch(each)]
+        if len(named) > 1:
+            yield _task(TASK, named)
+            return
+    is_ordered = re.search(r"(?<!\S)(?:order|ordre|reihenfolge|orden|ordine|ordem) ", small) is not None
+    tuples = [
+        entries for place, each in enumerate(plain) if (entries := _entries(each)) and not _is_argument(small, place)
+    ]
+    if tuples and (_OF_TASK.search(small) or _OF_ROW.search(small) or is_ordered):
+        yield _task(TASK, tuples[-1])
+        return
+    if tuples or not _CONTROLLED.search(small):
+        return
+    named = [name for each in plain if _COORDINATE.fullmatch(name := each.partition("=")[0].strip())]
+    others = [each for each in plain if not _COORDINATE.match(each) and not _JACOBIAN.fullmatch(each)]
+    if len(named) > 1 and not others:
+        yield _task(TASK_UNORDERED, named)
+
+
+def coordinates_of(task: str) -> tuple[list[str], bool]:
+    """Return the coordinates of a task as LaTeX, and whether their order is told."""
+    is_ordered = not task.startswith(f"{TASK_UNORDERED} ")
+    return task.removeprefix(f"{TASK_UNORDERED if not is_ordered else TASK} ").split(_MARK), is_ordered
+
+
+def _is_argument(words: str, place: int) -> bool:
+    """Whether a formula, by its place among them, is what something is differentiated by."""
+    before = "¤".join(words.split("¤")[: place + 1])
+    return _BY.search(before) is not None
+
+
+def _task(kind: str, names: Sequence[str]) -> str:
+    return f"{kind} {_MARK.join(dict.fromkeys(names))}"
+
+
+def _entries(formula: str) -> list[str]:
+    """Return the entries of a tuple of names that are none of joints, lengths, indices or rates."""
+    found = _ENTRIES.fullmatch(formula)
+    if found is None:
+        return []
+    entries = [each.strip() for each in re.split(r",|;|&|\\\\", found["entries"])]
+    is_task = len(entries) > 1 and all(_NAME.fullmatch(each) and not _OF_OTHERS.match(each) for each in entries)
+    return entries if is_task else []
