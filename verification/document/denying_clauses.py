@@ -21,6 +21,7 @@ _OTHERS = frozenset(
     "another other different opposite autre autres andere anderer anderes otro otra altro altra".split()
 )
 _HERE = frozenset("here ici hier aquí qui aqui".split())
+_HENCE = frozenset("so thus hence therefore donc ainsi also daher folglich somit luego así quindi dunque pertanto portanto logo".split())
 _LEADS = frozenset(
     ["claim", "have", "use", "that", "think", "good"]
 )  # kinds of a word that a display follows: "we do not have"
@@ -37,7 +38,14 @@ def denies_what_is_above(words: str) -> bool:
         return False
     if len(found[0].words) == 1 and found[0].begins("not"):
         return True  # "No, …"
-    return (goes_on(words) and any(map(_is_exclusive, found))) or any(map(_denies_above, found))
+    may_limit = goes_on(words) and not _is_consequence(words, found[0])
+    return (may_limit and any(map(_is_exclusive, found))) or any(map(_denies_above, found))
+
+
+def _is_consequence(words: str, first: Clause) -> bool:
+    """Whether a sentence says what follows for the arm, "so the arm loses rank only when it is folded", or leads to what does: "The slide moves at most by"."""
+    leads = words[:1].isupper() and first.begins("article") and words.rstrip()[-1:] not in ".;!?"
+    return first.subject == "arm" and (leads or words.split()[0].lower() in _HENCE)
 
 
 def leads_on(words: str) -> bool:
@@ -45,11 +53,20 @@ def leads_on(words: str) -> bool:
     found = clauses(words)
     if not found:
         return False
+    is_over = words.rstrip()[-1:] in ".;!?"
+    if words[:1].isupper() and _is_common_error(found[0]) and not is_over:
+        return True
     is_of_it = any(each.ends("this", "display") or each.begins("this") or _HERE & {*each.words} for each in found)
     if is_of_it or found[0].is_of_display or not words[:1].isupper():
         return words.endswith(": ") and not found[0].is_of_display
     claims = any("claim" in kinds for kinds in found[-1].kinds[-_LAST:])
-    return words.endswith((": ", ", ")) or (claims and words.rstrip()[-1:] not in ".;!?")
+    return words.endswith((": ", ", ")) or (claims and not is_over)
+
+
+def _is_common_error(clause: Clause) -> bool:
+    """Whether a clause is of a common error, and prints it: "A common error is to write ¤, which would give"."""
+    printed = clause.words[-1] == "¤" and len(clause.kinds) > 1 and "claim" in clause.kinds[-2]
+    return printed and clause.has("error") and clause.has("old")
 
 
 def denies_what_is_below(words: str) -> bool:

@@ -80,6 +80,7 @@ _ARGUMENTS = re.compile(  # \begin{frame}<2->[fragile]{Title}, \section{Inverse}
     r"\\begin\s*\{\w+\*?\}(?:<[^<>]*>|\[[^\[\]]*\]|\{[^{}]*\})*|\\(?:(?:sub)*section|chapter|paragraph|label|\w*ref|cite|includegraphics|caption|[vh]space|setcounter)\*?"
     r"(?:\[[^\[\]]*\])?\{[^{}]*\}|!\[[^\[\]]*\]\([^()]*\)|<[^<>\s][^<>]{0,200}>"
 )
+_ANSWER = re.compile(r"\A[\W_]*(?:Corrigé|Svolgimento|Musterlösung)[\s*_}]*[.:][\s*_}]*(?=\w)")  # a label, and no "est corrigé plus bas"
 _JOINING = frozenset("and or et ou und oder y o e ed bzw resp".split())
 _OF_LETTERS = re.compile(
     r"angle|ángulo|ângulo|angol|winkel|measur|count|mesur|compt|mess|zähl|medid|length|longu|läng|lungh|absol|assol|convention|letter|symbol|lettre|zeichen|letra|letter"
@@ -148,6 +149,7 @@ def said_below(text: str, line: int, section: str) -> Iterator[Display]:
 @lru_cache(maxsize=MOST_KNOWN)
 def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
     """Return what a sentence says of the display that it leads to, with the one before it where it is short."""
+    sentence = _ANSWER.sub("", sentence)
     words, words_before = words_of(sentence), words_of(before)
     points_below = hears("POINTS_BELOW", words_before) is not None
     is_denied = denies_before(sentence, words) or (points_below and hears("DENIED_BEFORE", f"{words_before}{words}"))

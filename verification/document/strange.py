@@ -51,7 +51,7 @@ def is_strange_behind(words: str) -> bool:
     if not found or found[0] == "Erratum" or _is_foreign(found):
         return False  # of the next
     subject = _subject(words)
-    if subject or (words[:1].islower() and found[0] not in _table("GOES_ON")):
+    if subject or (words[:1].islower() and found[0] not in _table("GOES_ON") and not _follows_for_arm(found)):
         return bool(
             _strange(found[:_HEAD])
         )  # the subject is of known words, and what stands behind it begins no sentence
@@ -85,6 +85,11 @@ def _subject(words: str) -> str:
     found = _OF_DISPLAY.match(words)
     is_of_arm = found is not None and words[found.end() :].partition(" ")[0].lower() in _table("OF_ARM")
     return "" if found is None or is_of_arm else found.group()
+
+
+def _follows_for_arm(found: Sequence[str]) -> bool:
+    """Whether a sentence says what follows for the arm, "so the arm loses rank", and nothing of the display."""
+    return found[0] in _table("HENCE") and not _table("OF_ARM").isdisjoint(found[1:3])
 
 
 def _is_mostly_strange(found: Sequence[str], short: int) -> bool:

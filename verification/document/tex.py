@@ -24,6 +24,7 @@ from armproof.verification.document.in_words import said_in_words
 from armproof.verification.document.model import CODE, INLINE, Display, Document, Table, Words
 from armproof.verification.document.postures import postures
 from armproof.verification.document.sentences import said_above, said_below, said_in_general
+from armproof.verification.document.tex_accents import with_letters
 from armproof.verification.document.tex_conditionals import without_branches
 from armproof.verification.document.tex_definitions import find_macros, without_unprinted
 from armproof.verification.document.tex_macros import blank, closing_brace
@@ -201,7 +202,7 @@ class _Scanner:
         """Yield the displays in their order, and gather the tables."""
         position, is_behind = self.start, False
         while (token := _TOKEN.search(self.visible, position, self.stop)) is not None:
-            between = self.visible[position : token.start()]
+            between = with_letters(self.visible[position : token.start()])
             yield from postures(between, self.line(position), self.section)
             yield from self._said(position, between, is_behind)
             is_behind = is_behind and not between.strip()
@@ -210,7 +211,7 @@ class _Scanner:
                 close = closing_brace(self.visible, token.end() - 1)
                 behind = self.visible[token.end() : close if close >= 0 else None]
                 title = behind if close >= 0 else _OPEN_TITLE.split(behind, maxsplit=1)[0]
-                title = " ".join(title.split()).replace("---", "—").replace("--", "–")
+                title = " ".join(with_letters(title).split()).replace("---", "—").replace("--", "–")
                 level = LEVELS.index(token.group("section"))
                 is_behind = False
                 self.section = begin_section(
@@ -226,7 +227,7 @@ class _Scanner:
                         -1
                     ]
                     paragraph = paragraph.rstrip().rsplit("\n\n")[-1]
-                    yield from said_below(paragraph, self.line(token.start()), self.section)
+                    yield from said_below(with_letters(paragraph), self.line(token.start()), self.section)
                     yield (display := self._display(token, begin, end))
                     self.spans.append((token.start(), after, display))
                     is_behind = True
@@ -238,7 +239,7 @@ class _Scanner:
                 position = self._enter(token)
             elif token.group("end"):
                 self._leave(token.group("end"))
-        yield from self._said(position, self.visible[position : self.stop], is_behind)
+        yield from self._said(position, with_letters(self.visible[position : self.stop]), is_behind)
 
     def _in_title(self, position: int, stop: int) -> Iterator[Display]:
         """Yield the formulas of a title, which is over at `stop`."""
@@ -264,7 +265,7 @@ class _Scanner:
             is_behind
             and (found := _PARAGRAPH.match(self.visible, position, min(position + 400, self.stop))) is not None
         ):
-            yield from said_above(found.group(), self.line(position), self.section)
+            yield from said_above(with_letters(found.group()), self.line(position), self.section)
         yield from said_in_general(between, self.line(position), self.section)
 
     def parts(self) -> Iterator[Words | Display]:

@@ -5,7 +5,7 @@ the words that deny, doubt, judge or tell of people. An English word of seven le
 that begin with the same seven, one of another language for those that begin with the same six.
 
 `OF_GERMAN` are of a sentence in which nouns begin with capitals, `OF_ARM` those of which a sentence is that says something of the arm and not of the display, `GOES_ON` begin what goes on from
-a display, and `LOADED` are those that a sentence of the display may deny it by, and others have often.
+a display, `HENCE` what follows from it, and `LOADED` are those that a sentence of the display may deny it by, and others have often.
 """
 
 ENGLISH = """
@@ -159,6 +159,7 @@ whereby wherein wherever which while white whiteboard whole whom whose why wide 
 words work worked workflow working workpiece works worksheet workshop workspace workstation world worth wrap wrapped wrapping wrench wrenches wrist
 wrists write writes writing written wrt xy yaw yawing yellow yesterday yet yield yielding yields yoshikawa you young your zero zeroed zeroes zeros
 zones zoom zyx zyz
+arrangement carried digger feet heavy hoist holding inward levers lowered piston shell slab stance torus
 """
 FRENCH = """
 a abonner abord abordé aboutissons abrégée abréviation abscisse absolue accorde accouplement accueil accélère accélération achève acquérir actionneur
@@ -240,6 +241,9 @@ vérin vérins week-end y zone zéro à à-dire écart écarts échange échanti
 édition égal égalant égale également égaler égales égalité égaux élastique élevant élever éliminant élongation élément élévation énergie énoncent
 énoncé épais épaule épure équation équilibre équivaut établi étage était étant étape étapes étend étendre étendu étiquette étroit étude étudie étudié
 été évaluation évaluer évidemment évident être
+abaissé croisé croisée croisées croisés ajoutons appuis baissé balancier bilan bloqué bloquée caisse caisses cube dent dès décroissant déployé déployée dérivons figée fémur isolons
+levé levée manivelle manivelles montent mors mur palette palettes pantographe penché plafond plafonds pliée portent poussée rabattu rabattue relevé
+relevée sol sommons sorti telles tendue tourelle traçons vaudra verrouillé vise visseur visseurs visé visée vrillé élevons
 """
 GERMAN = """
 ab abbildung abend abends aber abgabetermin abgeleitet abgeschlossen ablauf ableiten ablesen abmessungen absatz abschließen abschnitt absolut abstand
@@ -326,6 +330,11 @@ ziele zielpose zielpunkt ziffer zitat zu zudem zuerst zugehörig zugeordnet zule
 zusätzlich zuvor zwar zwei zweiargumentige zweidimensional zweigliedrig zweimal zweite zwischen zyklus zylinder zählen zähler zählt ähnlich äquivalent
 äußere öffnen öffnung über überblick überein überführt übergang überlagerung überlegen überprüfen überschreiten übersicht übertragen üblich übrigen
 übung übungen
+abermals angewinkelt ast aufeinander aufrecht ausfahrlänge ausgefahren ausgestreckt ausschub auszug auszugs auszugslänge beine bleiben erkenn
+erkennbar erkennen erkennt ferner gebeugt gebeugte gefaltet gefaltete gehoben geneigt gesenkt grundstellung haltung heben hebt hochachse hubachse
+hubhöhe hubs höhen kern kippachse kippen kippt kugelig kugelkoordinaten lasten längs längsachse mithin musterlösung neigen neigt nutzlast querachse
+radien ragen ragt regulär ruhelage ränge schräg senken senkt sitzen sitzt spur statik säulen teleskop teleskopachse voneinander vorzeichens weltsystem
+zueinander zweig zweige äste übungsblatt
 """
 SPANISH = """
 a abajo abduccion abducción abierta abril abrir abscisa absorbiendo abstracta acaba acabamos acceso acciones acción aceleración acompaña acoplada
@@ -403,6 +412,9 @@ uniones unir unitario universidad unión usamos usando usar usaremos usará usua
 variable varilla varía veamos veces vector velocidad ver verano verdadero veremos verifica verificación verificamos vertical verán vez vibra viene
 viernes vimos vio visita vista vistas visto volvemos volveremos volviendo vuelta vuelve válida válido vástago vértice vía vídeo vínculo x y ya yace
 yugo zona zonas ángulo área índice órdenes última último única único útil
+apoyos asimismo bajada bajan carga cargas carros cazo corredera correderas cuadrúpedo cuchara cuyo dicha dichas dichos esfuerzo esfuerzos excavadora
+flexionado fémur grúas guías hexápodo muslos nótese obsérvese pantorrilla pantorrillas pesos pies pistón pluma plumas rectos recuérdese rieles sexta
+sexto subcadena subcadenas suben subida subrobot supongamos supóngase véase émbolo
 """
 ITALIAN = """
 a abbia abbiamo abbiano accelerazione accoppiamento ad addizione adesso adottata affinché affronta agenda aggiunge agisce agosto aiuto al alcuna
@@ -456,6 +468,11 @@ trova trovano trovare troviamo tutte tutti tutto ugello ultima ultime ultimi ult
 usate usati usato uso utensile utente utile utilizza vacanza vale valgono valida valide validi valido valore valori valutata varia variabile veda vede
 vedere vediamo vedono vedremo velocità venerdì vengono vera verifica vero verranno verrà verso versore verticale vettore via viene vincoli visita
 vista viste visto vogliamo volentieri volevasi volta volte zeri zero è
+altro appoggio ascendente azione azioni bacino biella binari binario bloccata bloccato carichi carico centri cercata cercato corse discendente distesa
+disteso dita dito estensione estesa estese estesi esteso ferma fermo fisse ganasce gomiti leva leve manovella moduli molla molle montante montanti
+pallettizzatore pantografo pari perché pesi piegata piegato pinze pistone pistoni portata quella quelli quello raggi reazione reazioni ripiegata
+ripiegato rivolta rivolto sbracci sbraccio scorre scorrevole scorrono sfili sfilo sforzi sforzo slitta slitte spinta stantuffo stesa steso supponiamo
+svolgimento traccia uguale uguali ventosa
 """
 PORTUGUESE = """
 a abaixo aberta abreviaturas abril abrir aceleração acesso acha achamos achar acima acoplada adicionando adição adota afasta agenda agora agosto
@@ -520,6 +537,9 @@ der das dass ist und ein eine den dem mit von wir sich nicht für im zu auf aus 
 """
 GOES_ON = """
 where with whose and then when for in by since because as using we one two none the a an plus minus où c' avec et pour car puisque un une deux aucune le la les donde dónde con el los las e wo wobei mit und der die das dove il lo i onde com o os as
+"""
+HENCE = """
+so thus hence therefore donc ainsi also daher folglich somit luego así quindi dunque pertanto portanto logo
 """
 LOADED = """
 not no nor neither never nothing without only other should would could might sign plus minus

@@ -38,7 +38,8 @@ arm arm arms robot~ manipulator~ link links joint joints motor~ elbow~ shoulder~
 split , ; : . ! ? and but or because since although though so whereas yet however therefore thus hence then while who which
 not not never no nobody nothing none neither nor cannot no_longer
 only only solely exclusively merely unless except provided providing as_long_as so_long_as at_least at_best at_most nowhere
-if if when whenever once while until as_soon_as in_case unless provided providing as_long_as so_long_as
+if if when whenever once while until as_soon_as in_case unless provided providing as_long_as so_long_as when_fully_retracted when_it_is_fully_retracted
+  if_it_is_fully_retracted when_the_arm_is_fully_retracted when_the_link_is_fully_retracted when_the_slide_is_fully_retracted
 of for at near in with within without under during before after beyond outside inside around about along on close_to just_before just_after away_from
   up_to to
 general all any every each arbitrary always everywhere general generally whatever whichever regardless irrespective both
@@ -144,7 +145,7 @@ neglect néglig~ approxim~ approch~ linéaris~ petits ignor~ grossièr~ petites_
   simplifiée au_premier_ordre du_second_ordre au_second_ordre du_deuxième_ordre faibles_angles à_peu_près restreint~ limité~
 suppose suppos~ admet~ imagin~ hypothèse~ conjectur~ présum~ admis si_l'_on_avait si_on_avait
 held bloqu~ fixe fixé~ figé~ immobil~ verrouill~ arrêt arrêté~ soud~ maintenu~ repos nul nulle freiné~ à_l'_arrêt même_longueur longueurs_égales
-claim écri~ prétend~ affirm~ répond~ dit disent lit obtien~ trouv~ conclu~ croi~ pens~ donn~ rendu rendent soutien~ poser égal~
+claim écri~ prétend~ affirm~ répond~ dit disent lit obtien~ trouv~ conclu~ croit crois croire croient croir~ croyai~ croyant pens~ donn~ rendu rendent soutien~ poser égal~
 ask coch~ vérifi~ décid~ discut~ justifi~ réfut~ corrig~ trouvez_l' test~ commentez jugez examin~
 case particulier~ spécial~ limite~ bord posture~ milieu centre précédent autre autres voisinage parallèle~ simplifié~ contact dégénér~ frontière
   égales unitaires position_de_repos position_initiale position_zéro cas_particulier cas_limite cas_où cas_d' cas_de
@@ -169,7 +170,7 @@ that que qu'
 with avec
 inside dans par_rapport rapporté~ se_rapportent
 given connu~ donné~ mesuré~ rigid~ idéa~ positi~
-think croi~ pens~ imagin~
+think croit crois croire croient croir~ croyai~ croyant pens~ imagin~
 lost oublié~ omis omise manque
 turned inversé~ retourné~
 same même mêmes aussi également

@@ -44,9 +44,11 @@ def check_inequality(
             if any(isinstance(value, Matrix | Identity | list) for value in (a, b)):
                 return outcome
             good = HOLDS[relation](a, b)[np.isfinite(a) & np.isfinite(b)]
+            if good.size and good.all() and not _at_other_sizes(checker, sampled, sides, relation).all():
+                return outcome
             if good.size and good.all() and _is_exceeded(checker, sampled, sides, relation, np.abs(a - b)):
                 return outcome
-            if good.size and not good.any() and _is_met(checker, sampled, sides, relation):
+            if good.size and not good.any() and _at_other_sizes(checker, sampled, sides, relation).any():
                 return outcome
     except (EvaluationError, KeyError):
         return outcome
@@ -209,15 +211,16 @@ def _values_at(checker: ChainChecker, algebra: SampledAlgebra, sides: Sides) -> 
     return [as_scalar(Evaluator(checker.names, algebra).evaluate(node)) for node in sides]
 
 
-def _is_met(checker: ChainChecker, sampled: SampledAlgebra, sides: Sides, relation: str) -> bool:
-    """Whether an inequality that fails at all samples holds where letters without a value are much smaller or greater."""
+def _at_other_sizes(checker: ChainChecker, sampled: SampledAlgebra, sides: Sides, relation: str) -> Any:
+    """Return where an inequality holds when letters without a value are much smaller or greater: |ω| ≤ 2.5 at all samples is a bound."""
     given, random = checker.names.state.stated.keys(), np.random.default_rng(sampled.seed)
     drawn = {name: sampled.free[name] * random.choice((-1, 1), sampled.samples) for name in sorted(sampled.free)}
     drawn |= _drawn(checker, sampled)
     for name in sorted(drawn.keys() - given):
         drawn[name] = drawn[name] * 10 ** random.uniform(*MAGNITUDES, sampled.samples)
     a, b = _values_at(checker, sampled.at(drawn), sides)
-    return bool(HOLDS[relation](a, b)[np.isfinite(a) & np.isfinite(b)].any())
+    rounding = 1e-9 * (np.abs(a) + np.abs(b)) * (1 if relation in "≤<" else -1)
+    return HOLDS[relation](a, b + rounding)[np.isfinite(a) & np.isfinite(b)]
 
 
 def _is_exceeded(checker: ChainChecker, sampled: SampledAlgebra, sides: Sides, relation: str, gap: Any) -> bool:

@@ -150,6 +150,10 @@ _ONE_WORD = re.compile(r"[^\W\d_]+(?:[./·^-]?(?:[^\W\d_]+|-?\d))*\.?")
 _NUMBER_ENDS = re.compile(
     r"(?:\s|~|\\[,;:! ])*(?:[.,;&=)}\]]|\\(?:\\|[,;:}!]|(?:q?quad|end|right|text|approx|to|tag|hfill|[A-Z]\w*arrow|iff|implies)(?![a-z]))|\Z)"
 )
+_NUMBERS_END = re.compile(  # a column of numbers, behind which \mathrm{m} is metres
+    r"\\begin\s*\{(?P<matrix>[bpvBV]?matrix|array)\}(?:\{[clr|]*\})?(?:[^A-Za-z\\]|\\[\\,;!: ]|\\(?:[td]?frac|sqrt|hfill)(?![A-Za-z]))*"
+    r"\\end\s*\{(?P=matrix)\}(?:\s*\\right\s*[\])])?(?:\s*\^\s*(?:T|\{\s*(?:T|\\top)\s*\}|\\top))?(?:\s|~|\\[,;:! ])*\Z"
+)
 _RUN = re.compile(r"(?=[A-Za-z]*[aeiouy])(?=[A-Za-z]*[^aeiouyA-Z])[A-Za-z][a-z]{3,}(?![A-Za-z])")
 _PART_OF_MODEL = re.compile(r"([A-Z]{2,4})([a-z]{3,})(?=(?:\s|&)*=)")  # MGDpos = …
 _SPELT_WITHIN = re.compile("|".join(word for word in (*BARE_WORDS, *LONG) if len(word) > 2))
@@ -571,7 +575,8 @@ class _Scanner:
         ):
             content = spelt  # \mathrm{a t a n 2}, taken apart by a reader of images
         if self.previous in _MEASURED and content not in self.words and (measure := self._unit(name, content, after)):
-            if content in ("m", "s") and self.previous != "NUMBER":
+            is_letter = content in ("m", "s") and self.previous != "NUMBER"
+            if is_letter and not (content == "m" and name in (*WORD_STYLES, "mathrm") and _NUMBERS_END.search(self.text, 0, start)):
                 return [], end
             mark = mark_of(measure[0], self.spelling.unit)
             return ([self.token("SUP", mark, start, measure[1])] if mark else []), measure[1]

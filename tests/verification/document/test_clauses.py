@@ -34,6 +34,12 @@ def test_a_clause_is_of_its_noun_or_of_what_the_one_before_it_is(sentence: str, 
         ("The author later corrected this entry.", "The author derives this entry."),
         ("Il faut corriger le dernier indice.", "Il faut connaître le dernier indice."),
         ("Esta fórmula no es válida para este brazo.", "Esta fórmula no depende del brazo."),
+        ("which holds only when it is fully retracted.", "so the arm loses rank only when it is fully retracted."),
+        ("so only if $q_2 > 0$.", "so the arm is singular only if $q_2 = 0$."),
+        ("nur mit höchstens einem Gelenk.", "Der Antrieb des Schubgelenks soll mit höchstens"),
+        ("which was fully retracted.", "which is largest when it is fully retracted."),
+        ("This is a common error: to write $x = 1$, which gives", "A common error is to write $x = 1$, which would give"),
+        ("Une erreur classique est dans cette formule, où", "Une erreur classique consiste à écrire $x = 1$, ce qui donne"),
     ],
 )
 def test_a_clause_of_the_display_denies_what_stands_above_it(denies: str, says_nothing: str) -> None:
@@ -48,6 +54,7 @@ def test_a_clause_of_the_display_denies_what_stands_above_it(denies: str, says_n
         ("Several students have written", "Students should be able to write"),
         ("The old version of the script said", "The version of this script says"),
         ("Non bisogna confondere la posizione con", "Occorre ricordare che"),
+        ("On croit souvent que", "Les termes croisés se regroupent :"),
     ],
 )
 def test_a_clause_denies_what_it_leads_to(denies: str, says_nothing: str) -> None:

@@ -24,6 +24,8 @@ STRANGE_ABOVE = (
     "La formule boite, et le correcteur n'y a vu que du feu.",
     "Das ist reine Dichtung.",
     "Esto huele a chamusquina.",
+    "Die Formel geht ins Auge.",
+    "Questa formula zoppica.",
 )
 STRANGE_BELOW = (
     "In a dark corner of the archive I unearthed the following gem:",
@@ -42,8 +44,15 @@ PLAIN_ABOVE = (
     "La seconde coordonnée s'obtient de la même façon.",
     "Das ist die Position des Greifers im Basiskoordinatensystem.",
     "Esta es la posición de la pinza respecto a la base.",
+    "Man erkennt Kugelkoordinaten um den Punkt $P$.",
+    "mentre quella verticale è semplicemente",
+    "por lo que las singularidades son las del subrobot 2R.",
 )
 PLAIN_BELOW = (
+    "*Corrigé.* On calcule d'abord la position de l'outil :",
+    "Dabei gilt ferner",
+    "Il peso del braccio mobile richiede inoltre una forza costante, pari a",
+    "La rodilla estirada y el pie en el suelo dan",
     "Multiplying the link matrices and reading the last column, we get",
     "The forward kinematics of the planar arm is therefore given by the equation",
     "En multipliant les matrices de passage, on obtient la position de l'outil :",
