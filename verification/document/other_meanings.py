@@ -84,7 +84,7 @@ _IS_SIGNED = re.compile(  # d_2 is positive on one side and negative on the othe
     r"\bpositi[vf]\w* .{0,60}?\bn[eé]gati[vf]|\bn[eé]gati[vf]\w* .{0,60}?\bpositi[vf]|\bpositiv[oa]\b.{0,60}?\bnegativ[oa]\b",
     re.IGNORECASE,
 )
-_ROW = re.compile(r"^[ \t]*\|.*$", re.MULTILINE)  # of a table, which is no sentence
+_ROW_OF_TABLE = re.compile(r"^[ \t]*\|.*$", re.MULTILINE)  # of a table, which is no sentence
 _TELLS_LANGUAGE = 8000  # characters of a text
 _NOUGHT = re.compile(r"\(\s*0(?:\s*[,;]\s*0)*\s*\)")
 _TUPLE = re.compile(r"\(\s*[^(),;]+(?:[,;]\s*[^(),;]+)+\)(?:\^\{?(?:T|\\top)\}?)?")
@@ -292,7 +292,7 @@ def _meanings(text: str) -> Iterator[Meaning]:
 
 def _named_in(text: str, found: re.Match[str]) -> Iterator[tuple[int, Told]]:
     """Yield what a sentence of a text says names to be, with its line."""
-    sentence = _ROW.sub("", found.group())
+    sentence = _ROW_OF_TABLE.sub("", found.group())
     if len(sentence) <= MOST_CHARACTERS and MAY_TELL_NAMES.search(sentence.lower()):
         said = found.group()
         line = text.count("\n", 0, found.start() + len(said) - len(said.lstrip())) + 1

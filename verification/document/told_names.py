@@ -62,7 +62,7 @@ def told_names(plain: str) -> Iterator[Told]:
         if found := _names(latex):
             names[place] = found
     numbers = {
-        place: found[1] for place, latex in zip(places, formulas, strict=True) if (found := _NUMBER.fullmatch(latex))
+        place: digit[1] for place, latex in zip(places, formulas, strict=True) if (digit := _NUMBER.fullmatch(latex))
     }
     written = {word.lower(): word for word in said}
     said = [numbers.get(place, word.lower()) for place, word in enumerate(said)]
@@ -142,8 +142,8 @@ def _defined(
         own = [word for word in ahead if is_told(word)]
         return (ahead, True) if own else (_clause(before[:-1]), True)
     if is_item or (behind and is_of(behind[0], "STANDS")):
-        ahead = behind[0] if behind else ""
-        return _phrase(behind[1:] if is_of(ahead, "STANDS") or ahead in (":", "=") else behind), True
+        first = behind[0] if behind else ""
+        return _phrase(behind[1:] if is_of(first, "STANDS") or first in (":", "=") else behind), True
     if behind and is_of(behind[0], "BE") and not (before and is_of(before[-1], "OF")):
         is_definite = len(behind) > 1 and (is_of(behind[1], "DEFINITE") or is_of(behind[1], "COUNT"))
         if is_definite or (behind[0] in ("be", "sei", "seien", "stands") and verb is None):
