@@ -28,8 +28,25 @@ _BRAKE = re.compile(
 _ALONE = re.compile(
     r"(?<!can )(?<!may )(?<!\S)(?:(?:only|seule?s?|nur|solo|sólo|solamente|soltanto|apenas|somente|só) (?:[^,;:.\s]+ ){0,4}?(?:moves?|turns?|rotates?|slides?|varies|vary|runs?|works?|changes?|bouge|tourne|varie|se déplace|bewegt|dreht|ändert|läuft|mueve|gira|varía|muove|ruota|varia|move|is driven|is actuated)"
     r"|(?:moves?|turns?|bouge|tourne|bewegt sich|dreht sich|se mueve|si muove|gira) (?:only|alone|seule?|nur|allein|solo|da solo)"
-    r"|(?:does not|do not|doesn' t|don' t|cannot|can' t|no longer) (?:\S+ )?(?:move|turn|rotate|slide|change|vary)|ne (?:bouge|tourne|varie|se déplace|bougent|tournent) (?:pas|plus)|(?:bewegt|dreht|ändert) sich (?:nicht|nicht mehr)|no (?:se )?(?:mueve|gira|cambia)|non (?:si )?(?:muove|gira|cambia)) "
+    r"|(?:does not|do not|doesn' t|don' t|cannot|can' t|no longer) (?:\S+ )?(?:move|turn|rotate|slide|change|vary)(?! (?:its|the|this|a))|ne (?:bouge|tourne|varie|se déplace|bougent|tournent) (?:pas|plus)|(?:bewegt|dreht|ändert) sich (?:nicht|nicht mehr)|no (?:se )?(?:mueve|gira|cambia)|non (?:si )?(?:muove|gira|cambia)) "
 )
+_FEW = 4  # words from a verb to what it says
+_FASTENED = (
+    "to",
+    "on",
+    "in",
+    "by",
+    "at",
+    "à",
+    "au",
+    "sur",
+    "an",
+    "am",
+    "mit",
+    "a",
+    "al",
+    "en",
+)  # and no joint that is held
 _BY_RATE = re.compile(r"\\dot\s*\{?\s*(?:\\(?:var)?theta|[qdr])[^=]*=\s*0\s*\Z")
 
 
@@ -43,4 +60,10 @@ def locks(words: str, formulas: Sequence[str]) -> bool:
         return any(map(_BY_RATE.search, map(str.strip, formulas)))
     if any(_is(each, "LOCKED") for each in said) or _ALONE.search(small) or _BRAKE.search(small):
         return True
-    return any(_is(each, "HELD") for each in said) and any(_is(each, "HOLDS") for each in said)
+    return any(_is(each, "HOLDS") and _is_held(said, place) for place, each in enumerate(said))
+
+
+def _is_held(said: Sequence[str], place: int) -> bool:
+    """Whether a verb says that something stays as it is: "is kept constant", "fest bleibt", and not "is fixed to"."""
+    near = [at for at in range(place - 1, min(place + _FEW, len(said))) if at >= 0 and _is(said[at], "HELD")]
+    return any(said[at + 1 : at + 2] not in ([each] for each in _FASTENED) for at in near)

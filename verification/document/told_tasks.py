@@ -38,7 +38,7 @@ _COORDINATE = re.compile(
     r"[xyzXYZ](?:\s*_\s*(?:\{[A-Za-z\\{} ]+\}|[A-Za-z]))?|[pP]\s*_\s*\{?\s*[xyz]\s*\}?|\\(?:var)?(?:phi|psi)(?:\s*_\s*\{?[A-Za-z]+\}?)?|\\alpha|\\gamma"
 )
 _BY = re.compile(
-    r"(?:respect to|as (?:a )?functions? of|respecto (?:de|a)|rapport (?:à|aux)|bezüglich|nach|rispetto a|em relação a)(?: the| l'| la| le| les| den)?(?: \w+){0,2} \Z"
+    r"(?:respect to|as (?:a )?functions? of|respecto (?:de|a)|rapport (?:à|aux)|bezüglich|nach|rispetto a|em relação a|(?<!belongs )(?<!belong )(?<!corresponds )(?<!correspond )to|at|reach|points?|target|ziel|cible|punto|zum punkt)(?: the| l'| la| le| les| den)?(?: \w+){0,2} \Z"
 )
 _JACOBIAN = re.compile(r"\\?(?:mathbf|boldsymbol|bm)?\s*\{?\s*J\b.*")
 

@@ -86,6 +86,9 @@ class RowsOfJacobians:
             return outcome
         if outcome.verdict is Verdict.REFUTED and name.key not in self.names.quantities and _is_turned(pair):
             return outcome.left_open(say(Kind.OMEGA_IS_FIRST))
+        if outcome.verdict is Verdict.PROVED and pair.true_rows is None and self._is_told_only(name):
+            self.names.state.shown[name.key] = replace(self.names.state.shown[name.key], printed=True)
+            return outcome
         columns = tuple(column + 1 for column in pair.true_columns) if pair.true_columns is not None else None
         quantity = self.names.quantity(replace(name, dots=0))
         own = quantity.rows if quantity is not None and quantity.rows else WHOLE
@@ -195,7 +198,8 @@ class RowsOfJacobians:
             again = [name.key for name in self._printed(chain)]
             for below in n.walk(chain):
                 name = self.members.jacobian_name(below, True)
-                if name is below and name is not None and (self._is_open(name) or name.key in again):
+                is_told = name is not None and (name.key in again or self._is_told_only(name))
+                if name is below and name is not None and (self._is_open(name) or is_told):
                     yield name
             yield from self._planar_factors(chain)
 
@@ -222,14 +226,20 @@ class RowsOfJacobians:
         value = self.members.evaluate(replace(name, dots=0)).value
         return isinstance(value, Matrix) and len(value.rows[0]) > 1 and all(cell.is_zero() for cell in value.rows[2])
 
+    def _is_told_only(self, name: n.Name) -> bool:
+        """Whether a J has the rows of a task that the text tells, and no matrix that holds has shown them."""
+        shown, told = self.names.state.shown.get(name.key), self.names.state.task_rows
+        return bool(told) and shown is not None and shown.rows == told and not shown.printed
+
     def _is_open(self, node: n.Node) -> bool:
         name = self.members.jacobian_name(node)
         return name is not None and name.key not in self.names.state.shown
 
     @contextmanager
     def _read_in(self, key: str, rows: tuple[int, ...] | None) -> Iterator[tuple[int, ...] | None]:
-        shown, before = self.names.state.shown, self.names.state.shown.copy()
+        shown, before, told = self.names.state.shown, self.names.state.shown.copy(), self.names.state.task_rows
         shown.pop(key, None)
+        self.names.state.task_rows = None
         if rows is not None:
             shown[key] = JacobianRows(rows, self.names.state.section, printed=False)
         try:
@@ -237,6 +247,7 @@ class RowsOfJacobians:
         finally:
             shown.clear()
             shown.update(before)
+            self.names.state.task_rows = told
 
     def _printed(self, chain: n.Chain) -> Iterator[n.Name]:
         """Yield the names of Jacobians for which a chain prints a matrix."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from armproof.verification.algebra.quantity import COMPONENTS
 from armproof.verification.document.told_tasks import TASK, TASK_UNORDERED, coordinates_of
 from armproof.verification.equations.rates import row_of
 from armproof.verification.errors import ReadError
@@ -11,7 +12,8 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.names import Names
 
-_USUAL = {(1, 2), (1, 2, 3), (1, 2, 6), (1, 2, 3, 4, 5, 6)}  # as J is read anyway
+_USUAL = {(1, 2, 6), (1, 2, 3, 4, 5, 6)}  # as J is read anyway
+_ROWS = {each: row for row, each in enumerate(COMPONENTS, start=1)} | dict.fromkeys(("phi", "psi", "theta", "alpha"), 6)
 
 
 def rows_of_task(meant: Sequence[str], names: Names) -> tuple[int, ...] | None:
@@ -23,13 +25,29 @@ def rows_of_task(meant: Sequence[str], names: Names) -> tuple[int, ...] | None:
     read = [_name(each, names) for each in coordinates]
     if any(name is not None and names.known_symbol(name.key) is not None for name in read):
         return None  # of joints and lengths
+    if _are_usual([_row_by_letter(name) for name in read]):
+        return None  # whatever the document says that x and y are
     rows = [None if name is None else row_of(n.Name(name.base, dots=1), names) for name in read]
     if None in rows or len({*rows}) < len(rows):
         return ()
-    found = tuple(row for row in rows if row is not None)
-    if found in _USUAL or (found == tuple(sorted(found)) and max(found) <= len("xyz")):
+    if _are_usual(rows):
         return None
+    found = tuple(row for row in rows if row is not None)
     return found if is_ordered or found == tuple(sorted(found)) else ()
+
+
+def _are_usual(rows: Sequence[int | None]) -> bool:
+    """Whether rows are those in which J is read anyway: of x, y, z in their order, or of x, y and the angle in the plane."""
+    found = tuple(row for row in rows if row is not None)
+    is_of_point = found == tuple(sorted({*found})) and all(row <= len(COMPONENTS) for row in found)
+    return bool(rows) and len(found) == len(rows) and (found in _USUAL or is_of_point)
+
+
+def _row_by_letter(name: n.Name | None) -> int | None:
+    if name is None:
+        return None
+    letter = name.sub.lower() if name.base in "pP" else name.base.lower()
+    return _ROWS.get(letter)
 
 
 def _name(latex: str, names: Names) -> n.Name | None:
