@@ -19,7 +19,7 @@ from armproof.verification.naming.settled import Key, uses_of
 from armproof.verification.naming.state import Told
 from armproof.verification.verdict import HOLDS, EquationResult, Record, Verdict
 
-MOST_SLIPS = 12  # in one definition
+MOST_SLIPS = 8  # in one definition
 _TURNED = {"+": "-", "-": "+"}
 
 
