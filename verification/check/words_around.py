@@ -24,7 +24,7 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key
 from armproof.verification.naming.conventions import is_usual
-from armproof.verification.verdict import DECIDED, Verdict
+from armproof.verification.verdict import DECIDED, HOLDS, Verdict
 
 PLANAR_WITH_HAND = 3  # joints: two place the wrist, the last turns the hand
 
@@ -78,7 +78,7 @@ class WordsAround:
         if noted is not None:
             told = self._in_told_order(outcome) if noted == ATAN2 else None
             return told or outcome.left_open(say(Kind.MEANT_OTHERWISE, name=noted))
-        if EVERYWHERE in display.meant and outcome.verdict in DECIDED:
+        if EVERYWHERE in display.meant and outcome.verdict in HOLDS:  # what is refuted of almost all is so of all
             return self.circumstances.of_rank_everywhere(outcome)
         return outcome
 

@@ -66,6 +66,7 @@ def test_a_sentence_tells_what_a_notation_is(sentence, told):
 )
 def test_a_rank_said_to_be_so_everywhere_is_no_generic_one(said):
     assert verdict_behind(said, r"\operatorname{rank} J = 2") in OPEN
+    assert verdict_behind(said, r"\operatorname{rank} J = 1") is Verdict.REFUTED
     assert (
         verdict_behind(said, r"\operatorname{rank} \begin{bmatrix} c_1 & -s_1 \\ s_1 & c_1 \end{bmatrix} = 2") in HOLDS
     )
