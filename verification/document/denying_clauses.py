@@ -21,7 +21,9 @@ _OTHERS = frozenset(
     "another other different opposite autre autres andere anderer anderes otro otra altro altra".split()
 )
 _HERE = frozenset("here ici hier aquí qui aqui".split())
-_HENCE = frozenset("so thus hence therefore donc ainsi also daher folglich somit luego así quindi dunque pertanto portanto logo".split())
+_HENCE = frozenset(
+    "so thus hence therefore donc ainsi also daher folglich somit luego así quindi dunque pertanto portanto logo".split()
+)
 _LEADS = frozenset(
     ["claim", "have", "use", "that", "think", "good"]
 )  # kinds of a word that a display follows: "we do not have"

@@ -80,7 +80,8 @@ _ARGUMENTS = re.compile(  # \begin{frame}<2->[fragile]{Title}, \section{Inverse}
     r"\\begin\s*\{\w+\*?\}(?:<[^<>]*>|\[[^\[\]]*\]|\{[^{}]*\})*|\\(?:(?:sub)*section|chapter|paragraph|label|\w*ref|cite|includegraphics|caption|[vh]space|setcounter)\*?"
     r"(?:\[[^\[\]]*\])?\{[^{}]*\}|!\[[^\[\]]*\]\([^()]*\)|<[^<>\s][^<>]{0,200}>"
 )
-_ANSWER = re.compile(r"\A[\W_]*(?:Corrigé|Svolgimento|Musterlösung)[\s*_}]*[.:][\s*_}]*(?=\w)")  # a label, and no "est corrigé plus bas"
+# a label, and no "est corrigé plus bas"
+_ANSWER = re.compile(r"\A[\W_]*(?:Corrigé|Svolgimento|Musterlösung)[\s*_}]*[.:][\s*_}]*(?=\w)")
 _JOINING = frozenset("and or et ou und oder y o e ed bzw resp".split())
 _OF_LETTERS = re.compile(
     r"angle|ángulo|ângulo|angol|winkel|measur|count|mesur|compt|mess|zähl|medid|length|longu|läng|lungh|absol|assol|convention|letter|symbol|lettre|zeichen|letra|letter"

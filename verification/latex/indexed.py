@@ -89,7 +89,7 @@ class NameReader:
         if unit.startswith(UNKNOWN):
             return n.Name("words", text=self.text[slice(*span)], span=span)
         matrix = n.ungrouped(node)
-        if isinstance(matrix, n.Matrix) and all(map(n.is_number, matrix.cells)):  # (600, 0, 300)^T mm: each of its numbers
+        if isinstance(matrix, n.Matrix) and all(map(n.is_number, matrix.cells)):  # (600, 0) mm: each of its numbers
             rows = tuple(tuple(n.Postfix(cell, unit, span=cell.span) for cell in row) for row in matrix.rows)
             return replace(matrix, rows=rows, span=span)
         return n.Postfix(node, unit, span=span)

@@ -576,7 +576,9 @@ class _Scanner:
             content = spelt  # \mathrm{a t a n 2}, taken apart by a reader of images
         if self.previous in _MEASURED and content not in self.words and (measure := self._unit(name, content, after)):
             is_letter = content in ("m", "s") and self.previous != "NUMBER"
-            if is_letter and not (content == "m" and name in (*WORD_STYLES, "mathrm") and _NUMBERS_END.search(self.text, 0, start)):
+            if is_letter and not (
+                content == "m" and name in (*WORD_STYLES, "mathrm") and _NUMBERS_END.search(self.text, 0, start)
+            ):
                 return [], end
             mark = mark_of(measure[0], self.spelling.unit)
             return ([self.token("SUP", mark, start, measure[1])] if mark else []), measure[1]

@@ -38,8 +38,14 @@ def test_a_clause_is_of_its_noun_or_of_what_the_one_before_it_is(sentence: str, 
         ("so only if $q_2 > 0$.", "so the arm is singular only if $q_2 = 0$."),
         ("nur mit höchstens einem Gelenk.", "Der Antrieb des Schubgelenks soll mit höchstens"),
         ("which was fully retracted.", "which is largest when it is fully retracted."),
-        ("This is a common error: to write $x = 1$, which gives", "A common error is to write $x = 1$, which would give"),
-        ("Une erreur classique est dans cette formule, où", "Une erreur classique consiste à écrire $x = 1$, ce qui donne"),
+        (
+            "This is a common error: to write $x = 1$, which gives",
+            "A common error is to write $x = 1$, which would give",
+        ),
+        (
+            "Une erreur classique est dans cette formule, où",
+            "Une erreur classique consiste à écrire $x = 1$, ce qui donne",
+        ),
     ],
 )
 def test_a_clause_of_the_display_denies_what_stands_above_it(denies: str, says_nothing: str) -> None:

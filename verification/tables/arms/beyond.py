@@ -1,15 +1,16 @@
-"""The point of a tool behind the last frame of a modified DH table, whose last link has no row: a_2 of a planar arm of two rows."""
+"""The point of a tool behind the last frame of a modified DH table, whose last link has no row: a_2 of a planar arm of two rows, R_4 of an elbow of three."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from armproof.verification.document import Document
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.tables.arms.witnesses import Reading, weigh
 
+_LENGTHS = ("a", "d", "l", "r", "D", "L", "R")
 _LENGTH = re.compile(r"([A-Za-z]+)_(\d+)")
 
 
@@ -19,28 +20,32 @@ def with_point_beyond(document: Document, best: Reading) -> Reading:
     What fails by one slip counts half.
     """
     arm = best.front["arm"]
-    letter = _next_length(arm, document) if best.convention == "modified" and "tool" not in arm else ""
-    if not letter:
+    letters = [*_next_lengths(arm, document)] if best.convention == "modified" and "tool" not in arm else []
+    points = [point for letter in letters for point in ([letter, 0, 0], [0, 0, letter])]
+    if not points:
         return best
-    with_tool = {**best.front, "arm": {**arm, "tool": {"xyz": [letter, 0, 0]}}}
-    first, *others = weigh(document, [best.front, with_tool])
+    with_tool = [{**best.front, "arm": {**arm, "tool": {"xyz": point}}} for point in points]
+    first, *others = weigh(document, [best.front, *with_tool])
     is_better = all(_weight(first) > _weight(each) for each in others)
-    return first if first.front is with_tool and is_better else best
+    return first if first.front is not best.front and is_better else best
 
 
 def _weight(reading: Reading) -> int:
     return 2 * (reading.held - reading.failed) + reading.near
 
 
-def _next_length(arm: Mapping[str, Any], document: Document) -> str:
-    """Return the letter behind those of the column a, a_1 and a_2 before a_3, where displays have it and the table has not."""
-    found = [_LENGTH.fullmatch(str(row.get("a", ""))) for row in arm["rows"]]
+def _next_lengths(arm: Mapping[str, Any], document: Document) -> Iterator[str]:
+    """Yield the letters that displays have and the table has not: the one behind those of the column a, a_1 and a_2 before a_3, and those numbered as the frame behind the last."""
+    rows = arm["rows"]
+    found = [_LENGTH.fullmatch(str(row.get("a", ""))) for row in rows]
     letters = [(each[1], int(each[2])) for each in found if each is not None]
-    if not letters or len({base for base, _ in letters}) > 1:
-        return ""
-    base, index = letters[-1]
-    following = f"{base}_{index + 1}"
-    cells = {str(cell) for row in arm["rows"] for cell in row.values()}
-    written = re.compile(rf"(?<![A-Za-z\\]){base}\s*_\s*\{{?\s*{index + 1}(?!\d)")
-    is_used = any(written.search(normalise_unicode(display.latex)) for display in document.displays)
-    return following if is_used and following not in cells else ""
+    bases = {base for base, _ in letters}
+    following = [f"{letters[-1][0]}_{letters[-1][1] + 1}"] if len(bases) == 1 else []
+    last = int(arm.get("first", 0)) + len(rows)
+    behind = [f"{base}_{last + 1}" for base in _LENGTHS] if "frames" not in arm else []
+    cells = {str(cell) for row in rows for cell in row.values()}
+    for letter in dict.fromkeys((*following, *behind)):
+        base, _, index = letter.partition("_")
+        written = re.compile(rf"(?<![A-Za-z\\]){base}\s*_\s*\{{?\s*{index}(?!\d)")
+        if letter not in cells and any(written.search(normalise_unicode(each.latex)) for each in document.displays):
+            yield letter
