@@ -66,4 +66,4 @@ def locks(words: str, formulas: Sequence[str]) -> bool:
 def _is_held(said: Sequence[str], place: int) -> bool:
     """Whether a verb says that something stays as it is: "is kept constant", "fest bleibt", and not "is fixed to"."""
     near = [at for at in range(place - 1, min(place + _FEW, len(said))) if at >= 0 and _is(said[at], "HELD")]
-    return any(said[at + 1 : at + 2] not in ([each] for each in _FASTENED) for at in near)
+    return any(said[at + 1] not in _FASTENED if at + 1 < len(said) else True for at in near)
