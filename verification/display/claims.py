@@ -166,6 +166,9 @@ class Claims:
             met = {key for key in self.consulted() if key[0] not in outcome.defines and key != outcome.repeats}
             is_arithmetic = all(map(is_number, outcome.nodes))  # r = 0.4 + 0.3 = 0.7 tells nothing of r
             outcome.uses = frozenset(met | defined if outcome.verdict in DECIDED and not is_arithmetic else met)
+            at = (outcome.equation or equation) - equation
+            if outcome.verdict in HOLDS and all(map(is_number, chain.members[at : at + 2])):  # nor of what r was before
+                outcome.uses = frozenset()
             if define and outcome.verdict in HOLDS:
                 self.names.state.held |= outcome.uses
         return outcomes
