@@ -26,6 +26,7 @@ from armproof.verification.equations.general_links import is_sum_of_indices
 from armproof.verification.equations.given_targets import asked_of_the_tool
 from armproof.verification.equations.given_values import named_sign
 from armproof.verification.equations.inequalities import check_relation, parts_of
+from armproof.verification.equations.joint_conditions import fixes_joints
 from armproof.verification.equations.named_signs import unless_of_a_sign
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.readings import counted, second_solutions, side_by_side, without_count
@@ -273,6 +274,8 @@ class Claims:
             return known
         if (given := self.given.read(chain, line, define)) is not None:
             return Outcome(Verdict.DEFINED, (say(Kind.CONFIGURATION),), equation, defines=given)
+        if fixes_joints(chain, self.checker.members, self.names):
+            return Outcome(Verdict.DEFINED, (say(Kind.CONDITION),), equation)
         if not self.given.is_condition(chain):
             return None
         if (known := self._holds_there(chain, equation, line)) is not None:

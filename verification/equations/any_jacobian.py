@@ -74,6 +74,8 @@ def holds_of_any_jacobian(chain: n.Chain, names: Names) -> bool:
         return False
     if any(isinstance(b, n.Matrix) and len(b.cells) == 1 for member in chain.members for b in n.walk(member)):
         return False  # the one component that a bracket holds is no vector
+    if any(n.is_rank(b) for member in chain.members for b in n.walk(member)) and any(map(n.is_number, chain.members)):
+        return False  # all of these sizes have the rank 2
     of_two = names.reader.spelling.of_two
     if of_two and any(each.base == "J" and each.sub in of_two for member in chain.members for each in n.names(member)):
         return False  # of ω, and of another velocity: nobody knows which

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from itertools import groupby, pairwise
 
 from armproof.verification.document import Display, Document, Table
+from armproof.verification.document.heading import encloses
 from armproof.verification.errors import EvaluationError
 from armproof.verification.latex.nodes import bare_key
 from armproof.verification.naming.names import Names
@@ -177,6 +178,7 @@ def _starts(document: Document) -> Iterator[Place]:
     for source in sorted(_sources(document), key=lambda one: one.place):
         if source.arm is not None:
             is_new = table is not None and table.arm is not None and _is_other(source.arm, table.arm)
+            is_new = is_new and not _is_given_to(table, source)
             is_new = is_new or (link is not None and table is None and _is_of_other_joints(document, link, source))
             table, link = source, None if is_new else link
         else:
@@ -185,6 +187,16 @@ def _starts(document: Document) -> Iterator[Place]:
         if is_new and before is not None:
             yield _start(document, before, source)
         before = source
+
+
+def _is_given_to(table: _Source | None, source: _Source) -> bool:
+    """Whether a table stands above all exercises, of which one has a closed form in its letters: it is given to them all."""
+    if table is None or table.arm is None or source.arm is None or source.arm.source != "closed form":
+        return False
+    is_above = (
+        table.arm.source == "table" and encloses(table.section, source.section) and table.section != source.section
+    )
+    return is_above and _letters(source.arm) - {"pi"} <= _letters(table.arm)
 
 
 def _is_other(arm: Candidate, before: Candidate) -> bool:

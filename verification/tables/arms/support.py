@@ -38,6 +38,7 @@ class Inference:
 # beside its links: where a chain's frames lie, which of its joints comes first, and how the joint before an inner one turns
 FRAMES, ORDER, TOLD = 0, -1, -2
 HEIGHTS = -6  # of which coordinates an equation tells what they hold without a joint, x first
+INNER = -9  # how the frames between base and tool lie, the first one's next to it: the tool's pose tells nothing of them
 _MOVES = ("jacobian", "velocity", "determinant")
 _TURNS = frozenset(["rotation", "axis"])
 
@@ -142,6 +143,7 @@ def _untold(quantity: Quantity, members: Members) -> Iterable[int]:
     of_tool = ("origin", "jacobian", "velocity", "angle", "task", "determinant", "manipulability")
     if quantity.kind not in of_tool or (quantity.frame, quantity.reference) != (arm.frames[-1], arm.frames[0]):
         yield FRAMES
+    yield from (INNER - k for k, frame in enumerate(arm.frames[1:-1]) if frame in (quantity.frame, quantity.reference))
     has_columns = quantity.kind in ("jacobian", "determinant", "vector")
     if has_columns and not all(joint.symbol[-1].isdigit() for joint in arm.joints):
         yield ORDER
