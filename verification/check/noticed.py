@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -20,6 +21,7 @@ from armproof.verification.naming.state import Told
 from armproof.verification.verdict import HOLDS, EquationResult, Record, Verdict
 
 MOST_SLIPS = 8  # in one definition
+_COORDINATE = re.compile(r"[xyzXYZ](?:_\w+)?")
 _TURNED = {"+": "-", "-": "+"}
 
 
@@ -45,6 +47,8 @@ def _escapes_all(key: Key, records: Sequence[Record], slips: Slips) -> bool:
     before = slips.names.state.definitions.get(key[0])
     if before is None or before.line != key[1] or before.node is None:
         return False
+    if not (_COORDINATE.fullmatch(key[0]) or _moves(before.node, slips)):
+        return False
     using = uses_of(key, [each for record in records for each in record.outcomes])
     displays = [each for each in records if any(one in using for one in each.outcomes if one.is_decided)]
     if not displays or any(each.verdict not in HOLDS for each in displays):
@@ -58,6 +62,17 @@ def _escapes_all(key: Key, records: Sequence[Record], slips: Slips) -> bool:
             replace(before, evaluate=slips.checker.members.meaning(each)) for each in _with_slips(before.node, slips)
         )
         return any(all(slips.holds_where(each, key[0], slip) for each in displays) for slip in made)
+
+
+def _moves(formula: n.Node, slips: Slips) -> bool:
+    """Whether a formula is written in joints, or in angles: one of other letters, u = t/t_f, says what its author calls so, but for a coordinate."""
+    joints = slips.names.joints.keys()
+    return any(
+        isinstance(each, n.JointAngles)
+        or n.is_call(each, "cos", "sin", "tan")
+        or (isinstance(each, n.Name) and slips.names.known_symbol(each.key) in joints)
+        for each in n.walk(formula)
+    )
 
 
 def _with_slips(formula: n.Node, slips: Slips) -> Iterator[n.Node]:

@@ -68,6 +68,8 @@ class ToldNames:
         """Whether a name is usually a quantity of the arm, and not that of the place at which the text has it."""
         if name.key in self.names.quantities or self.names.known_symbol(name.key) is not None:
             return False
+        if name.key in self.names.state.definitions and name.key not in self.names.state.conventional:
+            return False  # a display says what it is
         meaning = self.names.quantity(name)
         usual = (meaning,) if meaning is not None else self.names.usual(name)
         if not usual:

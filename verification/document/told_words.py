@@ -14,7 +14,7 @@ BE is are be was being est sont être soit soient ist sind wird war sei seien es
 DEFINITE the that those this le la les l' un une celui celle ceux celles der die das dem den dessen deren ein eine einen el los las un una il lo gli i o a os as um uma quello quella quelli quelle aquel aquella
 COUNT two three both deux trois zwei drei dos tres due tre dois três
 WHERE where wobei worin où donde dove onde with mit avec con com here hier ici
-OF of in for from to at about de du des d' dans pour à au von in für nach zu bei del en para al di del della dell' dello nel per da do em and between zwischen entre through durch when if quand si wenn cuando se
+OF along around about entlang lungo largo longo suivant selon of in for from to at about de du des d' dans pour à au von in für nach zu bei del en para al di del della dell' dello nel per da do em and between zwischen entre through durch when if quand si wenn cuando se
 BY by mit par con por com as
 WE we us i one on nous wir man se si nosotros noi it
 THAT that que dass daß che qu'

@@ -38,7 +38,9 @@ class Inference:
 # beside its links: where a chain's frames lie, which of its joints comes first, and how the joint before an inner one turns
 FRAMES, ORDER, TOLD = 0, -1, -2
 HEIGHTS = -6  # of which coordinates an equation tells what they hold without a joint, x first
-INNER = -9  # how the frames between base and tool lie, the first one's next to it: the tool's pose tells nothing of them
+INNER = (
+    -9
+)  # how the frames between base and tool lie, the first one's next to it: the tool's pose tells nothing of them
 _MOVES = ("jacobian", "velocity", "determinant")
 _TURNS = frozenset(["rotation", "axis"])
 
@@ -65,7 +67,8 @@ def links_of(outcome: Outcome, members: Members, source: str = "", told_by: str 
         is_of_one = not (told and others) or outcome.verdict is Verdict.REFUTED
         is_linear = not any(_multiplies_moves(below, members) for side in (one, other) for below in n.walk(side))
         links = _links([*told, *others], members, source, is_linear) if is_of_one else frozenset()
-        return frozenset(link for link in links if link > HEIGHTS) if _moves_otherwise(outcome, members) else links
+        heights = range(HEIGHTS - 2, HEIGHTS + 1)
+        return links - frozenset(heights) if _moves_otherwise(outcome, members) else links
     if others or _rates(other, members):
         return frozenset()
     links = _links(told, members, source)
