@@ -30,8 +30,8 @@ def fixes_joints(chain: n.Chain, members: Members, names: Names) -> bool:
     if not all(isinstance(value, Scalar) for value in values):
         return False
     moving = [symbols_in([value.normal()]) & names.joints.keys() for value in values if isinstance(value, Scalar)]
-    where = next(filter(None, moving), frozenset())
-    return moving.count(frozenset()) == 1 and not where <= names.state.configuration.keys()
+    where = next(filter(None, moving), set[str]())
+    return moving.count(set()) == 1 and not where <= names.state.configuration.keys()
 
 
 def _is_plain(node: n.Node) -> bool:

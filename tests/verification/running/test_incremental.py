@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable
 from dataclasses import fields, replace
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -23,6 +24,7 @@ from armproof.verification.naming.state import (
     DocumentState,
     JacobianRows,
     OnABranch,
+    OtherZero,
     PrintedError,
     Stated,
     Told,
@@ -66,6 +68,11 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "used_in_general": lambda state: state.used_in_general.add("a"),
     "listed": lambda state: setattr(state, "listed", (Listing(3, ("q_{1} = 0",)),)),
     "adopted": lambda state: state.adopted.add("L_3"),
+    "zeros": lambda state: state.zeros.update(theta_1=OtherZero(Fraction(1, 2), "theta'_1", 3)),
+    "counts_anew": lambda state: setattr(state, "counts_anew", True),
+    "counts_anew_in": lambda state: setattr(state, "counts_anew_in", "A title"),
+    "without_value": lambda state: state.without_value.update(W=(3, "A title")),
+    "task_rows": lambda state: setattr(state, "task_rows", (2, 6)),
     "balanced": lambda state: state.balanced.update({("tau", ""): None}),
     "beyond": lambda state: state.beyond.update(E=("2", "T_E")),
     "configuration": lambda state: state.configuration.update(theta_1=Stated(Name("a"), 0.5)),
