@@ -6,7 +6,8 @@ from armproof.verification.tables.arms.catalogue import difference, table_of_nam
 from armproof.verification.tables.arms.disputed import unless_disputed
 from armproof.verification.tables.arms.inference import infer_arm, joints_used
 from armproof.verification.tables.arms.scopes import scopes
-from armproof.verification.tables.arms.support import Inference, is_of_no_arm, links_of, links_that_explain, settle_data
+from armproof.verification.tables.arms.settling import Inference, settle_data
+from armproof.verification.tables.arms.support import is_of_no_arm, links_of, links_that_explain
 from armproof.verification.tables.arms.values import entries_by_place, letters_of_numbers, stated_lengths
 
 __all__ = [

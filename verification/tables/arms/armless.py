@@ -10,7 +10,7 @@ from armproof.verification.document import Display
 from armproof.verification.findings import Kind
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.tables.arms.inference import joints_used
-from armproof.verification.tables.arms.support import Inference
+from armproof.verification.tables.arms.settling import Inference
 from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 Check = Callable[[Inference], DocumentResult]

@@ -13,7 +13,7 @@ from armproof.verification.algebra.ring import Ring
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.naming.reading import read_names
-from armproof.verification.tables.arms.support import Inference
+from armproof.verification.tables.arms.settling import Inference
 from armproof.verification.tables.arms.values import entries_by_place
 from armproof.verification.tables.arms.witnesses import weigh
 from armproof.verification.verdict import HOLDS, DocumentResult, Record, Role, Verdict

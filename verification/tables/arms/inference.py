@@ -31,7 +31,7 @@ from armproof.verification.tables.arms.other_case import in_other_case
 from armproof.verification.tables.arms.rates import rates_in
 from armproof.verification.tables.arms.rows import candidates
 from armproof.verification.tables.arms.screws import candidate_of_screws
-from armproof.verification.tables.arms.support import Inference
+from armproof.verification.tables.arms.settling import Inference
 from armproof.verification.tables.arms.variables import in_variables, told_variables
 from armproof.verification.tables.arms.witnesses import Reading, weigh
 from armproof.verification.tables.check import read_array, turned
