@@ -424,7 +424,7 @@ def _orders(formulas: Sequence[str], words: str) -> Iterator[str]:
 def _tuples(formulas: Sequence[str]) -> Iterator[tuple[str, list[str]]]:
     """Yield the tuples and columns of formulas: the name that each is said to be, "" without one, and its entries without the dots of rates."""
     for formula in formulas:
-        for found in _ENTRIES.finditer(formula):
+        for found in _ENTRIES.finditer(formula) if len(formula) <= MOST_CHARACTERS else ():
             entries = [each.strip() for each in re.split(r",|;|&|\\\\", found["entries"])]
             if len(entries) > 1 and all(entries):
                 yield found["name"] or "", entries

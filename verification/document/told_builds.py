@@ -71,7 +71,7 @@ _HOLDS_LINK = re.compile(
 )
 _TOOL = r"(?:tool|tip|end[ -]effector|hand|gripper|last joint|last link|outil|effecteur|l' outil|l' effecteur|la pince|werkzeug|spitze|greifer|endeffektor|letzten gelenk|herramienta|efector|pinza|extremo|utensile|ferramenta)"
 _LISTED = re.compile(
-    rf"(?<!\S)(?:table|rows?|lists?|listed|tableau|lignes?|tabelle|zeilen?|tabla|filas?|tabella|righe|tabela|linhas) (?:[^.;:\s]+ )*?(?:(?:from|beginning with|beginning at|starting with|starting at|starting from|begins? with|begins? at|starts? (?:with|at|from)|à partir de|en partant de|commence par|de|vom|von der|ab dem|beginnt (?:mit|beim|bei)(?: dem| der)?|desde|empieza (?:por|con)|dall?|dalla|a partire da|desde) (?:the |l' |la |le |el |lo )?{_TOOL}"
+    rf"(?<!\S)(?:table|rows?|lists?|listed|tableau|lignes?|tabelle|zeilen?|tabla|filas?|tabella|righe|tabela|linhas) (?:[^.;:\s]+ )*?(?:(?:from|beginning with|beginning at|starting with|starting at|starting from|begins? with|begins? at|starts? (?:with|at|from)|à partir de|en partant de|commence par|(?:vom|von der)(?= \S+ (?:aus|her) )|ab dem|beginnt (?:mit|beim|bei)(?: dem| der)?|desde|empieza (?:por|con)|a partire da|desde) (?:the |l' |la |le |el |lo )?{_TOOL}"
     r"|1 (?:is|belongs to|holds|est|gehört zum|ist|es|è) (?:the |that of |of |celle de |das |la |l' |della |de )*(?:last|dernière|letzten?|última|ultimo|tool)) "
 )
 _BESIDE_TOOL = re.compile(r"from (?:the )?tool (?:frame|coordinates|pose|position|data)|row 1 (?:is )?not")
