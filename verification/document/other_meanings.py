@@ -8,7 +8,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from functools import lru_cache
+from itertools import islice, pairwise
 from math import inf
 
 from armproof.verification.document.clauses import mentions_only, says_what_would_be
@@ -84,6 +85,7 @@ _IS_SIGNED = re.compile(  # d_2 is positive on one side and negative on the othe
     r"\bpositi[vf]\w* .{0,60}?\bn[eé]gati[vf]|\bn[eé]gati[vf]\w* .{0,60}?\bpositi[vf]|\bpositiv[oa]\b.{0,60}?\bnegativ[oa]\b",
     re.IGNORECASE,
 )
+_MOST_AGAIN = 50  # times that a name is said to be something, of which the next one below another heading counts
 _ROW_OF_TABLE = re.compile(r"^[ \t]*\|.*$", re.MULTILINE)  # of a table, which is no sentence
 _TELLS_LANGUAGE = 8000  # characters of a text
 _NOUGHT = re.compile(r"\(\s*0(?:\s*[,;]\s*0)*\s*\)")
@@ -161,7 +163,7 @@ def with_other_meanings(document: Document, text: str) -> Document:
 
 def _reach(line: int, text: str) -> tuple[int, float]:
     """Return from the heading above a line to the next one that is not below that: lines, 0 and infinity where there is none."""
-    headings = [*_headings(text)]
+    headings = _headings(text)
     begin, level = next((each for each in reversed(headings) if each[0] <= line), (0, 0))
     return begin, next((at for at, own in headings if at > line and own <= level), inf)
 
@@ -176,15 +178,17 @@ def told_below(text: str, *tells: Callable[[str], Iterable[str]]) -> Iterator[tu
             yield each, *_reach(line, text)
 
 
-def _headings(text: str) -> Iterator[tuple[int, int]]:
-    """Yield the lines of the headings of a text and their levels; of those with a rule below, by the order in which the marks come."""
-    lines, marks = text.split("\n"), list[str]()
+@lru_cache(maxsize=2)
+def _headings(text: str) -> tuple[tuple[int, int], ...]:
+    """Return the lines of the headings of a text and their levels; of those with a rule below, by the order in which the marks come."""
+    lines, marks, found = text.split("\n"), list[str](), list[tuple[int, int]]()
     for at, (line, below) in enumerate(pairwise([*lines, ""]), start=1):
         if match := _HEADING.match(line):
-            yield at, len(match[1]) if match[1] else 1 + len(match[2]) // len("sub")
+            found.append((at, len(match[1]) if match[1] else 1 + len(match[2]) // len("sub")))
         elif is_ruled(line, below) and len(below.rstrip()) >= len(line.rstrip()):
             marks += [below[0]] * (below[0] not in marks)
-            yield at, 1 + marks.index(below[0])
+            found.append((at, 1 + marks.index(below[0])))
+    return tuple(found)
 
 
 def _with(display: Display, said: Iterable[tuple[Meaning, int, float]], since: Iterable[Since]) -> Display:
@@ -231,82 +235,83 @@ def _without_shown(text: str) -> str:
 def _meanings(text: str) -> Iterator[Meaning]:
     """Yield what the sentences of a text say of letters and places that is not what an arm has for them."""
     shown = _without_shown(text)
-    named = [(text.count("\n", 0, at) + 1, each) for at, each in told_in_rows(text)]
+    line, at = 1, 0
+    named = [(text.count("\n", 0, place) + 1, each) for place, each in told_in_rows(text)]
     goes_on = ""  # what stands before a semicolon: "In this section …; $\\theta_3$ is then …"
     for found in _SENTENCE.finditer(shown):
         sentence = found.group()
+        begins = found.start() + len(sentence) - len(sentence.lstrip())
+        line, at = line + text.count("\n", at, begins), begins
         before, goes_on = goes_on, sentence if sentence.endswith(";") else ""
         small = (before + sentence).lower()
         if MAY_ASK.search(small) and says("ASKS_WHICH", words_of(sentence)):
-            line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
             yield Meaning(line, (ASKED,), reach=(line, _reach(line, text)[1]))
-        line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
         if len(sentence) <= MOST_CHARACTERS and MAY_NOTE.search(small):
             yield from (Meaning(line, (each,)) for each in notations_told(sentence))
         if "$" in sentence or "\\(" in sentence:
-            named += _named_in(text, found)
+            named += ((line, each) for each in _named_in(sentence))
         if len(sentence) > MOST_CHARACTERS or not (MAY_MEAN.search(small) or MAY_RENAME.search(small)):
             continue
         plain = with_axes(" ".join(sentence.split()))
-        words, formulas = (
-            _OF_EULER.sub("these", words_of(plain)),
-            [each[0] or each[1] for each in _FORMULA.findall(plain)],
-        )
+        words, formulas = _OF_EULER.sub("these", words_of(plain)), _formulas(plain)
         if letters := tuple(_letters(words, formulas)):
-            would_be = says_what_would_be(words)
-            yield Meaning(
-                line,
-                letters,
-                reach=_paragraph(text, found.end() - len(sentence.lstrip()), found.end()) if would_be else None,
-            )
-        earlier = [each[0] or each[1] for each in _FORMULA.findall(before)]
-        renamed, is_of_section = letters_anew(words_of(before) + words, [*earlier, *formulas])
+            is_here = says_what_would_be(words)
+            yield Meaning(line, letters, reach=_paragraph(text, begins, found.end()) if is_here else None)
+        renamed, is_of_section = letters_anew(words_of(before) + words, [*_formulas(before), *formulas])
         if renamed and (known := tuple(_that_stand_in(text[: found.start()], renamed))):
             yield Meaning(line, anew=known, is_of_section=is_of_section)
-        if (frame := _OF_FRAME.search(words)) is not None:
-            yield Meaning(line, frame=frame[1])
-        whole = with_axes(
-            " ".join((before + sentence).split())
-        )  # "It is turned about x, then y; all axes are those of the base"
+        whole = with_axes(" ".join((before + sentence).split()))  # "turned about x, then y; all axes are the base's"
         if not goes_on and (turns := _turns(whole, words_of(whole))):
             yield Meaning(line, beside=f"{TURNS} {turns}")
-        if _TELLS.match(words):
-            for heard in subjects(words, formulas):
-                of_place = heard in (OTHER_PLACE, OTHER_BASE)
-                yield Meaning(line, is_place=True) if of_place else Meaning(line, beside=heard)
-        is_over = words.rstrip()[-1:] in ".!" and not mentions_only(words)
-        if is_over and any(says(each, words) for each in ("OTHER_POINT", "OTHER_FRAME")):
-            yield Meaning(line, is_place=True)
-        yield from (Meaning(line, (f"{ALL} {each}",)) for each in lengths_in_two_units(plain))
-        if len({*_UNIT.findall(words.lower())}) > 1:  # lengths in inches, and what is printed in millimetres
-            yield Meaning(line, is_place=True)
-        if _OF_ALL.search(words) and says("OTHER_FRAME", words):
-            yield Meaning(line, is_frame=True)
-        if _IS_SIGNED.search(words):
-            alone = tuple(f"{SIGNED} {each.strip()}" for each in formulas if _LETTER.fullmatch(each.strip()))
-            yield Meaning(line, alone)
-        if says("OTHER_ORIGIN", words) or _has_base_elsewhere(words.lower(), formulas):
-            yield Meaning(line, is_origin=True)
+        yield from _of_places(line, plain, words, formulas)
     yield from _of_names(named, text)
 
 
-def _named_in(text: str, found: re.Match[str]) -> Iterator[tuple[int, Told]]:
-    """Yield what a sentence of a text says names to be, with its line."""
-    sentence = _ROW_OF_TABLE.sub("", found.group())
+def _formulas(plain: str) -> list[str]:
+    return [each[0] or each[1] for each in _FORMULA.findall(plain)]
+
+
+def _of_places(line: int, plain: str, words: str, formulas: Sequence[str]) -> Iterator[Meaning]:
+    """Yield what a sentence says of frames, points, units and signs."""
+    if (frame := _OF_FRAME.search(words)) is not None:
+        yield Meaning(line, frame=frame[1])
+    if _TELLS.match(words):
+        for heard in subjects(words, formulas):
+            of_place = heard in (OTHER_PLACE, OTHER_BASE)
+            yield Meaning(line, is_place=True) if of_place else Meaning(line, beside=heard)
+    is_over = words.rstrip()[-1:] in ".!" and not mentions_only(words)
+    if is_over and any(says(each, words) for each in ("OTHER_POINT", "OTHER_FRAME")):
+        yield Meaning(line, is_place=True)
+    yield from (Meaning(line, (f"{ALL} {each}",)) for each in lengths_in_two_units(plain))
+    if len({*_UNIT.findall(words.lower())}) > 1:  # lengths in inches, and what is printed in millimetres
+        yield Meaning(line, is_place=True)
+    if _OF_ALL.search(words) and says("OTHER_FRAME", words):
+        yield Meaning(line, is_frame=True)
+    if _IS_SIGNED.search(words):
+        alone = tuple(f"{SIGNED} {each.strip()}" for each in formulas if _LETTER.fullmatch(each.strip()))
+        yield Meaning(line, alone)
+    if says("OTHER_ORIGIN", words) or _has_base_elsewhere(words.lower(), formulas):
+        yield Meaning(line, is_origin=True)
+
+
+def _named_in(said: str) -> Iterator[Told]:
+    """Yield what a sentence says names to be."""
+    sentence = _ROW_OF_TABLE.sub("", said)
     if len(sentence) <= MOST_CHARACTERS and MAY_TELL_NAMES.search(sentence.lower()):
-        said = found.group()
-        line = text.count("\n", 0, found.start() + len(said) - len(said.lstrip())) + 1
-        yield from ((line, each) for each in told_names(with_axes(" ".join(sentence.split()))))
+        yield from told_names(with_axes(" ".join(sentence.split())))
 
 
 def _of_names(named: Sequence[tuple[int, Told]], text: str) -> Iterator[Meaning]:
     """Yield which names have not their usual meaning, from the heading above on, up to one below which they are said to have it again."""
     is_read = all(told.place != STRANGE for _, told in named) or is_in_known_language(words_of(text[:_TELLS_LANGUAGE]))
+    of_name: dict[str, list[tuple[int, Told]]] = {}
+    for at, told in named:
+        of_name.setdefault(told.name, []).append((at, told))
     for line, told in named:
         if told.place == USUAL or (told.place == STRANGE and not is_read):
             continue
         begin = line if told.is_anew else _reach(line, text)[0]
-        again = (at for at, each in named if at > line and each.name == told.name and each != told)
+        again = islice((at for at, each in of_name[told.name] if at > line and each != told), _MOST_AGAIN)
         end = next((head for at in again if (head := _reach(at, text)[0]) > line), None)
         is_limited = told.is_anew or end is not None
         yield Meaning(line, (told.as_meant(),), reach=(begin, inf if end is None else end - 1) if is_limited else None)
