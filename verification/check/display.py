@@ -231,12 +231,13 @@ class DisplayChecker:
         if outcome.verdict is not Verdict.REFUTED:
             return result
         if self.inferred.arm is not None and outcome.pair is not None:
-            explained = links_that_explain(outcome, self.checker.members)
-            is_of_none, against = (
-                is_of_no_arm(outcome, self.checker.members),
-                lengths_against(outcome.pair, self.checker.members),
+            members = self.checker.members
+            result = replace(
+                result,
+                explained_by=links_that_explain(outcome, members),
+                is_of_no_arm=is_of_no_arm(outcome, members),
+                against=lengths_against(outcome.pair, members),
             )
-            result = replace(result, explained_by=explained, is_of_no_arm=is_of_none, against=against)
         return replace(result, findings=tuple(each for each in record.findings if each.equation == outcome.equation))
 
     def _order(self, outcome: Outcome) -> str:

@@ -31,7 +31,6 @@ from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.given_values import GivenValues
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.errors import ReadError
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
@@ -74,7 +73,7 @@ class OtherMeanings:
         lengths = {*self.given.lengths}
         if EQUAL in meant and outcome.verdict is Verdict.REFUTED and len(lengths) > 1 and written & lengths:
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=min(written & lengths)))
-        signed = {self._key(each.removeprefix(SIGNED)) for each in meant if each.startswith(SIGNED)}
+        signed = {self.names.reader.key_of(each.removeprefix(SIGNED)) for each in meant if each.startswith(SIGNED)}
         slides = {key for key in signed if key in self.given.joints and not self.names.is_angle(key)}
         if slides and outcome.tells(Kind.ON_A_BRANCH, Kind.TO_DECIMALS_ON_A_BRANCH):
             return outcome.left_open(say(Kind.POSITIVE_ALONE, letters=", ".join(sorted(slides))))
@@ -97,7 +96,9 @@ class OtherMeanings:
     def _is_permuted(self, meant: str) -> bool:
         """Whether the text has all joint variables in a vector, in another order than the arm."""
         which, _, latex = meant.partition(" ")
-        keys = [self._key(re.sub(r"\\dot\b", "", each)) for each in latex.split()] if which == ORDER else []
+        keys = (
+            [self.names.reader.key_of(re.sub(r"\\dot\b", "", each)) for each in latex.split()] if which == ORDER else []
+        )
         joints = [self.names.known_symbol(key) for key in keys]
         return joints != [*self.names.joints] and sorted(map(str, joints)) == sorted(self.names.joints)
 
@@ -105,7 +106,7 @@ class OtherMeanings:
         """Leave open a product of rotations whose factors stand in another order than the text has them, and the name that it defines."""
         for told in (each.removeprefix(TURNS) for each in meant if each.startswith(TURNS)):
             axes, *angles = told.split()
-            order = [(axis, self._key(angle)) for axis, angle in zip(axes, angles or axes, strict=True)]
+            order = [(axis, self.names.reader.key_of(angle)) for axis, angle in zip(axes, angles or axes, strict=True)]
             found = [product for node in outcome.nodes for product in _products_of_rotations(node)]
             if any(_are_otherwise(product, order, bool(angles)) for product in found):
                 doubt = say(Kind.TURNED_IN_ORDER, order=" ".join(f"R_{axis}" for axis in axes))
@@ -149,27 +150,21 @@ class OtherMeanings:
             return outcome.left_open(say(Kind.OF_OTHER_ARM))
         return outcome
 
-    def _key(self, latex: str) -> str:
-        try:
-            return bare_key(self.names.reader.read_expression(latex)) or ""
-        except ReadError:
-            return ""
-
     def _meant_by(self, meant: str) -> set[str]:
         r"""Return the names that a letter, or the word for all angles, is of, joints and lengths but for `ANEW`: of `BEHIND` those that are measured from a joint before them."""
         which, _, latex = meant.partition(" ")
         if which == ANEW:
-            key = self._key(latex)
+            key = self.names.reader.key_of(latex)
             return {key, self.names.known_symbol(key) or key} - {""}
         if which == UPRIGHT:
-            key = self.names.known_symbol(self._key(latex)) or ""
+            key = self.names.known_symbol(self.names.reader.key_of(latex)) or ""
             return {key} - {"", *self._standing_up()}
         if which not in (ALL, BEHIND):
             return set()
         of_arm = {*self.given.lengths} | self._turned(which == BEHIND)
         if not latex:
             return self._turned(which == BEHIND)
-        return {self._key(latex)} & of_arm
+        return {self.names.reader.key_of(latex)} & of_arm
 
     def _standing_up(self) -> set[str]:
         """Return the joints whose angle is one from the vertical: about a horizontal axis, and at 0 what they move stands above it."""

@@ -12,10 +12,8 @@ from armproof.verification.document.orientations import AT_ZERO, AXIS_DOWN, FALL
 from armproof.verification.document.sentences import quoted
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare_key
 from armproof.verification.verdict import DECIDED
 
 
@@ -51,17 +49,11 @@ class ToldDirections:
         if kind == AT_ZERO:
             joints = self._other_at_zero(which)
             return bool(joints) and not joints.isdisjoint(self._written(outcome)) and bool(self._coordinates(outcome))
-        letter = self._key(which)
-        if letter is None or letter not in self._written(outcome):
+        key = self.names.reader.key_of(which)
+        letter = self.names.known_symbol(key) or key
+        if letter not in self._written(outcome):
             return False
         return not self._turns_so(letter, -1 if kind == FALLS else 1)
-
-    def _key(self, latex: str) -> str | None:
-        try:
-            key = bare_key(self.names.reader.read_expression(latex)) or ""
-        except ReadError:
-            return None
-        return self.names.known_symbol(key) or key
 
     def _coordinates(self, outcome: Outcome) -> set[str]:
         """Return which coordinates an equation is written with: all, of a matrix."""

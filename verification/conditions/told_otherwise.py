@@ -12,10 +12,8 @@ from armproof.verification.document.told_builds import COUNTED_FROM_ONE, FROM_TO
 from armproof.verification.equations.alignment import Pair
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare_key
 from armproof.verification.verdict import DECIDED, Verdict
 
 _OF_FRAMES = (*"pPoOTAHRzZxyXYvVJ", "omega")  # what bears the number of a frame
@@ -69,11 +67,7 @@ class ToldOtherwise:
         symbols = [joint.symbol for joint in arm.joints]
         if told.isdecimal():
             return {symbols[int(told) - 1]} if int(told) <= len(symbols) else {*symbols}
-        try:
-            key = bare_key(self.names.reader.read_expression(told)) if told else None
-        except ReadError:
-            key = None
-        symbol = self.names.known_symbol(key) if key else None
+        symbol = self.names.known_symbol(self.names.reader.key_of(told))
         return {symbol} if symbol in symbols else {*symbols}
 
     def _may_hold_locked(self, outcome: Outcome) -> bool:

@@ -10,6 +10,7 @@ from functools import cache
 
 import armproof.verification.document.phrases as phrases
 
+DELIMITED = re.compile(r"\$([^$]*)\$|\\\((.*?)\\+\)")  # a formula of a sentence, its LaTeX in a group
 FORMULA = re.compile(r"\$\$?[^$]*\$\$?|\\\(.*?\\\)|:math:`[^`]*`")
 AXIS = re.compile(
     r"\$\s*([xyz])(?:_0)?\s*\$[ -]?(?:axis|achse|direction|coordinate)|\b([xyz])[ -](?:axis|achse|direction)|\b(?:axe|eje|asse|eixo)(?: des| de las| delle| dos)? \$\s*([xyz])(?:_0)?\s*\$"
@@ -54,6 +55,11 @@ def before_leading(text: str) -> str:
     words = words_of(last)
     is_short = words.count(" ") <= _SHORT or hears("THEN", words) or hears("OF_THE_ONE_BEFORE", words)
     return before[-1][-MOST_CHARACTERS:] if before and is_short else ""
+
+
+def formulas_of(text: str) -> list[str]:
+    r"""Return the LaTeX of the formulas in a sentence, between dollars or \( and \)."""
+    return [each[0] or each[1] for each in DELIMITED.findall(text)]
 
 
 def words_of(text: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from armproof.verification.document.hearing import says, words_of
+from armproof.verification.document.hearing import formulas_of, says, words_of
 
 REFERENCE = "reference"  # which index is the reference: upper or lower, first or second
 ROWS = "rows"  # points are rows, and matrices stand behind them
@@ -13,7 +13,6 @@ ROWS = "rows"  # points are rows, and matrices stand behind them
 MAY_INDEX = re.compile(  # what no such sentence lacks, in small letters
     r"frame|rep[eè]re|system|sistema|marco|terna|referencial|coord|koord|\brows?\b|zeilen|lignes?\b|\bfilas?\b|\brig[ah]e?\b|linha|[tahr]\s*_"
 )
-_FORMULA = re.compile(r"\$([^$]*)\$|\\\((.*?)\\+\)")
 _INDEX, _ANY = r"\{?\s*(\w)\s*\}?", r"\{?\s*\w\s*\}?"
 _LETTER = r"(?:\\\w+\s*\{)?[TAHR]\}?\s*"
 _MATRIX = re.compile(
@@ -52,7 +51,7 @@ def _told(sentence: str) -> Iterator[str]:
     words = words_of(sentence)
     if says("ROW_VECTORS", words):
         yield ROWS
-    formulas = [(each[0] or each[1]).strip() for each in _FORMULA.findall(sentence)]
+    formulas = [each.strip() for each in formulas_of(sentence)]
     for formula in formulas:
         if (found := _MAPS.fullmatch(formula)) is not None:
             reference, seen = found[1] or found[3], found[5] or found[6]

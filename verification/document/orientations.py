@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from armproof.verification.document.hearing import words_of
+from armproof.verification.document.hearing import formulas_of, words_of
 
 AXIS_DOWN = "axis down"  # and the axis that points there
 RISES, FALLS = "rises", "falls"  # an angle that lifts what it moves from the horizontal, or lowers it, and its letter
@@ -24,7 +24,6 @@ _LETTER_OF_AXIS = re.compile(
 _BARE_AXIS = re.compile(r"(?<![\w$-])([xyz])[ -](?:axis|achse)(?!\w)", re.IGNORECASE)
 _BEFORE_AXIS = re.compile(r"(?<!\S)(?:l' |d' )?(?:axe|eje|asse|eixo) (?=[xyz]-axis)")
 _JOINT = re.compile(r"\\(?:var)?(?:theta|phi|beta|alpha|psi|gamma)(?:_\{?\d\}?)?|q_\{?\d\}?")
-_FORMULA = re.compile(r"\$([^$]*)\$|\\\((.*?)\\+\)")
 _DOWN = r"(?:down|downwards?|unten|abwärts|bas|abajo|basso|baixo)"
 _UP = r"(?:up|upwards?|oben|aufwärts|haut|arriba|alto|cima)"
 _OTHERS = (  # what no words between an axis and its direction are
@@ -78,7 +77,7 @@ def _told(sentence: str) -> Iterator[str]:
         return
     if not _OF_FORCE.search(words):
         yield from (f"{AXIS_DOWN} {found[1]}" for found in _AXIS_DOWN.finditer(words))
-    formulas = [each[0] or each[1] for each in _FORMULA.findall(plain)]
+    formulas = formulas_of(plain)
     for kind, pattern in ((RISES, _RISES), (FALLS, _FALLS)):
         for found in pattern.finditer(words) if not _NEGATIVE.search(words) else ():
             if (letter := _letter_by(words, formulas, found)) is not None:

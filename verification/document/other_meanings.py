@@ -14,7 +14,16 @@ from math import inf
 
 from armproof.verification.document.clauses import mentions_only, says_what_would_be
 from armproof.verification.document.heading import is_ruled
-from armproof.verification.document.hearing import MOST_CHARACTERS, hears, hears_denied, says, with_axes, words_of
+from armproof.verification.document.hearing import (
+    DELIMITED,
+    MOST_CHARACTERS,
+    formulas_of,
+    hears,
+    hears_denied,
+    says,
+    with_axes,
+    words_of,
+)
 from armproof.verification.document.lengths_in_units import lengths_in_two_units
 from armproof.verification.document.letters_anew import MAY_RENAME, letters_anew
 from armproof.verification.document.model import Display, Document
@@ -56,7 +65,6 @@ _ROW = re.compile(
     r"(?:[vV]_\{?|\\dot\s*\{?\s*)([xyz])\}?|\\omega_\{?([xyz])\}?|(\\omega|\\dot\s*\{?\s*\\(?:var)?(?:phi|psi|theta)\}?)"
 )
 _OF_TWO_FRAMES = re.compile(r"\s*(?:\\\w+\s*\{)?[TAHR]\}?\s*_\s*\{\s*([a-z0-9])\s*,?\s*([a-z0-9])\s*\}\s*")
-_FORMULA = re.compile(r"\$([^$]*)\$|\\\((.*?)\\+\)")
 _AXIS_TURNED = re.compile(  # about $x$, the z-axis, $\hat Y_A$, x'' and the angle of it
     r"\$\s*(?:\\(?:hat|vec|mathbf|boldsymbol|overrightarrow)\s*\{?\s*)?([xyzXYZ])\}?(?:_\{?\w+\}?|\^?\{?'*(?:\\prime)*\}?)*\s*\$|(?<!\w)([xyzXYZ])-(?:axis|achse|direction)"
 )
@@ -170,8 +178,7 @@ def _reach(line: int, text: str) -> tuple[int, float]:
 
 def told_below(text: str, *tells: Callable[[str], Iterable[str]]) -> Iterator[tuple[str, int, float]]:
     """Yield what sentences tell, each with the lines of the section, from its heading on, of which it holds."""
-    shown = _SHOWN.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
-    for found in _SENTENCE.finditer(shown):
+    for found in _SENTENCE.finditer(_without_shown(text)):
         sentence = found.group()
         for each in (each for one in tells for each in one(sentence)) if len(sentence) <= MOST_CHARACTERS else ():
             line = text.count("\n", 0, found.start() + len(sentence) - len(sentence.lstrip())) + 1
@@ -253,11 +260,11 @@ def _meanings(text: str) -> Iterator[Meaning]:
         if len(sentence) > MOST_CHARACTERS or not (MAY_MEAN.search(small) or MAY_RENAME.search(small)):
             continue
         plain = with_axes(" ".join(sentence.split()))
-        words, formulas = _OF_EULER.sub("these", words_of(plain)), _formulas(plain)
+        words, formulas = _OF_EULER.sub("these", words_of(plain)), formulas_of(plain)
         if letters := tuple(_letters(words, formulas)):
             is_here = says_what_would_be(words)
             yield Meaning(line, letters, reach=_paragraph(text, begins, found.end()) if is_here else None)
-        renamed, is_of_section = letters_anew(words_of(before) + words, [*_formulas(before), *formulas])
+        renamed, is_of_section = letters_anew(words_of(before) + words, [*formulas_of(before), *formulas])
         if renamed and (known := tuple(_that_stand_in(text[: found.start()], renamed))):
             yield Meaning(line, anew=known, is_of_section=is_of_section)
         whole = with_axes(" ".join((before + sentence).split()))  # "turned about x, then y; all axes are the base's"
@@ -265,10 +272,6 @@ def _meanings(text: str) -> Iterator[Meaning]:
             yield Meaning(line, beside=f"{TURNS} {turns}")
         yield from _of_places(line, plain, words, formulas)
     yield from _of_names(named, text)
-
-
-def _formulas(plain: str) -> list[str]:
-    return [each[0] or each[1] for each in _FORMULA.findall(plain)]
 
 
 def _of_places(line: int, plain: str, words: str, formulas: Sequence[str]) -> Iterator[Meaning]:
@@ -322,7 +325,7 @@ def _of_headings(text: str) -> Iterator[Meaning]:
     lines = text.split("\n")
     for line, _ in _headings(text):
         said = _MARKS_OF_HEADING.sub(" ", with_axes(lines[line - 1]))
-        words, formulas = words_of(said), [each[0] or each[1] for each in _FORMULA.findall(said)]
+        words, formulas = words_of(said), formulas_of(said)
         equal = (EQUAL,) if says("EQUAL_LENGTHS", words) else ()
         named = tuple(each.as_meant() for each in told_names(said))
         if letters := (*_letters(words, formulas), *equal, *named):
@@ -339,7 +342,7 @@ def _paragraph(text: str, start: int, end: int) -> tuple[int, int]:
 def _that_stand_in(text: str, letters: Sequence[str]) -> Iterator[str]:
     """Yield the letters that stand in the displays and formulas of a text, as what holds of a display."""
     displays = [found.group() for found in _SHOWN.finditer(text)]
-    formulas = " ".join([*displays, *(found.group() for found in _FORMULA.finditer(_SHOWN.sub(" ", text)))])
+    formulas = " ".join([*displays, *(found.group() for found in DELIMITED.finditer(_SHOWN.sub(" ", text)))])
     for letter in letters:
         index = re.fullmatch(r"(?:\\theta|q)\s*_\s*\{?\s*(\d)\s*\}?", letter)
         in_sine = rf"|(?<![A-Za-z])[cCsS]_?\{{?\d*{index[1]}" if index else ""  # θ_2 stands in c_{12}
@@ -458,9 +461,7 @@ def _turns(plain: str, words: str) -> str:
     axes = [next(filter(None, found.groups())).lower() for found in _AXIS_TURNED.finditer(plain)]
     if is_fixed == is_turned or not 2 <= len(axes) <= 3:
         return ""
-    angles = [
-        each for formula in _FORMULA.findall(plain) if _ANGLE.fullmatch(each := (formula[0] or formula[1]).strip())
-    ]
+    angles = [each for formula in formulas_of(plain) if _ANGLE.fullmatch(each := formula.strip())]
     step = -1 if is_fixed else 1
     return " ".join(("".join(axes[::step]), *(angles[::step] if len(angles) == len(axes) else ())))
 

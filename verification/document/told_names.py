@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from armproof.verification.document.hearing import words_of
+from armproof.verification.document.hearing import formulas_of, words_of
 from armproof.verification.document.letters_anew import holds_from_here
 from armproof.verification.document.told_words import holds as is_of
 from armproof.verification.document.told_words import is_other, is_told, is_usual_word, number_of
@@ -24,7 +24,6 @@ MAY_TELL_NAMES = re.compile(  # in small letters: what no text that defines a na
     r"\b(?:let|call|denot|stands? for|mean|designat|represent|is|are|be|was|soi(?:t|ent)|note|notons|notée?|appel|nomm|désign|est|sont|sei|seien|ist|sind|bezeichne|nenn|heiß|sea|sean|llam|denomin|es|son|sia|siano|chiam|indic|è|sono|seja|sejam|cham|é|são|start|begin|pass|motion|move|wobei|où)"
     r"|\$\s*(?::|—|–|\||&)"
 )
-_FORMULA = re.compile(r"\$([^$]*)\$|\\\((.*?)\\+\)")
 _NAME = re.compile(
     r"\s*(?:\{\s*\}\s*\^\s*\{?0\}?\s*)?(?:\\(?!frac|sqrt|sin|cos|det|left|begin|text\b)[A-Za-z]+\s*|[A-Za-z]\w?(?![A-Za-z])|[{}]\s*)+(?:[_^]\s*(?:\w|\{[^{}=+]*\}|\\\w+)\s*)*[{}]*(?:\s*\((?:t|q|\\theta)\))?\s*"
 )
@@ -53,7 +52,7 @@ class Told:
 
 def told_names(plain: str) -> Iterator[Told]:
     """Yield what a sentence says names to be, where that may be something else than they usually are."""
-    formulas = [each[0] or each[1] for each in _FORMULA.findall(plain)]
+    formulas = formulas_of(plain)
     said, names = words_of(plain).split(), dict[int, list[str]]()
     places = [place for place, word in enumerate(said) if word == "¤"]
     if len(places) != len(formulas):
@@ -96,7 +95,7 @@ def told_in_rows(text: str) -> Iterator[tuple[int, Told]]:
 
 def _of_cells(cells: Sequence[str]) -> Iterator[Told]:
     for cell, behind in pairwise(cells):
-        formulas = [each[0] or each[1] for each in _FORMULA.findall(cell)]
+        formulas = formulas_of(cell)
         own = [word for word in words_of(cell).split() if word not in (*_AND, "¤", ":")]
         said = words_of(behind).lower().split()
         listed = [name for latex in formulas for name in _names(latex)]

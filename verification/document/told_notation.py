@@ -8,6 +8,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from armproof.verification.document.hearing import DELIMITED, formulas_of
+
 MAY_NOTE = re.compile(  # what no such sentence lacks, in small letters
     r"at(?:an|g)2|arct(?:an|g)2|\^\s*\{?\s*-\s*1|force|kraft|kräfte|fuerza|forza|força|reaction|réaction|reaktion|reacción"
 )
@@ -66,7 +68,6 @@ _ON_TOOL = re.compile(
 _FORCE = re.compile(
     r"^[\s{]*(?:\\(?:vec|mathbf|boldsymbol|bm|underline|mathrm|mathcal)\s*\{?\s*)*([FfWwHh])(?![A-Za-z])(?!\s*_\s*\{?\s*g)"
 )
-_FORMULA = re.compile(r"\$([^$]*)\$|\\\((.*?)\\+\)")
 
 
 def notations_told(sentence: str) -> Iterator[str]:
@@ -76,15 +77,15 @@ def notations_told(sentence: str) -> Iterator[str]:
         yield ABSCISSA_FIRST
     if _POWER.search(sentence) and _IS_RECIPROCAL.search(sentence) and not _NOT.search(sentence):
         yield RECIPROCAL
-    if _ACTS.search(sentence) and _ON_TOOL.search(_FORMULA.sub("¤", sentence)):
-        formulas = [each[0] or each[1] for each in _FORMULA.findall(sentence)]
+    if _ACTS.search(sentence) and _ON_TOOL.search(DELIMITED.sub("¤", sentence)):
+        formulas = formulas_of(sentence)
         letters = dict.fromkeys(found[1] for formula in formulas if (found := _FORCE.search(formula)) is not None)
         yield from (f"{REACTION} {letter}" for letter in letters or ("",))
 
 
 def _says_abscissa_first(sentence: str) -> bool:
     """Whether a sentence about atan2 says that x comes first: in words, or by atan2(x, y) with no atan2(y, x) beside it."""
-    alone = _FORMULA.sub(
+    alone = DELIMITED.sub(
         lambda found: " " if "=" in found.group() else found.group(), sentence
     )  # θ_1 = atan2(x, y) is one claim
     calls = {(one.lower(), other.lower()) for one, other in _ONE_CALL.findall(alone)}

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from math import inf
 
-from armproof.verification.document.hearing import MOST_CHARACTERS, with_axes, words_of
+from armproof.verification.document.hearing import MOST_CHARACTERS, formulas_of, with_axes, words_of
 from armproof.verification.document.locked_joints import LOCKED, MAY_LOCK, locks
 from armproof.verification.document.model import Display
 from armproof.verification.document.told_builds import (
@@ -20,7 +20,6 @@ from armproof.verification.document.told_builds import (
 )
 from armproof.verification.document.told_tasks import MAY_TELL_TASK, told_tasks
 
-_FORMULA = re.compile(r"\$([^$]*)\$|\\\((.*?)\\+\)")
 MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
     f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}"
 )
@@ -46,7 +45,7 @@ def told_since(
         if len(sentence) > MOST_CHARACTERS or not MAY_SAY_SINCE.search(sentence.lower()):
             continue
         plain = with_axes(" ".join(sentence.split()))
-        words, formulas = words_of(plain), [each[0] or each[1] for each in _FORMULA.findall(plain)]
+        words, formulas = words_of(plain), formulas_of(plain)
         line = text.count("\n", 0, place) + 1
         begin, end = reach(line)
         lines = [display.line for display in displays]

@@ -60,6 +60,13 @@ class Reader:
             raise ReadError(say(Kind.NOT_ONE_EXPRESSION, text=latex.strip()), offset)
         return statements[0].members[0]
 
+    def key_of(self, latex: str) -> str:
+        """Return the key of the name that a formula is, "" of another formula or of what cannot be read."""
+        try:
+            return n.bare_key(self.read_expression(latex)) or ""
+        except ReadError:
+            return ""
+
     def _parse(self, latex: str) -> list[n.Statement]:
         """Return the statements of a text; one that was read before is read anew only where another of its names is bound."""
         known = _known_readings(latex, self.spelling)

@@ -193,20 +193,19 @@ def _own_unit(displays: Sequence[Display], tables: Iterable[Table]) -> str:
             alone = set(_BARE.findall(_IN_UNIT.sub("", latex))) - _OF_ANGLES if latex is display.latex else set()
             is_beside = is_beside or bool(found and alone)
             bare |= alone
-    of_tables = {unit for number, unit in _lengths_of(tables) if number in bare}
+    cells = (each for table in tables for each in cells_in_units(table))
+    of_tables = {unit for cell, unit in cells if not bare.isdisjoint(_BARE.findall(cell))}
     if len(of_tables) == 1:  # then what a display gives in metres is not what it stands beside
         return of_tables.pop()
     units = {unit for _, unit in measured}
     return units.pop() if units in ({"mm"}, {"cm"}) and (is_beside or bare & {number for number, _ in measured}) else ""
 
 
-def _lengths_of(tables: Iterable[Table]) -> Iterator[tuple[str, str]]:
-    """Yield the numbers of tables whose unit, mm or cm, their header says, with it."""
-    for table in tables:
-        units = [_UNIT_OF_COLUMN.search(header) for header in table.header]
-        for row in table.rows:
-            cells = [(cell, unit[1]) for cell, unit in zip(row, units, strict=False) if unit is not None]
-            yield from ((number, unit) for cell, unit in cells for number in _BARE.findall(cell))
+def cells_in_units(table: Table) -> Iterator[tuple[str, str]]:
+    """Yield the cells of a table whose header says that they are in mm or in cm, with that unit."""
+    units = [_UNIT_OF_COLUMN.search(header) for header in table.header]
+    for row in table.rows:
+        yield from ((cell, unit[1]) for unit, cell in zip(units, row, strict=False) if unit is not None)
 
 
 def _masses(said: str) -> frozenset[str]:

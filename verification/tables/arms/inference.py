@@ -13,7 +13,7 @@ from armproof.verification.errors import EvaluationError, ReadError, TooComplex
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.naming.names import Names
-from armproof.verification.naming.reading import read_names, spelling_of
+from armproof.verification.naming.reading import cells_in_units, read_names, spelling_of
 from armproof.verification.tables.arms.beyond import with_point_beyond
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.closed_forms import candidates_of_closed_form
@@ -39,7 +39,6 @@ from armproof.verification.tables.columns import CONVENTIONS, read_columns
 from armproof.verification.tables.row import SCALES
 from armproof.verification.verdict import TakenArm
 
-_LENGTH_UNIT = re.compile(r"(?<![A-Za-z])[mc]m(?![A-Za-z])")
 _NUMBER = re.compile(r"(?<![\d._{])[1-9]\d*(?:\.\d+)?(?![\d.])")
 _AT_REST = re.compile(r"\\dot\s*\{?\s*\\?(?:theta|q)\s*_\s*\{?\d+[\s}]*=\s*0(?![\d.])")  # of what does not move
 _INDEXED = re.compile(r"(?:theta|(?<![A-Za-z])[qcsCS])\s*_\s*\{?\s*(\d+)(?!\d|\s*\\times)")
@@ -137,9 +136,7 @@ def in_metres(document: Document, table: Table) -> bool:
 
 def _is_beyond_reach(document: Document, table: Table) -> bool:
     """Whether a matrix prints a number that an arm of a table's lengths reaches in their unit, and not in metres."""
-    units = [_LENGTH_UNIT.search(header) for header in table.header]
-    cells = [(unit[0], cell) for row in table.rows for unit, cell in zip(units, row, strict=False) if unit is not None]
-    lengths = [(unit, float(number)) for unit, cell in cells for number in _NUMBER.findall(cell)]
+    lengths = [(unit, float(number)) for cell, unit in cells_in_units(table) for number in _NUMBER.findall(cell)]
     in_unit, metres = sum(each for _, each in lengths), sum(each * SCALES[unit] for unit, each in lengths)
     matrices = (display.latex for display in document.displays if "matrix" in display.latex)
     decimals = [float(number) for latex in matrices for number in _NUMBER.findall(latex) if "." in number]
