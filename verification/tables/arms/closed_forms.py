@@ -19,11 +19,17 @@ from armproof.verification.tables.arms.coordinate_slips import (
     Found,
     are_equal,
     goes_on_from,
-    index_of,
     mended_coordinates,
 )
 from armproof.verification.tables.arms.jacobians import coordinates_of_jacobian
-from armproof.verification.tables.arms.letters import equations_of, unapplied, value_in_letters
+from armproof.verification.tables.arms.letters import (
+    FIRST_LETTERS,
+    equations_of,
+    index_of,
+    place_of,
+    unapplied,
+    value_in_letters,
+)
 from armproof.verification.tables.arms.moves import Moves
 from armproof.verification.tables.arms.poses import candidate_of_pose, frame_of_tool
 from armproof.verification.tables.arms.rates import rates_in
@@ -34,7 +40,6 @@ _POINTS = ("p", "P", "X", "x")
 _ENDS_OF = {letter: [f"{letter}_{end}" for end in ("e", "E", "ee", "EE", "tool", "n", "tip")] for letter in _POINTS}
 _ANGLE = re.compile(r"(?:theta|q|phi|varphi)(?:_?\d+)?")
 _OTHER_ANGLE = re.compile(r"(alpha|beta|gamma|delta|psi)_?\d+")
-_FIRST_LETTERS = ("alpha", "beta", "gamma", "delta")
 _SUM = re.compile(r"(theta|q)_(\d{2,})")
 _SLIDE = re.compile(r"[dqr]_?\d+")
 _NAMED = re.compile(r"[A-Za-z]\w*")
@@ -295,12 +300,7 @@ def _are_joints(angles: Sequence[str], rates: Collection[str]) -> bool:
     others = [_OTHER_ANGLE.fullmatch(angle) for angle in angles]
     if angles and None not in others:
         return len({match[1] for match in others if match is not None}) == 1
-    return all(map(_ANGLE.fullmatch, angles)) or {*angles} == {*_FIRST_LETTERS[: len(angles)]}
-
-
-def _place(angle: str) -> tuple[int, int]:
-    """Return where an angle stands among the joints: by its number, else by its letter."""
-    return index_of(angle), _FIRST_LETTERS.index(angle) if angle in _FIRST_LETTERS else 0
+    return all(map(_ANGLE.fullmatch, angles)) or {*angles} == {*FIRST_LETTERS[: len(angles)]}
 
 
 # where to: a column of a DH table or an axis to slide along; how far; the joint that moves it
@@ -328,11 +328,11 @@ class _ClosedForm:
 
     def _moves(self) -> Moves | None:
         x, y, z = (self.values.get(axis, self.algebra.ring.zero) for axis in "xyz")
-        angles, above = sorted(angles_in(x) | angles_in(y), key=_place), angles_in(z)
+        angles, above = sorted(angles_in(x) | angles_in(y), key=place_of), angles_in(z)
         slides = self._slides(angles, strictly=bool(above))
         if not _are_joints(angles, self.rates) or len(angles) + len(slides) < 2:
             return None
-        are_ordered = all(map(index_of, angles)) or set(angles) <= {*_FIRST_LETTERS}
+        are_ordered = all(map(index_of, angles)) or set(angles) <= {*FIRST_LETTERS}
         if not (slides or are_ordered) or not (angles or len(slides) == 3):
             return None
         steps = self._turned(x, y, z, angles, slides) if above else self._level(x, y, z, angles, slides)
@@ -349,7 +349,7 @@ class _ClosedForm:
 
     def _slides(self, angles: Sequence[str], strictly: bool) -> list[str]:
         """Return the letters of joints that slide: those with rates, or that have the numbers which angles leave out."""
-        letters = sorted(symbols_in(self.values.values()) - set(angles), key=index_of)
+        letters = sorted(symbols_in(self.values.values()) - set(angles), key=place_of)
         told = [letter for letter in letters if letter in self.rates or letter.startswith("q_")]
         found = [
             letter for letter in letters if _SLIDE.fullmatch(letter) and index_of(letter) not in map(index_of, angles)

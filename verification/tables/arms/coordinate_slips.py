@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from math import prod
 
@@ -12,15 +11,15 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document import Display
 from armproof.verification.equations.alignment import Pair, is_near
 from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.tables.arms.letters import place_of
 
-_INDEX = re.compile(r"\d+")
 Found = dict[str, tuple[Scalar, Display]]
 
 
 def mended_coordinates(found: Found, algebra: ExactAlgebra) -> Iterator[tuple[dict[str, Scalar], Found]]:
     """Yield the coordinates with y by x, and with x by y, where the other is a slip away: what turns about z has x = ∂y/∂θ_1, y = -∂x/∂θ_1."""
     values = {axis: value for axis, (value, _) in found.items()}
-    first = min(angles_in(values["x"]) & angles_in(values["y"]), key=index_of, default="")
+    first = min(angles_in(values["x"]) & angles_in(values["y"]), key=place_of, default="")
     for told, axis, sign in (("x", "y", -1), ("y", "x", 1)) if first else ():
         angle = algebra.ring.symbol(first)
         slide = standing(_mean(values[axis], first, algebra))  # what does not turn
@@ -42,7 +41,7 @@ def _heights_by_reach(values: Mapping[str, Scalar], first: str, algebra: ExactAl
     """
     cosine, sine = algebra.cos_sin(algebra.ring.symbol(first))
     reach = substitute(values["x"], {first: algebra.ring.zero})
-    inner = min(angles_in(reach) & angles_in(values["z"]) - {first}, key=index_of, default="")
+    inner = min(angles_in(reach) & angles_in(values["z"]) - {first}, key=place_of, default="")
     if not inner or not (are_equal(values["x"], reach * cosine) and are_equal(values["y"], reach * sine)):
         return
     z, rises = values["z"], derivative(reach, algebra.ring.symbol(inner))
@@ -91,11 +90,6 @@ def goes_on_from(value: Scalar, before: Scalar) -> bool:
 def lengths_in(value: Scalar) -> set[str]:
     """Return the letters of a coordinate that are no angles."""
     return symbols_in([value.normal()]) - angles_in(value)
-
-
-def index_of(letter: str) -> int:
-    """Return the number of a joint by its letter, 0 where it has none."""
-    return int(found[0]) if (found := _INDEX.search(letter)) else 0
 
 
 def are_equal(one: Scalar, other: Scalar) -> bool:

@@ -12,7 +12,7 @@ from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.names import Names
-from armproof.verification.tables.arms.letters import equations_of, unapplied, value_in_letters
+from armproof.verification.tables.arms.letters import equations_of, index_of, place_of, unapplied, value_in_letters
 
 _SUBSCRIPTS = ("", "v", "P", "p", "L", "A", "a")
 
@@ -96,22 +96,18 @@ def _point(jacobian: Matrix) -> tuple[Scalar, Scalar] | None:
     if jacobian.shape[0] not in (2, 3, 6) or jacobian.shape[1] < 2:
         return None
     x, y = _coordinates(jacobian)
-    angles = sorted(angles_in(x) | angles_in(y), key=_number)
-    slides = sorted(symbols_in([x, y]) - set(angles), key=_number)
+    angles = sorted(angles_in(x) | angles_in(y), key=place_of)
+    slides = sorted(symbols_in([x, y]) - set(angles), key=place_of)
     columns = [*zip(*jacobian.rows, strict=True)]
     moving = [next((v for v in (*angles, *slides) if _is_by(column, x, y, v)), "") for column in columns]
     is_whole = moving[0] in angles and all(moving) and set(angles) <= set(moving) and len({*moving}) == len(moving)
-    in_order = [_number(each) for each in moving] == sorted(map(_number, moving))
+    in_order = [index_of(each) for each in moving] == sorted(map(index_of, moving))
     return (x, y) if is_whole and in_order and all(map(_is_level, columns, [v in angles for v in moving])) else None
 
 
 def _coordinates(jacobian: Matrix) -> tuple[Scalar, Scalar]:
     """Return x and y of a tool that the first joint turns about the origin, by its first column."""
     return jacobian.rows[1][0].normal(), (-jacobian.rows[0][0]).normal()
-
-
-def _number(letter: str) -> int:
-    return int(digits) if (digits := letter.rpartition("_")[2]).isdigit() else 0
 
 
 def _is_by(column: Sequence[Scalar], x: Scalar, y: Scalar, letter: str) -> bool:

@@ -17,7 +17,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
-from armproof.verification.tables.arms.letters import equations_of, value_in_letters
+from armproof.verification.tables.arms.letters import equations_of, place_of, value_in_letters
 
 _JOINT = re.compile(r"(theta|q)_(\d+)")
 _LENGTH = re.compile(r"[lLadr]_?\w+")
@@ -97,7 +97,7 @@ def _arm(law: _Law) -> Candidate | None:
         if key not in _PLAIN or key[-1].lower() != axis
     }
     named |= {key: {"angle": last} for key in law.tool[2:]}
-    links = [*sorted(symbols_in(law.links), key=_number), *filter(None, [law.hand])]
+    links = [*sorted(symbols_in(law.links), key=place_of), *filter(None, [law.hand])]
     letters = [n.Name(base, sub, text=link) for link in links for base, _, sub in [link.partition("_")]]
     place = (law.display.cell, law.display.line)
     return Candidate(
@@ -210,7 +210,7 @@ class _Reader:
 
     def _lengths(self, node: n.Quotient, value: Scalar) -> list[Scalar]:
         """Return what may be the length of a link: a letter, or a sum of letters by which is divided, l_3 + l_4."""
-        letters = sorted(filter(_LENGTH.fullmatch, symbols_in([value])), key=_number)
+        letters = sorted(filter(_LENGTH.fullmatch, symbols_in([value])), key=place_of)
         below = bare(node.denominator)
         factors = [bare(each) for each in (below.factors if isinstance(below, n.Product) else ())]
         sums = [self._value(each) for each in factors if isinstance(each, n.Sum)]
@@ -261,10 +261,6 @@ class _Reader:
         height = -substitute(derivative(square, last), dict.fromkeys(keys, zero)) / 2 if len(keys) == 3 else zero
         rest = square - sum((each * each for each in level), zero) - (last - height) * (last - height)
         return (tuple(keys), height.normal()) if rest.normal().is_zero() else None
-
-
-def _number(key: str) -> int:
-    return int(found[0]) if (found := re.search(r"\d+", key)) else 0
 
 
 def _is_polynomial(value: Scalar) -> bool:
