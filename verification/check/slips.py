@@ -124,16 +124,18 @@ class Slips:
         return not names_alone(before.formula)
 
     def holds_where(self, record: Record, name: str, meaning: Definition) -> bool:
-        """Whether a display holds with another meaning of a name."""
-        before = self.names.state.definitions[name]
-        self.names.state.definitions[name] = meaning
+        """Whether a display holds with another meaning of a name: not by what it says itself, as J = ∂p/∂θ would by its J."""
+        made = self.names.state.definitions
+        before = made[name]
+        own = {key: made.pop(key) for key, each in [*made.items()] if each.line == record.line != before.line}
+        made[name] = meaning
         try:
             with self.budget.of(SECONDS_TO_EXPLAIN):
                 return all(each.verdict in HOLDS for each in self.statements.tried(record.latex))
         except (ArmproofError, RecursionError):
             return False
         finally:
-            self.names.state.definitions[name] = before
+            made |= {**own, name: before}
 
     def _holds_again(self, display: Display, equation: int) -> bool:
         return self._holds_so(display.latex, equation, Kind.ANGLES_TOLD_OTHERWISE)

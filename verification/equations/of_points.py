@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import permutations
 
 from armproof.verification.algebra.calculus import angles_in, derivative, symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_matrix
@@ -14,15 +15,34 @@ from armproof.verification.equations.alignment import Pair, agree_exactly, diffe
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Members
 from armproof.verification.errors import EvaluationError, UnboundName
+from armproof.verification.evaluation.blocks import cells_of
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare
+from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.conventions import LINEAR_VELOCITIES
+from armproof.verification.naming.moving import FIRST_LETTERS
 from armproof.verification.verdict import Role, Verdict
 
 _OF_POINT = re.compile(r"(?:v|P|p|L|T)?_?,?(?:c|cm|G|C)?,?_?(\d)")
 _SLIDE = re.compile(r"[dr]_\d")
+_ENDS = (
+    "",
+    "_e",
+    "_E",
+    "_ee",
+    "_EE",
+    "_P",
+    "_p",
+    "_A",
+    "_tip",
+    "_t",
+    "_T",
+    "_f",
+    "_foot",
+)  # of x, the tool's coordinate
+_ANGLES = ("phi", "varphi", "psi", "alpha", "gamma")  # of the tool in its plane
+_REACHES = ("r", "rho", "d", "R")  # of x = r cos θ: a joint that slides along what another turns
 _CENTRES = ("c{}", "c_{}", "C{}", "C_{}", "G{}", "G_{}", "cm{}", "cm_{}", "c,{}")
 
 
@@ -49,16 +69,14 @@ class OfPoints:
             return outcome
         consulted = frozenset(self.members.names.state.consulted)
         for point in self._points(name):
-            by = self._variables(point, value.shape[1])
-            if by is None or not len(point) <= value.shape[0] <= 3:
-                continue
-            rows = [[derivative(cell, cell.ring.symbol(each)).normal() for each in by] for cell in point]
-            rows += [[value.cells[0].ring.zero] * len(by)] * (value.shape[0] - len(rows))
-            pair = Pair(Matrix(tuple(map(tuple, rows))), value)
-            if agree_exactly(pair):
-                return _proved(outcome)
-            if is_near(pair) and (wrong := different_entries(pair, exactly_equal)):
-                return self._wrong(outcome, pair, wrong, by)
+            for by in self._variables(point, value.shape[1]) if len(point) <= value.shape[0] <= 3 else ():
+                rows = [[derivative(cell, cell.ring.symbol(each)).normal() for each in by] for cell in point]
+                rows += [[value.cells[0].ring.zero] * len(by)] * (value.shape[0] - len(rows))
+                pair = Pair(Matrix(tuple(map(tuple, rows))), value)
+                if agree_exactly(pair):
+                    return _proved(outcome)
+                if is_near(pair) and (wrong := different_entries(pair, exactly_equal)):
+                    return self._wrong(outcome, pair, wrong, by)
         self.members.names.state.consulted.intersection_update(consulted)  # it rests on no point
         if self.members.names.arm is None and self._is_transposed(name, value):
             doubt = say(Kind.MAY_BE_TRANSPOSED, name=name.key)
@@ -69,7 +87,7 @@ class OfPoints:
     def _is_transposed(self, name: n.Name, value: Matrix) -> bool:
         """Whether the columns of a J are the derivatives of coordinates, and the rows of none."""
         turned = [[row[k] for row in value.rows] for k in range(value.shape[1])]
-        by, by_turned = (self._variables(value.cells, count) for count in (value.shape[1], value.shape[0]))
+        by, by_turned = (next(self._variables(value.cells, k), None) for k in (value.shape[1], value.shape[0]))
         if name.sub or by is None or by_turned is None or value.shape[0] < 2 or value.shape[1] < 2:
             return False
         of_rows = all(_is_gradient(row, by) for row in value.rows)
@@ -117,12 +135,24 @@ class OfPoints:
         found = _OF_POINT.fullmatch(name.sub)
         subs = [each.format(found[1]) for each in _CENTRES] if found is not None else []
         subs = [name.sub] if name.base in LINEAR_VELOCITIES else subs
-        of_tool = [("x", "y", "z"), ("x", "y")] if self.members.names.arm is None and not name.sub else []
+        of_tool = self._of_tool() if self.members.names.arm is None and not name.sub else []
         keys = [*((f"{letter}_{sub}",) for sub in subs for letter in "prPs"), *of_tool]
         keys += [tuple(f"{axis}_{sub}" for axis in "xy") for sub in subs]
         for each in keys:
             if all(key in self.members.names.state.definitions for key in each):
                 yield from self._value(each)
+
+    def _of_tool(self) -> list[tuple[str, ...]]:
+        """Return the names of the tool's coordinates that a document gives: all, or those of a plane, with its angle there or not."""
+        made = self.members.names.state.definitions
+        for end in _ENDS:
+            axes = tuple(f"{axis}{end}" for axis in "xyz" if f"{axis}{end}" in made)
+            angles = [
+                (*axes[:2], key) for letter in _ANGLES if (key := f"{letter}{end}") in made or (key := letter) in made
+            ]
+            if len(axes) > 1:
+                return [*([axes] if len(axes) > 2 else angles), axes[:2]]
+        return []
 
     def _value(self, keys: Sequence[str]) -> Iterator[tuple[Scalar, ...]]:
         names, algebra = self.members.names, self.members.exact
@@ -134,22 +164,40 @@ class OfPoints:
         if cells and len(cells) <= 3 and all(isinstance(cell, Scalar) for cell in cells):
             yield cells
 
-    def _variables(self, point: Sequence[Scalar], count: int) -> tuple[str, ...] | None:
-        """Return the joints of so many columns: the arm's, or the angles of the point and those with smaller numbers."""
+    def _variables(self, point: Sequence[Scalar], count: int) -> Iterator[tuple[str, ...]]:
+        """Yield the joints of so many columns: the arm's, those of q = (r, θ), or the angles of the point and those with smaller numbers."""
         arm = self.members.names.arm
         if arm is not None:
-            return tuple(joint.symbol for joint in arm.joints) if len(arm.joints) == count else None
+            joints = tuple(joint.symbol for joint in arm.joints)
+        else:
+            joints = self._told(count) or self._numbered(point, count)
+        angles = {angle for cell in point for angle in angles_in(cell)}
+        if len(joints) == count:
+            yield joints
+        elif angles == {*FIRST_LETTERS[:count]}:
+            yield FIRST_LETTERS[:count]
+        elif arm is None and len(angles) == 1 and count == len(angles) + 1:
+            slides = sorted(symbols_in(point) & {*_REACHES})
+            yield from permutations((*angles, *slides)) if len(slides) == 1 else ()
+
+    def _told(self, count: int) -> tuple[str, ...]:
+        """Return the joints that a document lists, q = (θ, r); nothing where it lists none, or others."""
+        told = self.members.names.state.definitions.get("q")
+        cells = cells_of(told.node) if told is not None and told.node is not None else ()
+        joints = tuple(key for cell in cells if (key := bare_key(cell)))
+        return joints if len(joints) == count == len(cells) else ()
+
+    def _numbered(self, point: Sequence[Scalar], count: int) -> tuple[str, ...]:
+        """Return the joints by their numbers, of which each angle of a point has one; where θ_2 is nowhere, d_2 slides."""
         angles = {angle for cell in point for angle in angles_in(cell)}
         letters = {angle.partition("_")[0] for angle in angles}
-        slides = {
-            each.partition("_")[2]: each for cell in point for each in symbols_in([cell]) if _SLIDE.fullmatch(each)
-        }
-        numbers = [str(k) for k in range(1, count + 1)]
+        slides = {each.partition("_")[2]: each for each in symbols_in(point) if _SLIDE.fullmatch(each)}
         turning = {angle.partition("_")[2] for angle in angles}
+        numbers = [str(k) for k in range(1, count + 1)]
         joints = tuple(
             slides[k] if k in slides and k not in turning else f"{letter}_{k}" for letter in letters for k in numbers
-        )  # where θ_2 is nowhere, d_2 slides
-        return joints if len(letters) == 1 and angles <= {*joints} else None
+        )
+        return joints if len(letters) == 1 and angles <= {*joints} else ()
 
 
 def _proved(outcome: Outcome) -> Outcome:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 
 from armproof.verification.algebra.matrix import Matrix, as_matrix, column, sized
 from armproof.verification.algebra.protocol import Value
@@ -86,7 +87,7 @@ def _all_joints(evaluator: Evaluating, variable: n.Node) -> n.Node:
 
 
 _JOINT = re.compile(r"(?:theta|q)(?:_\d+)?")  # where there is no arm, what moves, and what never does
-_JOINT_OR_LENGTH = re.compile(rf"(?:dot )*(?:{_JOINT.pattern}|[lLamgI](?:_\w+)?)")
+_JOINT_OR_LENGTH = re.compile(rf"(?:dot )*(?:{_JOINT.pattern}|[lLabhmgI](?:_\w+)?)")
 
 
 def time_derivative(evaluator: Evaluating, node: n.Name) -> Value:
@@ -116,7 +117,7 @@ def time_derivative(evaluator: Evaluating, node: n.Name) -> Value:
 
 def _is_variable(evaluator: Evaluating, symbol: str) -> bool:
     if evaluator.names.arm is None:
-        return _JOINT.fullmatch(symbol) is not None
+        return _JOINT.fullmatch(symbol) is not None or symbol in evaluator.names.reader.spelling.moving
     return any(joint.symbol == symbol for joint in evaluator.names.arm.joints)
 
 
@@ -125,13 +126,18 @@ def _in_time(evaluator: Evaluating, value: Value) -> Value:
     if isinstance(value, Matrix):
         return value.map(lambda cell: _in_time(evaluator, cell))
     algebra = evaluator.algebra
-    if evaluator.names.arm is None and not all(map(_JOINT_OR_LENGTH.fullmatch, algebra.symbols(value))):
+    if evaluator.names.arm is None and not all(map(partial(_may_stand, evaluator), algebra.symbols(value))):
         raise EvaluationError(say(Kind.RATE_WITHOUT_ARM))
     total = algebra.rational(Fraction(0))
     for symbol in sorted(algebra.symbols(value)):
         if _is_variable(evaluator, symbol.rpartition(" ")[2]):
             total = total + algebra.derivative(value, algebra.symbol(symbol)) * algebra.symbol(rate_symbol(symbol, 1))
     return total
+
+
+def _may_stand(evaluator: Evaluating, symbol: str) -> bool:
+    """Whether a symbol moves as the document shows, or never does: any other letter may be a function of time."""
+    return _JOINT_OR_LENGTH.fullmatch(symbol) is not None or _is_variable(evaluator, symbol.rpartition(" ")[2])
 
 
 def rate_symbol(symbol: str, order: int) -> str:

@@ -224,6 +224,7 @@ class Spelling:
     of_two: frozenset[str] = frozenset()  # subscripts of a J that it multiplies to ω and to another velocity: a of J_a
     loads: frozenset[str] = frozenset()  # the components of forces and moments that it writes anywhere: F_x, M_z, or M
     columns: frozenset[str] = frozenset()  # the keys of what it says to be the columns of J: J_1, J_2
+    moving: frozenset[str] = frozenset()  # the letters whose rates it prints: alpha, where it has \\dot\\alpha
     of_quaternion: bool = False  # whether q_1 is the component of a quaternion, beside q_0
 
     def joint_signs(self, digits: str) -> tuple[int, ...]:

@@ -21,6 +21,7 @@ from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.latex.vocabulary import FUNCTIONS, LETTERS
 from armproof.verification.naming.conventions import NORMALS
 from armproof.verification.naming.dresses import dressed_letters, starred_names
+from armproof.verification.naming.moving import rates_in
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import read_quantity
 
@@ -146,7 +147,7 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
         frozenset(_SCREW.findall(text)), _own_unit(document.displays, document.tables), frozenset(of_theta | of_q | of_cosine), _normals(said),
         dressed_letters(texts), starred_names(texts), _of_two_velocities(texts),
         frozenset(f"{letter}_{axis}" for letter, axis in _LOAD.findall(said)) | _moments(texts),
-        frozenset(_columns(document.displays)), bool(of_theta) and of_q == _QUATERNION,
+        frozenset(_columns(document.displays)), frozenset(rates_in(document.displays)), bool(of_theta) and of_q == _QUATERNION,
     )  # fmt: skip
 
 

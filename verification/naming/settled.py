@@ -199,11 +199,12 @@ def _has_own_slip(record: Record, result: EquationResult) -> bool:
 
 
 def _definitions(records: Sequence[Record]) -> set[Key]:
-    """Return what displays define, and what the text between them does."""
+    """Return what displays define, and what the text between them does; not what a display shows to hold: J = ∂p/∂θ."""
     outcomes = [outcome for each in records for outcome in each.outcomes]
     claimed = {key for each in outcomes if each.role is not Role.DEFINITION for key in each.defines}
     named = {key for each in outcomes for key in (each.defines if each.role is Role.DEFINITION else each.uses)}
-    return named - claimed
+    shown = {each.line for each in records if all(o.role is Role.CLAIM and o.verdict in HOLDS for o in each.outcomes)}
+    return {key for key in named - claimed if key[1] not in shown}
 
 
 def _said_anew(records: Sequence[Record], defined: Set[Key], right: Mapping[Key, int]) -> dict[Key, list[int]]:

@@ -13,6 +13,7 @@ from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.naming.moving import FIRST_LETTERS, index_of, place_of, rates_in
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
 from armproof.verification.tables.arms.coordinate_slips import (
@@ -22,17 +23,9 @@ from armproof.verification.tables.arms.coordinate_slips import (
     mended_coordinates,
 )
 from armproof.verification.tables.arms.jacobians import coordinates_of_jacobian
-from armproof.verification.tables.arms.letters import (
-    FIRST_LETTERS,
-    equations_of,
-    index_of,
-    place_of,
-    unapplied,
-    value_in_letters,
-)
+from armproof.verification.tables.arms.letters import equations_of, unapplied, value_in_letters
 from armproof.verification.tables.arms.moves import Moves
 from armproof.verification.tables.arms.poses import candidate_of_pose, frame_of_tool
-from armproof.verification.tables.arms.rates import rates_in
 
 _COORDINATE = re.compile(r"([xyzXYZ])(?:_(?:e|E|ee|EE|tool|n|\d))?|[pP]_(?:e|E|ee|EE|(?P<point>\d))?,?([xyz])")
 _OF_WRIST = re.compile(r"[pP]_(?:W|w|WC|wc),?([xyz])|(?:WC|wc)_([xyz])|([xyzXYZ])_(?:WC|wc)")

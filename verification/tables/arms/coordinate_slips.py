@@ -11,7 +11,7 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document import Display
 from armproof.verification.equations.alignment import Pair, is_near
 from armproof.verification.evaluation.exact import ExactAlgebra
-from armproof.verification.tables.arms.letters import place_of
+from armproof.verification.naming.moving import place_of
 
 Found = dict[str, tuple[Scalar, Display]]
 

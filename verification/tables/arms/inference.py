@@ -12,6 +12,7 @@ from armproof.verification.document import Display, Document, Table
 from armproof.verification.errors import EvaluationError, ReadError, TooComplex
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex.unicode import normalise_unicode
+from armproof.verification.naming.moving import rates_in
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.reading import cells_in_units, read_names, spelling_of
 from armproof.verification.tables.arms.beyond import with_point_beyond
@@ -28,7 +29,6 @@ from armproof.verification.tables.arms.matrices import (
     poses_that_are_links,
 )
 from armproof.verification.tables.arms.other_case import in_other_case
-from armproof.verification.tables.arms.rates import rates_in
 from armproof.verification.tables.arms.rows import candidates
 from armproof.verification.tables.arms.screws import candidate_of_screws
 from armproof.verification.tables.arms.settling import Inference

@@ -11,8 +11,9 @@ from armproof.verification.document import Display, Document
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
+from armproof.verification.naming.moving import index_of, place_of
 from armproof.verification.naming.names import Names
-from armproof.verification.tables.arms.letters import equations_of, index_of, place_of, unapplied, value_in_letters
+from armproof.verification.tables.arms.letters import equations_of, unapplied, value_in_letters
 
 _SUBSCRIPTS = ("", "v", "P", "p", "L", "A", "a")
 

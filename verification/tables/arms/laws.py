@@ -15,9 +15,10 @@ from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.naming.moving import place_of
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
-from armproof.verification.tables.arms.letters import equations_of, place_of, value_in_letters
+from armproof.verification.tables.arms.letters import equations_of, value_in_letters
 
 _JOINT = re.compile(r"(theta|q)_(\d+)")
 _LENGTH = re.compile(r"[lLadr]_?\w+")

@@ -16,19 +16,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.names import Names
 
-FIRST_LETTERS = ("alpha", "beta", "gamma", "delta")
-_INDEX = re.compile(r"\d+")
 _JOINT = re.compile(r"(?:theta|Theta|q|[dr](?=_))(?:_\d+)?")  # what a pose or a position is a function of
-
-
-def index_of(letter: str) -> int:
-    """Return the number of a joint by its letter, 0 where it has none."""
-    return int(found[0]) if (found := _INDEX.search(letter)) else 0
-
-
-def place_of(letter: str) -> tuple[int, int, str]:
-    """Return where a letter stands among its like: by its number, else in the Greek alphabet, else by its name."""
-    return index_of(letter), FIRST_LETTERS.index(letter) if letter in FIRST_LETTERS else 0, letter
 
 
 def equations_of(display: Display, names: Names) -> Iterator[n.Chain]:

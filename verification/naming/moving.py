@@ -1,4 +1,4 @@
-"""Letters that move: those whose rates a document prints."""
+"""Letters that move: those whose rates a document prints, and their order."""
 
 from __future__ import annotations
 
@@ -8,7 +8,19 @@ from collections.abc import Iterable
 from armproof.verification.document import Display
 from armproof.verification.latex.unicode import normalise_unicode
 
+FIRST_LETTERS = ("alpha", "beta", "gamma", "delta")
+_INDEX = re.compile(r"\d+")
 _RATE = re.compile(r"\\d{1,2}ot\s*\{?\s*\\?([A-Za-z]+)\s*\}?(?:\s*_\s*(?:\{\s*(\w+)\s*\}|(\w)))?")
+
+
+def index_of(letter: str) -> int:
+    """Return the number of a joint by its letter, 0 where it has none."""
+    return int(found[0]) if (found := _INDEX.search(letter)) else 0
+
+
+def place_of(letter: str) -> tuple[int, int, str]:
+    """Return where a letter stands among its like: by its number, else in the Greek alphabet, else by its name."""
+    return index_of(letter), FIRST_LETTERS.index(letter) if letter in FIRST_LETTERS else 0, letter
 
 
 def rates_in(displays: Iterable[Display]) -> set[str]:
