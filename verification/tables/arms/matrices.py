@@ -24,7 +24,9 @@ from armproof.verification.tables.angles import angle_as_scalar
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
 from armproof.verification.tables.arms.letters import equations_of, unapplied, value_in_letters
 from armproof.verification.tables.arms.mends import mended
+from armproof.verification.tables.arms.moves import Moves
 from armproof.verification.tables.arms.other_links import Row, frames_of, rows_about, turned_about
+from armproof.verification.tables.arms.poses import moves_with_pose
 from armproof.verification.tables.arms.rotations import as_transforms, without_lengths
 from armproof.verification.tables.arms.rows import joint_of
 from armproof.verification.tables.columns import CONVENTIONS
@@ -32,6 +34,7 @@ from armproof.verification.tables.row import PARAMETERS, equal, right_row
 
 _TRANSFORMS = "TAHM"
 _JOINTS = re.compile(r"(?:theta|q|phi)_?\w*")  # names of angles that move
+_SLIDES = re.compile(r"[dqr]_\d+")
 _WRITTEN = re.compile(r"matri|array|R|T|𝑅|𝑇")  # a matrix, or Rot and Trans in one of their spellings
 SECONDS = 0.5  # for all link matrices of a document
 
@@ -329,7 +332,11 @@ def _about_axes(chain: list[_Link]) -> Iterator[Candidate]:
         angles = _angles_of(link)
         moving = [name for name in angles if _JOINTS.fullmatch(name)]
         if (about := turned_about(link.value, moving)) is None:
-            return
+            if (made := _moved(link, moving)) is None:
+                return
+            links.append((link.index, made.rows))
+            joints += made.joints
+            continue
         axis, found = about
         ring = link.value.rows[0][0].ring
         theta = angle_as_scalar(ring, found.theta, [ring.symbol(name) for name in angles])
@@ -345,6 +352,16 @@ def _about_axes(chain: list[_Link]) -> Iterator[Candidate]:
         renamed(letter for link in chain for letter in link.letters), ("classic",), lines, frames=frames_of(links),
         products=tuple(link.place for link in chain if link.in_product),
     )  # fmt: skip
+
+
+def _moved(link: _Link, turning: Sequence[str]) -> Moves | None:
+    """Return the rows of a link whose joint turns or slides along an axis of the frame before it, and stands anywhere: Rot(z, θ) Trans(y, a)."""
+    ring = link.value.rows[0][0].ring
+    joints = turning or [name for name in sorted(symbols_in(link.value.cells)) if _SLIDES.fullmatch(name)]
+    try:
+        return moves_with_pose(link.value, joints, ExactAlgebra(ring, None)) if len(joints) == 1 else None
+    except (EvaluationError, LookupError):
+        return None
 
 
 def _with_mended(chain: list[_Link], convention: str, rows: Sequence[_Row | None]) -> Iterator[Candidate]:

@@ -82,7 +82,7 @@ def candidate_with_pose(
     pose: Matrix, joints: Sequence[str], place: tuple[int | None, int], algebra: ExactAlgebra
 ) -> Candidate | None:
     """Return the arm whose tool has a pose, by its joints from the base on, or None; raises EvaluationError, LookupError."""
-    chain = _Chain(algebra, pose, joints).moves()
+    chain = moves_with_pose(pose, joints, algebra)
     if chain is None:
         return None
     named = tuple(symbol_of(joint) if joint else "" for joint in chain.joints)
@@ -91,6 +91,11 @@ def candidate_with_pose(
     return Candidate(
         "closed form", line, cell, tuple(chain.rows), named, conventions=("classic",), more_lines=(place,), frames=frames
     )  # fmt: skip
+
+
+def moves_with_pose(pose: Matrix, joints: Sequence[str], algebra: ExactAlgebra) -> Moves | None:
+    """Return the rows of the chain of axes along those of its base that has a pose, or None; raises EvaluationError, LookupError."""
+    return _Chain(algebra, pose, joints).moves()
 
 
 def _joints(pose: Matrix, count: int) -> list[str]:

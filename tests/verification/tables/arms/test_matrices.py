@@ -429,3 +429,28 @@ def test_a_section_that_prints_the_first_link_again_is_about_the_same_arm() -> N
     speed = "$$ \\dot q = J^{-1} \\dot p_2 $$\n"
     assert len(verify_text("# One\n" + LINKS + "# Two\n" + first + speed).arms) == 1
     assert len(verify_text("# One\n" + LINKS + "# Two\n" + LINKS.replace("l_1", "h") + speed).arms) == 2
+
+
+LEANING = r"""
+$$ T_{01} = \begin{bmatrix} c_1 & 0 & s_1 & 0 \\ s_1 & 0 & -c_1 & 0 \\ 0 & 1 & 0 & a_1 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$
+
+$$ T_{12} = \begin{bmatrix} c_2 & -s_2 & 0 & -a_2 s_2 \\ s_2 & c_2 & 0 & a_2 c_2 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$
+
+$$ T_{02} = \begin{bmatrix} c_1 c_2 & -c_1 s_2 & s_1 & -a_2 c_1 s_2 \\ s_1 c_2 & -s_1 s_2 & -c_1 & HERE \\ s_2 & c_2 & 0 & a_1 + a_2 c_2 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$
+"""
+
+
+@pytest.mark.parametrize(("entry", "verdict"), [("-a_2 s_1 s_2", "proved"), ("a_2 s_1 s_2", "refuted")])
+def test_a_link_may_lie_along_y_of_the_frame_that_its_joint_turns(entry: str, verdict: str) -> None:
+    assert verdicts(verify_text(LEANING.replace("HERE", entry)))[-1] == verdict
+
+
+@pytest.mark.parametrize(("entry", "verdict"), [("l_1 s_1 + d_2 c_1", "proved"), ("l_1 s_1 - d_2 c_1", "refuted")])
+def test_a_link_may_slide_along_y(entry: str, verdict: str) -> None:
+    slide = (
+        r"$$ T_{12} = \begin{bmatrix} 1 & 0 & 0 & 0 \\ 0 & 1 & 0 & d_2 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$"
+        + "\n\n"
+    )
+    first = link(1, FIRST).replace("^0T_1", "T_{01}") + slide
+    whole = rf"$$ T_{{02}} = \begin{{bmatrix}} c_1 & -s_1 & 0 & l_1 c_1 - d_2 s_1 \\ s_1 & c_1 & 0 & {entry} \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{{bmatrix}} $$"
+    assert verdicts(verify_text(first + whole))[-1] == verdict
