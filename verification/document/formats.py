@@ -20,6 +20,7 @@ from armproof.verification.document.front_matter import read_any_text, suffix_of
 from armproof.verification.document.heading import encloses
 from armproof.verification.document.hearing import words_of
 from armproof.verification.document.index_directions import MAY_INDEX, told_indices
+from armproof.verification.document.left_sides import MAY_LEAD, with_left_sides
 from armproof.verification.document.listings import assignments, with_listings
 from armproof.verification.document.markdown import read_markdown_file
 from armproof.verification.document.model import CODE, INLINE, Called, Display, Document, Listing
@@ -110,6 +111,8 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
         from armproof.verification.document.markdown_macros import with_macros
 
         document = with_macros(document)
+    if MAY_LEAD.search(text):
+        document = with_left_sides(document, text)
     document = _with_what_is_said(with_screws(document))
     if suffix not in (".ipynb", ".py") and MAY_STRIKE.search(text):
         document = with_struck_out(document, text, suffix)
