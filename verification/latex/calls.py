@@ -210,6 +210,8 @@ class CallReader(NameReader):
             arguments = _arguments(following)
             if function == "atan" and len(arguments) == 2:
                 function = "atan2"
+            elif function == "atan2" and len(arguments) == 1 and isinstance(n.bare(arguments[0]), n.Quotient):
+                function = "atan"  # atan2(y/x): of two arguments nothing is left but their quotient
             if axis is not None:
                 arguments = (axis, *arguments)
             made = n.Call(function, arguments, head, "macro()", span=(item.start, following.end))

@@ -372,6 +372,9 @@ BOUND: dict[str, Any] = {
         (r"\cos^*\theta_1 = c_1", Verdict.PROVED, ""),
         (r"\cos^*\theta_1 = c_2", Verdict.REFUTED, ""),
         (r"a \tan 2(s_1, c_1) = \operatorname{atan2}(s_1, c_1)", Verdict.PROVED, ""),
+        (r"\theta_1 = \operatorname{atan2}(\frac{s_1}{c_1})", Verdict.CONFIRMED, ""),  # of a quotient alone
+        (r"\theta_1 = \operatorname{atan2}(\frac{c_1}{s_1})", Verdict.REFUTED, ""),
+        (r"\theta_1 = \operatorname{atan2}(s_1)", Verdict.UNCHECKED, "takes 2 arguments"),
         (r"l_1 \tan 2(\theta_1 + \theta_2) = l_1 \tan(2\theta_1 + 2\theta_2)", Verdict.PROVED, ""),
         # one value
         (r"\frac{p = p}{2} = p", Verdict.UNCHECKED, "several equations stand where one value is expected"),
