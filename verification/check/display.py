@@ -8,6 +8,7 @@ from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
 from armproof.models.errors import ArmproofError
+from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.check.limits import SECONDS_TO_DECIDE, SECONDS_TO_EXPLAIN
 from armproof.verification.check.slips import Slips
 from armproof.verification.check.words_around import WordsAround
@@ -20,15 +21,16 @@ from armproof.verification.document import Display
 from armproof.verification.document.other_meanings import OMEGA_FIRST
 from armproof.verification.document.sentences import WOULD_BE
 from armproof.verification.equations.foreign_index import unless_written_elsewhere
-from armproof.verification.equations.outcome import Outcome, new_one
+from armproof.verification.equations.outcome import AsUsual, Outcome, new_one
 from armproof.verification.errors import NotSampled, ReadError, TooComplex
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.unicode import normalise_unicode, original_offset
+from armproof.verification.naming.shown import point_of
 from armproof.verification.naming.state import Told
 from armproof.verification.tables import TWIST, check_array_table
 from armproof.verification.tables.arms import Inference, is_of_no_arm, lengths_against, links_of, links_that_explain
-from armproof.verification.verdict import DECIDED, EquationResult, IfShown, Record, Verdict, worst
+from armproof.verification.verdict import DECIDED, HOLDS, EquationResult, IfShown, Record, Verdict, worst
 
 if TYPE_CHECKING:
     from armproof.verification.correction.corrector import Corrector
@@ -153,7 +155,10 @@ class DisplayChecker:
             unless_written_elsewhere(each, display, self.inferred.document) if each.tells(Kind.NO_SUCH_LENGTH) else each
             for each in outcomes
         ]
-        slips = [None if each.as_usual is None else self.slips.as_usual(each, display) for each in outcomes]
+        slips = [
+            None if each.as_usual is None else self.slips.as_usual(each, display) or self._shown_beside(each, outcomes)
+            for each in outcomes
+        ]
         for place, slip in enumerate(slips):
             if slip is not None and not slip.meanings:  # what the text says is so: this follows from it but for a slip
                 outcomes[place] = slip.outcome
@@ -168,6 +173,26 @@ class DisplayChecker:
         self.names.state.forget_usual(meanings)
         of_another = any(slip.of_another for slip in slips if slip is not None)
         return replace(found, if_shown=IfShown(told, meanings, of_another))
+
+    def _shown_beside(self, outcome: Outcome, outcomes: Sequence[Outcome]) -> AsUsual | None:
+        """Return what a coordinate would be if its name means what it usually does, where the display has the two others of its point and they hold.
+
+        Along an axis that stands still its origin may be another one: what is left open differs by what moves.
+        """
+        usual, state = outcome.as_usual, self.names.state
+        pair = usual.outcome.pair if usual is not None else None
+        if usual is None or pair is None or len(usual.meanings) != 1:
+            return None
+        point = point_of(next(iter(usual.meanings.values())))
+        keys = {key for each in outcomes if each.verdict in HOLDS for key in self._keys_in(each) & state.conventional}
+        beside = {
+            str(state.inferred[key]) for key in keys & state.inferred.keys() if point_of(state.inferred[key]) == point
+        }
+        moves = (
+            symbols_in(a - b for a, b in zip(pair.true.cells, pair.printed.cells, strict=True))
+            & self.names.joints.keys()
+        )
+        return usual if point is not None and len(beside) > 1 and moves else None
 
     def _told(
         self,

@@ -157,3 +157,20 @@ def test_a_link_matrix_is_in_doubt_where_its_product_is_wrong_in_several_entries
     right, wrong = (verify_text(MARK.sub(lambda found, side=side: found[side], LINKS)) for side in (1, 2))
     assert [record.verdict.value for record in right.equations] == ["proved"] * 3
     assert [record.verdict.value for record in wrong.equations] == ["unchecked", "unchecked", "refuted"]
+
+
+ELBOW = "| i | alpha | a | d | theta |\n|---|---|---|---|---|\n| 1 | 90° | 0 | d_1 | θ_1 |\n| 2 | 0 | a_2 | 0 | θ_2 |\n| 3 | 0 | a_3 | 0 | θ_3 |\n\n"
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "z", "verdict"),
+    [
+        ("c_1 (a_2 c_2 + a_3 c_{23})", "s_1 (a_2 c_2 + a_3 c_{23})", "d_1 + a_2 s_2 + a_3 s_{23}", "proved"),
+        ("c_1 (a_2 c_2 + a_3 c_{23})", "s_1 (a_2 c_2 + a_3 c_{23})", "d_1 + a_2 c_2", "refuted"),
+        ("c_1 (a_2 c_2 + a_3 c_{23})", "s_1 (a_2 c_2 + a_3 c_{23})", "d_1 + h", "unchecked"),  # of another origin
+        ("c_1 a_2 c_2", "s_1 (a_2 c_2 + a_3 c_{23})", "d_1 + a_2 c_2", "unchecked"),  # one beside it holds
+    ],
+)
+def test_the_two_other_coordinates_of_a_point_show_what_the_third_one_is(x: str, y: str, z: str, verdict: str) -> None:
+    text = rf"{ELBOW}$$ \begin{{cases}} x = {x} \\ y = {y} \\ z = {z} \end{{cases}} $$"
+    assert verify_text(text).equations[0].outcomes[2].verdict.value == verdict
