@@ -247,6 +247,9 @@ class Manipulability(Determinant):
 
     def whole(self, quantity: Quantity, algebra: OfArm) -> Matrix:
         part = _rows_of_jacobian(quantity, algebra)
+        if part.shape[0] == part.shape[1]:  # det(J Jᵀ) = (det J)², which has fewer terms by far
+            determinant = part.determinant()
+            return column([algebra.sqrt(determinant * determinant)])
         return column([algebra.sqrt((part @ part.transpose).determinant())])
 
     def problem(self, quantity: Quantity, arm: Arm) -> Finding | None:

@@ -194,6 +194,8 @@ def call_value(evaluator: Evaluating, node: n.Call) -> Value:
         return matrix.determinant()
     if function in ("norm", "frobenius"):
         return _norm(evaluator, node)
+    if function == "det" and (squares := _square_factors(evaluator, node.arguments[0])):
+        return squares[0].determinant() * squares[1].determinant()
     if function in _MATRIX_CALLS:
         value = evaluator.evaluate(node.arguments[0])
         if not isinstance(value, Matrix):
@@ -211,6 +213,16 @@ def call_value(evaluator: Evaluating, node: n.Call) -> Value:
         return motion
     arguments = [evaluator.scalar(argument) for argument in node.arguments]
     return _scalar_function(evaluator, function, arguments)
+
+
+def _square_factors(evaluator: Evaluating, node: n.Node) -> list[Matrix]:
+    """Return the factors of a product whose determinant is that of theirs, as of J Jᵀ: square matrices, all of one size."""
+    product = bare(node)
+    if not isinstance(product, n.Product) or len(product.factors) != 2:
+        return []
+    values = [evaluator.evaluate(each) for each in product.factors]
+    shapes = {each.shape if isinstance(each, Matrix) else (0, 1) for each in values}
+    return values if len(shapes) == 1 and len({*shapes.pop()}) == 1 else []
 
 
 def _may_be_entry(arguments: Sequence[n.Node]) -> bool:

@@ -22,6 +22,7 @@ VECTOR_LETTERS = frozenset(
     ["p", "P", "z", "Z", "O", "o", "x", "y", "X", "Y", "J", "v", "V", "omega", "Omega", "W", "w"]
 )
 _BRANCHES = ("(+)", "(-)", "(pm)", "(mp)")  # marks of a solution's branch: θ_2^{(+)}
+_OF_TWO = re.compile(r"\d,?\d")
 # of a frame, a solution, a step: no power
 _IN_BRACKETS = re.compile(r"\((?:\d|[ijkn](?:[+-]\d)?|(?P<word>[A-Za-z]{1,10}))\)")
 # in brackets too: the transpose, and an exponent that is a Greek letter
@@ -221,8 +222,8 @@ class NameReader:
         if canonical == "0":
             return True
         digits = canonical.isdigit()
-        if digits and f"{base}_{sub}" in self.spelling.lengths:
-            return False
+        if digits and (f"{base}_{sub}" in self.spelling.lengths or (base in tuple("xyz") and _OF_TWO.fullmatch(sub))):
+            return False  # x_{14} names both frames: x_{14}^2 is its square
         if base in TRANSFORM_LETTERS and sub and not prescripted:
             return True
         if base in VECTOR_LETTERS and sub and not prescripted:

@@ -121,7 +121,7 @@ _DECIMAL_COMMA = re.compile(r",(\d+)(?!\s*,\s*\d)")
 _NEXT_BAR = re.compile(
     r"=|\\\\|&|[<>]|\\(?:q?quad|text|leq?|geq?|approx|neq?|in|Rightarrow|Leftrightarrow|implies|iff|to)(?![A-Za-z])"
 )
-_BARS = re.compile(r"\\(?:left|right|[bB]igg?[lr]?)\s*\||\\\||\|\s*_|(?P<single>\||\\vert(?![A-Za-z]))")
+_BARS = re.compile(r"\\(?:left|right)\s*\||\\\||\|\s*_|(?P<single>\||\\vert(?![A-Za-z]))")
 _BRACED_FUNCTION = re.compile(r"\{\s*\\?([A-Za-z]+\d?)\s*\}")
 _PLAIN_UNDER_HAT = re.compile(
     r"[\s{]*(?:\\(?:math(?:bf|rm|it)|boldsymbol|bm)[\s{]*)?(?:[xyzXYZijknsaouweTRAHJ]|\\omega)(?![A-Za-z])"

@@ -41,6 +41,7 @@ USUAL = frozenset(
     "p P x y z X Y Z R T H J v V omega Omega phi varphi WC wc EE".split()
 )  # seldom anything else, of an arm
 AXES = "xyz"
+_ENTRY_OF = re.compile(r"(\w+),([123])([123])")
 NORMALS = "noa"  # the columns of the tool's rotation, of which a document may have others
 COLUMNS = {"n": "x", "s": "y", "o": "y", "a": "z"}  # of a rotation: n_6^0, s_6^0, a_6^0
 ENTRY = "r"
@@ -152,6 +153,10 @@ def _all(base: str, index: str, reference: str, arm: Arm, placed: bool) -> Itera
     ):
         yield Quantity("difference", end, reference, start=start)
         return
+    entry = _ENTRY_OF.fullmatch(index) if base in ("R", ENTRY) else None
+    if entry is not None and (frame := _frame(entry[1], arm)):  # {}^1R_{4,21}
+        rows, columns = (int(entry[2]),), (int(entry[3]),)
+        yield Quantity("rotation", frame, reference, rows=rows, columns=columns, scalar=True)
     if base == "J":
         yield from _quarters(index, reference, arm)  # of a whole arm; J_{11} is hardly that of frame 1 in frame 1
     for frame, component, given in _indices(index, reference, arm):

@@ -66,6 +66,9 @@ _LENGTH = re.compile(
 
 
 _NORMAL = re.compile(r"(?<![A-Za-z\\])([nsoa])\s*_\s*\{?\s*[xyz](?![A-Za-z])")
+_ROW_OF_NORMALS = re.compile(  # x_x & y_x & z_x & p_x
+    r"(?<![A-Za-z\\])([A-Za-z])_\{?x\}?\s*&\s*([A-Za-z])_\{?x\}?\s*&\s*([A-Za-z])_\{?x\}?\s*(?=&|\\\\)"
+)
 _LOAD = re.compile(r"(?<![A-Za-z\\])([FfM])\s*_\s*\{?\s*([xyz])(?![A-Za-z])")
 _MOMENT = re.compile(  # + M, & M \\: no mass matrix before accelerations
     r"(?:[-+=&]|\\\\)\s*M\s*(?=$|[-+,.;&}]|\\\\|\\end|\\q?quad|\\[,;])"
@@ -168,7 +171,10 @@ def _moments(texts: Iterable[str]) -> frozenset[str]:
 
 
 def _normals(said: str) -> str:
-    """Return the letters of the columns of the tool's rotation, in the order in which s_x and n_x come first."""
+    """Return the letters of the columns of the tool's rotation: those of a row, x_x & y_x & z_x, else in the order in which s_x and n_x come first."""
+    row = _ROW_OF_NORMALS.search(said)
+    if row is not None and len({*row.groups()}) == len(NORMALS):
+        return "".join(row.groups())
     found = "".join(dict.fromkeys(_NORMAL.findall(said)))
     return f"{found.replace('a', '')}a" if set(found) in ({"s", "n"}, {"s", "n", "a"}) else NORMALS
 

@@ -299,3 +299,33 @@ def test_a_name_may_stand_for_what_its_letter_and_indices_say(arm: str) -> None:
     for line in MEANINGS[arm].strip().splitlines():
         latex, _, expected = line.partition("⟶")
         assert "; ".join(map(short, meanings(latex, arm))) == expected.strip(), latex
+
+
+WRIST = "{dh: classic, rows: [{a: a_1, alpha: pi/2, d: d_1, theta: theta_1}, {a: a_2, alpha: pi/2, d: 0, theta: theta_2}, {a: 0, alpha: 0, d: d_3, theta: theta_3}]}"
+
+
+@pytest.mark.parametrize(
+    ("formula", "verdict"),
+    [
+        ("y_z = -s_2 s_3", "proved"),
+        ("y_z = s_2 s_3", "refuted"),
+        ("z_x = c_1 s_2", "proved"),
+        ("z_x = x_z", "refuted"),
+        (r"{}^1R_{2,13} = s_2", "proved"),
+        (r"{}^1R_{2,13} = c_2", "unchecked"),
+        (r"x_{12}^2 + y_{12}^2 = a_2^2", "proved"),
+        (r"x_{12}^2 + y_{12}^2 = a_2", "unchecked"),
+    ],
+)
+def test_the_letters_of_a_row_are_those_of_the_columns_and_two_frames_below_leave_a_power_above(
+    formula: str, verdict: str
+) -> None:
+    pose = r"{}^0T_3 = \begin{bmatrix} x_x & y_x & z_x & p_x \\ x_y & y_y & z_y & p_y \\ x_z & y_z & z_z & p_z \\ 0 & 0 & 0 & 1 \end{bmatrix}"
+    result = verify_text(f"---\narm: {WRIST}\n---\n$$ {pose} $$\n\n$$ {formula} $$\n")
+    assert result.equations[1].verdict.value == verdict, result.equations[1].message
+
+
+@pytest.mark.parametrize(("size", "verdict"), [(r"\bigl| s_2 \bigr|", "confirmed"), (r"\bigl| c_2 \bigr|", "refuted")])
+def test_bars_of_a_size_hold_what_stands_between_them(size: str, verdict: str) -> None:
+    text = rf"---{chr(10)}arm: planar_2r{chr(10)}---{chr(10)}$$ \sqrt{{\det(J J^T)}} = l_1\,l_2\,{size} $$"
+    assert verify_text(text).equations[0].verdict.value == verdict
