@@ -53,7 +53,7 @@ def mends_of(value: Matrix) -> Iterator[tuple[Matrix, tuple[int, int]]]:
     """Yield the rotations and poses with another entry in one place, and that place.
 
     Each entry of a rotation is its own cofactor. What is orthonormal and turns right into left is a reflection, and has no slip; nor has
-    a number, which may be a scale.
+    a number, which may be a scale, but for a 0, 1 or -1 of a pose.
     """
     turns = value.block(range(3), range(3))
     if is_zero(turns.determinant() + 1):
@@ -61,7 +61,9 @@ def mends_of(value: Matrix) -> Iterator[tuple[Matrix, tuple[int, int]]]:
     cofactors = turns.cofactors()
     for r, c in turns.places:
         printed, correct = turns.rows[r][c], cofactors.rows[r][c]
-        if not (_has_angle(printed) and _has_angle(correct)) or is_zero(printed - correct):
+        may_slip = _has_angle(printed) and _has_angle(correct)
+        may_slip = may_slip or (value.shape == (4, 4) and _is_of_axes(printed) and _is_of_axes(correct))
+        if not may_slip or is_zero(printed - correct):
             continue
         row = (*value.rows[r][:c], correct, *value.rows[r][c + 1 :])
         mended = Matrix((*value.rows[:r], row, *value.rows[r + 1 :]))
@@ -71,6 +73,11 @@ def mends_of(value: Matrix) -> Iterator[tuple[Matrix, tuple[int, int]]]:
 
 def _has_angle(cell: object) -> bool:
     return isinstance(cell, Scalar) and any(kind in ("cos", "sin") for kind, _ in cell.generators)
+
+
+def _is_of_axes(cell: object) -> bool:
+    """Whether an entry is one of a rotation by right angles: 0, 1 or -1."""
+    return isinstance(cell, Scalar) and cell.normal().as_fraction() in (0, 1, -1)
 
 
 def _has_two_frames(name: n.Name) -> bool:

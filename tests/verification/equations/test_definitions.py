@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from armproof.verification.check import check_document
+from armproof.verification.check import check_document, verify_text
 from armproof.verification.document import Display, Document
 from armproof.verification.verdict import DocumentResult, Record, Verdict
 
@@ -109,3 +109,14 @@ def test_a_usual_name_beside_another_of_the_same_quantity_means_something_else(
     assert [each.verdict.value for each in told] == ["proved", "defined", "proved", "refuted"]
     shown = check(f"p_x {whole}", f"x {whole}", wrist, arm="planar_2r").equations  # x is shown to be p_x here
     assert shown[-1].verdict == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("entry", "verdict"), [("0", "defined"), ("1", "refuted"), ("-1", "refuted"), ("2", "unchecked")]
+)
+def test_a_pose_that_a_stray_unit_makes_none_is_refuted(entry: str, verdict: str) -> None:
+    lift = rf"{{}}^0T_1 = \begin{{bmatrix}} 1 & {entry} & 0 & 0 \\ 0 & 1 & 0 & 0 \\ 0 & 0 & 1 & q_1 \\ 0 & 0 & 0 & 1 \end{{bmatrix}}"
+    shifted = (
+        r"{}^0T_1 \begin{bmatrix} 0 \\ 0 \\ 0 \\ 1 \end{bmatrix} = \begin{bmatrix} 0 \\ 0 \\ q_1 \\ 1 \end{bmatrix}"
+    )
+    assert verify_text(f"$$ {lift} $$\n\n$$ {shifted} $$\n").equations[0].verdict.value == verdict
