@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
+
 import pytest
 
 from armproof import verify_text
@@ -357,3 +361,18 @@ def test_an_arm_that_takes_too_long_to_find_costs_no_crash(monkeypatch: pytest.M
     result = verify_text(PLANAR)
     assert not result.arms
     assert [record.verdict.value for record in result.equations] == ["unchecked", "unchecked"]
+
+
+LETTERS = r"""
+$$ x = a\cos\alpha + b\cos(\alpha+\beta) $$
+$$ y = a\sin\alpha - b\sin(\alpha+\beta) $$
+$$ J = \begin{bmatrix} -a\sin\alpha - b\sin(\alpha+\beta) & -b\sin(\alpha+\beta) \\ a\cos\alpha + b\cos(\alpha+\beta) & b\cos(\alpha+\beta) \end{bmatrix} $$
+"""
+
+
+@pytest.mark.parametrize("seed", ["0", "1"])  # by which sets of letters have other orders
+def test_letters_without_numbers_have_one_order_however_they_are_hashed(seed: str) -> None:
+    code = f"from armproof import verify_text; print([e.verdict.value for e in verify_text({LETTERS!r}).equations])"
+    environment = {**os.environ, "PYTHONHASHSEED": seed}
+    said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment, check=True)
+    assert said.stdout.strip() == "['proved', 'refuted', 'proved']"
