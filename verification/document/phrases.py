@@ -82,6 +82,7 @@ DENIED_BEHIND = """
 ^ no/non/nein/nope :/;/!/—
 ^ (well) (,) (not/pas/nicht/gar) at/du/tout/überhaupt (à) all/tout/fait/nicht . $
 ^ far from it
+^ * sens dessus dessous
 ^ ne/n' * utilisez/utilisons/utiliser/copiez/écrivez/retenez pas
 ^ * correct/right/true/proper/corrected version/formula/expression/result/value/equation/relation (is/reads/has/would/can/should/follows/stands)
 ^ … needs/requires a/some correction
