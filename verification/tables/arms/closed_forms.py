@@ -158,6 +158,17 @@ def point_given_anew(document: Document, names: Names) -> Display | None:
     return None
 
 
+def coordinates_of_tool(document: Document, names: Names) -> Iterator[tuple[Display, dict[str, Scalar]]]:
+    """Yield the displays that give coordinates of the tool by letters, x and y or x and z, each with these."""
+    algebra = ExactAlgebra(Ring(), None)
+    with algebra.budget.of(SECONDS):
+        for display in document.displays:
+            given = _coordinates(display, names, algebra, {}, _COORDINATE) if "=" in display.latex else ()
+            own = {axis: value for axis, key, value in given if key == axis}
+            if own:
+                yield display, own
+
+
 def _candidate(moves: Moves, told: Found, letters: Mapping[str, n.Name]) -> Candidate:
     """Return the arm that moves so, as some of the coordinates told it."""
     places = [(display.cell, display.line) for _, display in told.values()]

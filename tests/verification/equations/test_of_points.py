@@ -1,0 +1,114 @@
+r"""Where a document gives its point and no arm, what it derives from that point is decided: J, rates, determinants, letters of sentences."""
+
+from __future__ import annotations
+
+import pytest
+
+from armproof import verify_text
+
+PENDULUM = r"""
+A carriage runs along $x$; its abscissa is $l$. It carries a link of length 1, inclined by $\theta$.
+
+$$ x = l + \sin\theta, \qquad y = -\cos\theta $$
+"""
+SLIDER = r"""
+The link of length $l$ makes the angle $\theta$ with the $x$-axis. A slider of extension $q$ goes off at a right angle.
+
+$$ x_B = l\cos\theta - q\sin\theta, \qquad y_B = l\sin\theta + q\cos\theta $$
+"""
+BY_ANGLE_FIRST = r"$$ J_B = \begin{pmatrix} -l\sin\theta - q\cos\theta & -\sin\theta\\ l\cos\theta - q\sin\theta & \cos\theta \end{pmatrix} $$"
+ABSOLUTE = r"""
+$$ x = r_1\cos\theta_1 + r_2\cos\theta_2, \qquad y = r_1\sin\theta_1 + r_2\sin\theta_2 $$
+
+"""
+LIFT = r"""
+$$ r = e + a\sin\alpha + b\cos\beta $$
+
+$$ z = h + a\cos\alpha - b\sin\beta $$
+
+"""
+
+
+def verdicts(text: str) -> list[str]:
+    return [record.verdict.value for record in verify_text(text).equations]
+
+
+@pytest.mark.parametrize(
+    ("text", "last"),
+    [
+        (PENDULUM + r"$$ J = \begin{pmatrix} 1 & \cos\theta \\ 0 & \sin\theta \end{pmatrix} $$", "proved"),
+        (PENDULUM + r"$$ J = \begin{pmatrix} 1 & \cos\theta \\ 0 & -\sin\theta \end{pmatrix} $$", "unchecked"),
+        (PENDULUM + r"$$ J = \begin{pmatrix} 0 & \cos\theta \\ 1 & \sin\theta \end{pmatrix} $$", "unchecked"),
+        (SLIDER + BY_ANGLE_FIRST, "proved"),
+        (SLIDER + BY_ANGLE_FIRST.replace("-q", "+q", 1), "proved"),
+        (SLIDER + "\nWith the order $(\\theta, q)$,\n\n" + BY_ANGLE_FIRST, "proved"),
+        (SLIDER + "\nWith the order $(q, \\theta)$,\n\n" + BY_ANGLE_FIRST, "unchecked"),
+        (SLIDER + "\nDans l'ordre $(q, \\theta)$,\n\n" + BY_ANGLE_FIRST, "unchecked"),
+        (ABSOLUTE + r"$$ J_{2R} = \begin{pmatrix} -r_1\sin\theta_1 & -r_2\sin\theta_2 \\ r_1\cos\theta_1 & r_2\cos\theta_2 \end{pmatrix} $$", "proved"),
+        (ABSOLUTE + r"$$ J_{2R} = \begin{pmatrix} -r_2\sin\theta_2 & -r_1\sin\theta_1 \\ r_2\cos\theta_2 & r_1\cos\theta_1 \end{pmatrix} $$", "unchecked"),
+        (ABSOLUTE + r"$$ J_{2R} = \begin{pmatrix} -r_1\sin\theta_1 & -r_2\sin\theta_2 \\ r_1\cos\theta_1 & -r_2\cos\theta_2 \end{pmatrix} $$", "unchecked"),
+        (r"$$ p = (r\cos\theta,\; r\sin\theta,\; h) $$" "\n\n" r"$$ J = \begin{pmatrix} -r\sin\theta & 0 & \cos\theta \\ r\cos\theta & 0 & \sin\theta \\ 0 & 1 & 0 \end{pmatrix} $$", "proved"),
+        (r"$$ p = (r\cos\theta,\; r\sin\theta,\; h) $$" "\n\n" r"$$ J = \begin{pmatrix} -r\sin\theta & 0 & \cos\theta \\ r\cos\theta & 0 & -\sin\theta \\ 0 & 1 & 0 \end{pmatrix} $$", "unchecked"),
+        (r"$$ p = (\rho\cos\phi,\; \rho\sin\phi) $$" "\n\n" r"$$ \|p\|^2 = \rho^2 $$", "proved"),
+        (r"$$ p = (\rho\cos\phi,\; \rho\sin\phi) $$" "\n\n" r"$$ \|p\|^2 = 2\rho^2 $$", "refuted"),
+        (LIFT + "With $u = r - e$ and $w = z - h$:\n\n" + r"$$ u^2 + w^2 = a^2 + b^2 + 2ab\sin(\alpha - \beta) $$", "proved"),
+        (LIFT + "With $u = r - e$ and $w = z - h$:\n\n" + r"$$ u^2 + w^2 = a^2 + b^2 + 2ab\cos(\alpha - \beta) $$", "refuted"),
+        (LIFT + "With $u = r + e$ and $w = z - h$:\n\n" + r"$$ u^2 + w^2 = a^2 + b^2 + 2ab\sin(\alpha - \beta) $$", "unchecked"),
+        (LIFT + "With $\\gamma = \\alpha - \\beta$:\n\n" + r"$$ (r-e)^2 + (z-h)^2 = a^2 + b^2 + 2ab\sin\gamma $$", "proved"),
+        (LIFT + "With $\\gamma = \\alpha + \\beta$:\n\n" + r"$$ (r-e)^2 + (z-h)^2 = a^2 + b^2 + 2ab\sin\gamma $$", "unchecked"),
+        (LIFT + "If $\\beta = \\alpha$:\n\n" + r"$$ (r-e)^2 + (z-h)^2 = a^2 + b^2 $$", "unchecked"),
+        (LIFT + r"$$ \begin{pmatrix} \dot r \\ \dot z \end{pmatrix} = \begin{pmatrix} a\cos\alpha & -b\sin\beta \\ -a\sin\alpha & -b\cos\beta \end{pmatrix} \begin{pmatrix} \dot\alpha \\ \dot\beta \end{pmatrix} $$", "proved"),
+        (LIFT + r"$$ \begin{pmatrix} \dot r \\ \dot z \end{pmatrix} = \begin{pmatrix} a\cos\alpha & -b\sin\beta \\ -a\sin\alpha & b\cos\beta \end{pmatrix} \begin{pmatrix} \dot\alpha \\ \dot\beta \end{pmatrix} $$", "unchecked"),
+        ("$$ x = d\\cos\\alpha $$\n\n" + r"$$ \dot x = -d\sin\alpha\,\dot\alpha $$", "unchecked"),  # d may slide
+    ],
+)  # fmt: skip
+def test_what_follows_from_the_documents_own_point_is_decided(text: str, last: str) -> None:
+    assert verdicts(text)[-1] == last
+
+
+POLAR = r"""
+## The polar arm
+
+$$ x = r\cos\theta, \qquad y = r\sin\theta $$
+
+$$ \dot x = \dot r\cos\theta - r\sin\theta\,\dot\theta $$
+
+## The elbow arm
+
+{words}
+
+$$ x = r_1\cos\theta_1 + r_2\cos\theta_2, \qquad y = r_1\sin\theta_1 + r_2\sin\theta_2 $$
+
+$$ J = \begin{{pmatrix}} -r_1\sin\theta_1 & -r_2\sin\theta_2 \\ r_1\cos\theta_1 & {cell} \end{{pmatrix}} $$
+"""
+ANEW = r"Here $\theta_1$ and $\theta_2$ are the motor angles, both from the $x$ axis, and $r_1$ and $r_2$ the lengths of the links."
+
+
+@pytest.mark.parametrize(
+    ("words", "cell", "verdict"),
+    [
+        (ANEW, r"r_2\cos\theta_2", "proved"),
+        (ANEW, r"r_2\sin\theta_2", "unchecked"),
+        (ANEW, r"-r_2\cos\theta_2", "unchecked"),
+    ],
+)
+def test_a_section_that_tells_its_letters_and_gives_its_point_anew_is_of_an_arm_of_its_own(
+    words: str, cell: str, verdict: str
+) -> None:
+    text = POLAR.replace("{words}", words).replace("{cell}", cell).replace("{{", "{").replace("}}", "}")
+    assert verdicts(text)[-1] == verdict
+
+
+def test_without_a_word_of_its_letters_a_point_given_anew_is_of_the_arm_above() -> None:
+    text = r"""
+$$ x = l_1\cos\theta_1 + l_2\cos(\theta_1 + \theta_2), \qquad y = l_1\sin\theta_1 + l_2\sin(\theta_1 + \theta_2) $$
+
+$$ \det J = l_1 l_2\sin\theta_2 $$
+
+## Summary
+
+$$ x = l_1\cos\theta_1 + l_2\cos\theta_2, \qquad y = l_1\sin\theta_1 + l_2\sin\theta_2 $$
+
+$$ x^2 + y^2 = l_1^2 + l_2^2 + 2 l_1 l_2\cos(\theta_1 - \theta_2) $$
+"""
+    assert verdicts("# Planar arm\n" + text)[2] not in ("proved", "confirmed", "defined")
