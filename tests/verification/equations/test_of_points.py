@@ -112,3 +112,74 @@ $$ x = l_1\cos\theta_1 + l_2\cos\theta_2, \qquad y = l_1\sin\theta_1 + l_2\sin\t
 $$ x^2 + y^2 = l_1^2 + l_2^2 + 2 l_1 l_2\cos(\theta_1 - \theta_2) $$
 """
     assert verdicts("# Planar arm\n" + text)[2] not in ("proved", "confirmed", "defined")
+
+
+PLUMB = r"""
+Both angles are measured from the upward vertical.
+
+$$ x = a\sin\phi_1 + b\sin\phi_2, \qquad z = a\cos\phi_1 + b\cos\phi_2 $$
+
+$$ x^2 + z^2 = a^2 + b^2 + 2ab\cos(\phi_2 - \phi_1) $$
+
+**Numbers.** $a = 2$ m, $b = 1.5$ m, $\phi_1 = 30^\circ$, $\phi_2 = 120^\circ$:
+
+"""
+
+
+@pytest.mark.parametrize(
+    ("numbers", "verdict"),
+    [
+        (r"$$ x = 2.299\ \text{m}, \qquad z = 0.982\ \text{m} $$", "confirmed"),
+        (r"$$ x = 2(0.5) + 1.5(0.866) = 2.299\ \text{m} $$", "confirmed"),
+        (r"$$ (x, z) = (2.299,\ 0.982) $$", "confirmed"),
+        (r"$$ x = 2.399\ \text{m}, \qquad z = 0.982\ \text{m} $$", "unchecked"),
+        (r"$$ x = 0.982\ \text{m} $$", "unchecked"),
+        (r"$$ x = 0 $$", "unchecked"),
+    ],
+)
+def test_numbers_of_the_documents_own_point_are_compared_at_the_values_of_the_text(numbers: str, verdict: str) -> None:
+    assert verdicts(PLUMB + numbers)[-1] == verdict
+
+
+def test_values_of_another_section_are_not_those_of_numbers() -> None:
+    assert verdicts(PLUMB + "## Another arm\n\n" + r"$$ x = 2.299\ \text{m} $$")[-1] == "unchecked"
+
+
+CRANE = r"""
+The axis $z$ points down, and both angles are counted from the {vertical} vertical.
+
+$$ x = s + l_1\sin\alpha_1 + l_2\sin\alpha_2 $$
+
+$$ z = {sign}l_1\cos\alpha_1 {sign2} l_2\cos\alpha_2 $$
+
+$$ J = \begin{pmatrix} 1 & l_1\cos\alpha_1 & l_2\cos\alpha_2 \\ 0 & {turned}l_1\sin\alpha_1 & {turned}l_2\sin\alpha_2 \end{pmatrix} $$
+"""
+
+
+@pytest.mark.parametrize(
+    ("vertical", "sign", "sign2", "turned", "found"),
+    [
+        ("downward", "", "+", "-", ["defined", "defined", "proved"]),
+        ("downward", "-", "-", "", ["defined", "unchecked", "unchecked"]),
+        ("upward", "", "+", "-", ["defined", "unchecked", "unchecked"]),
+    ],
+)
+def test_an_axis_that_points_down_is_followed_where_the_arm_hangs(
+    vertical: str, sign: str, sign2: str, turned: str, found: list[str]
+) -> None:
+    text = CRANE
+    for name, value in (("vertical", vertical), ("sign2", sign2), ("sign", sign), ("turned", turned)):
+        text = text.replace("{" + name + "}", value)
+    assert verdicts(text)[1:] == found[1:]
+
+
+@pytest.mark.parametrize(("height", "verdict"), [(r"\rho\sin\varphi", "defined"), (r"-\rho\sin\varphi", "unchecked")])
+def test_an_angle_of_elevation_lifts_the_documents_own_point(height: str, verdict: str) -> None:
+    text = rf"""
+Azimuth $\theta$, elevation $\varphi$ above the horizontal.
+
+$$ p = (\rho\cos\varphi\cos\theta,\; \rho\cos\varphi\sin\theta,\; {height}) $$
+
+$$ \|p\|^2 = \rho^2 $$
+"""
+    assert verdicts(text)[0] == verdict
