@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 from armproof.models.errors import ArmproofError
 from armproof.verification.check.limits import SECONDS_TO_DECIDE, SECONDS_TO_EXPLAIN
 from armproof.verification.check.slips import Slips
-from armproof.verification.check.words_around import WordsAround
 from armproof.verification.check.told_values import values_in_text
+from armproof.verification.check.words_around import WordsAround
 from armproof.verification.conditions.by_turned_angles import unless_by_angles
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.conditions.told_names import unless_rate_of_valueless

@@ -19,7 +19,6 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.verdict import DECIDED
 
-
 _HANGS = re.compile(  # what angles are counted from that are zero where the arm hangs
     r"downward vertical|vertical(?:ly)? down|verticale? (?:descendante?|(?:dirigée? )?vers le bas)|senkrechten nach unten|nach unten (?:zeigenden|gerichteten) senkrechten|vertical (?:descendente|hacia abajo)|verticale (?:discendente|verso il basso)"
 )
