@@ -301,10 +301,13 @@ class Heeding:
         return of_angles or known or self._is_difference(name, chain.members[1])
 
     def _is_difference(self, name: n.Name, node: n.Node) -> bool:
-        """Whether a Greek letter without a number is said to be the sum or the difference of others that stand above: γ = α - β."""
+        """Whether a Greek letter is said to be the sum or the difference of others that stand above, γ = α - β, or of those of its numbers."""
         letters = [*n.names(node)] if isinstance(bare(node), n.Sum) else []
-        are_angles = all(each.base in _ANGLES for each in (name, *letters))
-        return are_angles and not name.sub and len(letters) > 1 and all(each.key in self.names.used for each in letters)
+        if len(letters) < 2 or not all(each.base in _ANGLES for each in (name, *letters)):
+            return False
+        if name.sub:  # θ_{12} = θ_1 + θ_2
+            return name.sub == "".join(each.sub for each in letters) and {each.base for each in letters} == {name.base}
+        return all(each.key in self.names.used for each in letters)
 
     def _says_anew(self, name: n.Name, node: n.Node) -> bool:
         """Whether a letter that the document has defined gets another meaning, a formula and no value: "Now let k_1 = l_1 - l_2 c_2"."""

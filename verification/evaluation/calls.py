@@ -135,6 +135,8 @@ def joint_angle_sum(evaluator: Evaluating, node: n.JointAngles) -> Any:
         symbol = evaluator.names.joint_angle(index)
         if symbol is None:
             raise ShapeError(say(Kind.NO_SUCH_ANGLE, index=index))
+        if evaluator.names.arm is None:
+            evaluator.names.used.add(symbol)  # θ_1 = … behind c_1 gives it no meaning
         angle = evaluator.names.table_angle(symbol, evaluator.algebra)
         total = total + angle if sign == 1 else total - angle
     return total

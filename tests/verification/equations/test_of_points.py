@@ -183,3 +183,33 @@ $$ p = (\rho\cos\varphi\cos\theta,\; \rho\cos\varphi\sin\theta,\; {height}) $$
 $$ \|p\|^2 = \rho^2 $$
 """
     assert verdicts(text)[0] == verdict
+
+
+ROWS = r"""
+$$ M_1 = \begin{pmatrix} c_1 & s_1 & 0 \\ -s_1 & c_1 & 0 \\ a c_1 & a s_1 & 1 \end{pmatrix} $$
+
+$$ M_2 = \begin{pmatrix} c_2 & s_2 & 0 \\ -s_2 & c_2 & 0 \\ b c_2 & b s_2 & 1 \end{pmatrix} $$
+
+$$ M = M_2 M_1 = \begin{pmatrix} c_{12} & s_{12} & 0 \\ -s_{12} & c_{12} & 0 \\ a c_1 + b c_{12} & a s_1 + b s_{12} & 1 \end{pmatrix} $$
+
+"""
+TIP = r"$$ (x,\; y,\; 1) = (0,\; 0,\; 1)\,M = (a c_1 + b c_{12},\;\; a s_1 + b s_{12},\;\; 1) $$"
+INVERSE = r"$$ (\dot\theta_1, \dot\theta_2) = (\dot x, \dot y)\,\frac{1}{a b s_2}\begin{pmatrix} b c_{12} & -a c_1 - b c_{12} \\ b s_{12} & -a s_1 - b s_{12} \end{pmatrix} $$"
+
+
+@pytest.mark.parametrize(
+    ("text", "last"),
+    [
+        (ROWS + TIP, "proved"),
+        (ROWS + TIP + "\n\n$$ x^2 + y^2 = a^2 + b^2 + 2ab\\,c_2 $$", "proved"),
+        (ROWS + TIP + "\n\n$$ x^2 + y^2 = a^2 + b^2 + 2ab\\,s_2 $$", "not passed"),
+        (ROWS + TIP.replace("b s_{12}", "b c_{12}"), "not passed"),
+        (ROWS + TIP + "\n\n" + INVERSE, "proved"),
+        (ROWS + TIP + "\n\n" + INVERSE.replace("-a s_1", "a s_1"), "not passed"),
+        (ROWS + TIP + "\n\n" + r"$$ \theta_1 = \operatorname{atan2}(y, x) - \operatorname{atan2}(b s_2,\; a + b c_2) $$", "proved"),
+        (ROWS + TIP + "\n\n" + r"$$ \theta_1 = \operatorname{atan2}(y, x) + \operatorname{atan2}(b s_2,\; a + b c_2) $$", "not passed"),
+    ],
+)  # fmt: skip
+def test_a_tuple_before_a_matrix_is_a_row(text: str, last: str) -> None:
+    found = verdicts(text)[-1]
+    assert found in ("refuted", "unchecked") if last == "not passed" else found == last
