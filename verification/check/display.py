@@ -11,6 +11,7 @@ from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.check.limits import SECONDS_TO_DECIDE, SECONDS_TO_EXPLAIN
 from armproof.verification.check.slips import Slips
+from armproof.verification.check.told_values import values_in_text
 from armproof.verification.check.words_around import WordsAround
 from armproof.verification.conditions.by_turned_angles import unless_by_angles
 from armproof.verification.conditions.circumstances import Circumstances
@@ -105,6 +106,8 @@ class DisplayChecker:
             return replace(record, findings=(say(Kind.NEVER_ENDS, opening=display.opening),))
         self.names.state.enter(display.section)
         self.names.state.listed = display.listed
+        if self.names.arm is None and (told := values_in_text(self.statements.claims.displays, display)) is not None:
+            self.names.state.listed = (*display.listed, told)
         self.names.state.omega_is_first = OMEGA_FIRST in display.meant
         self.checker.rows.take_task(display.meant)
         self.ring.forget_signs()

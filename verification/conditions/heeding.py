@@ -27,6 +27,7 @@ from armproof.verification.equations.under_rates import UnderRates
 from armproof.verification.errors import ReadError
 from armproof.verification.evaluation.blocks import cells_of, rows_of_letters
 from armproof.verification.findings import Kind, say
+from armproof.verification.latex import greek
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.latex.reader import key_as_latex
@@ -35,6 +36,7 @@ from armproof.verification.naming.state import Stated, Told
 
 POSTURE = r"\text{posture}"  # one that the text names, and nobody can tell
 _NEARLY = re.compile(r"[≈≃∼]|\\(?:approx|simeq|sim|to|rightarrow)(?![A-Za-z])")
+_ANGLES = (*greek.ANGLES, *greek.VARIANTS, "delta", "epsilon")
 _CLOSE = 1e-9
 _HELD = re.compile(r"\s*(?:\\\{(?P<set>(?:(?!\\[{}]).)*=(?:(?!\\[{}]).)*)\\\}|\((?P<list>[^()]*=[^()]*)\))\s*")
 
@@ -211,6 +213,9 @@ class Heeding:
                 heed_forces(self.names, chain)
                 self.checker.zeros.heed(chain, line, True)
                 self._define(chain, line, heard.conditions)
+        else:
+            for chain in filter(self._introduces, chains):
+                self._define(chain, line)
         chains = [self._without_letters(chain, line) for chain in chains]
         heard.conditions += [condition for chain in chains for condition in self.conditions_of(chain)]
         heard.in_words = heard.in_words or not chains
@@ -242,12 +247,13 @@ class Heeding:
         chains = [each for each in statements if isinstance(each, n.Chain)]
         alone = {bare_key(member) for chain in chains for member in chain.members}
         held = {b.key for chain in chains for b in n.names(chain) if self.names.is_open(b)}
-        if self.names.arm is None or not (held := held - alone):
+        if not (held := held - alone):
             return
         for latex in said:
             with suppress(ReadError, RecursionError):
                 for chain in self.names.reader.read(latex):
-                    if isinstance(chain, n.Chain) and bare_key(_of_root(chain).members[0]) in held:
+                    is_told = isinstance(chain, n.Chain) and bare_key(_of_root(chain).members[0]) in held
+                    if isinstance(chain, n.Chain) and is_told and (self.names.arm or self._introduces(chain)):
                         self._define(chain, line)
 
     def _define(self, chain: n.Chain, line: int, conditions: Sequence[n.Chain] = ()) -> None:
@@ -280,6 +286,28 @@ class Heeding:
         scalars = [cell for cell in cells if isinstance(cell, Scalar)]
         if len(scalars) == len(cells) and symbols_in(scalars):
             self.names.define(name.key, members.meaning(value), line, node=value, in_text=True)
+
+    def _introduces(self, chain: n.Chain) -> bool:
+        """Whether a text about no arm says what a letter is that stands nowhere above: a formula of what the document defines, or of angles."""
+        name = chain.members[0]
+        if chain.relations != ("=",) or not isinstance(name, n.Name) or name.key in self.names.used:
+            return False
+        if not self.names.is_open(name) or name.dots:
+            return False
+        below = [each for each in n.walk(chain.members[1]) if isinstance(each, n.Name | n.JointAngles | n.Call)]
+        defined = self.names.state.definitions
+        of_angles = any(isinstance(each, n.JointAngles) or n.is_call(each, "cos", "sin", "tan") for each in below)
+        known = any(isinstance(each, n.Name) and each.key in defined for each in below)
+        return of_angles or known or self._is_difference(name, chain.members[1])
+
+    def _is_difference(self, name: n.Name, node: n.Node) -> bool:
+        """Whether a Greek letter is said to be the sum or the difference of others that stand above, γ = α - β, or of those of its numbers."""
+        letters = [*n.names(node)] if isinstance(bare(node), n.Sum) else []
+        if len(letters) < 2 or not all(each.base in _ANGLES for each in (name, *letters)):
+            return False
+        if name.sub:  # θ_{12} = θ_1 + θ_2
+            return name.sub == "".join(each.sub for each in letters) and {each.base for each in letters} == {name.base}
+        return all(each.key in self.names.used for each in letters)
 
     def _says_anew(self, name: n.Name, node: n.Node) -> bool:
         """Whether a letter that the document has defined gets another meaning, a formula and no value: "Now let k_1 = l_1 - l_2 c_2"."""

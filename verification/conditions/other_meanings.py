@@ -60,7 +60,8 @@ class OtherMeanings:
             return outcome.left_open(say(Kind.IS_SUPPOSED))
         written = {below.undotted.key for node in outcome.nodes for below in n.names(node)}
         of_order = next((b for node in outcome.nodes for b in n.names(node) if b.base in _IN_ORDER), None)
-        if of_order is not None and (JACOBIAN in meant or any(map(self._is_permuted, meant))):
+        by = next((each.terms["letters"] for each in outcome.findings if each.kind is Kind.DERIVATIVES_OF_POINT), None)
+        if of_order is not None and (JACOBIAN in meant or any(self._is_permuted(each, by) for each in meant)):
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=of_order.key))
         if (turned := self._turned_otherwise(outcome, meant)) is not None:
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=turned))
@@ -93,12 +94,14 @@ class OtherMeanings:
         pairs = (each for each in below if isinstance(each, n.Name) and each.base in "TAHR" and not each.pre_sup)
         return next((each.key for each in pairs if OUTWARDS in meant and _PAIR.fullmatch(each.sub)), None)
 
-    def _is_permuted(self, meant: str) -> bool:
-        """Whether the text has all joint variables in a vector, in another order than the arm."""
+    def _is_permuted(self, meant: str, by: Sequence[str] | None) -> bool:
+        """Whether the text has all joint variables in a vector, in another order than the arm, or than a Jacobian that is of a point of the document's own."""
         which, _, latex = meant.partition(" ")
         keys = (
             [self.names.reader.key_of(re.sub(r"\\dot\b", "", each)) for each in latex.split()] if which == ORDER else []
         )
+        if by is not None:
+            return keys != [*by] and sorted(keys) == sorted(by)
         joints = [self.names.known_symbol(key) for key in keys]
         return joints != [*self.names.joints] and sorted(map(str, joints)) == sorted(self.names.joints)
 

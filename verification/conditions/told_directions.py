@@ -2,19 +2,26 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from armproof.verification.algebra.calculus import substitute, symbols_in
+from armproof.verification.algebra.calculus import angles_in, derivative, substitute, symbols_in
+from armproof.verification.algebra.matrix import as_matrix, stacked
 from armproof.verification.algebra.quantity import COMPONENTS
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document.orientations import AT_ZERO, AXIS_DOWN, FALLS, RISES
 from armproof.verification.document.sentences import quoted
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
+from armproof.verification.errors import EvaluationError, UnboundName
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.verdict import DECIDED
+
+_HANGS = re.compile(  # what angles are counted from that are zero where the arm hangs
+    r"downward vertical|vertical(?:ly)? down|verticale? (?:descendante?|(?:dirigée? )?vers le bas)|senkrechten nach unten|nach unten (?:zeigenden|gerichteten) senkrechten|vertical (?:descendente|hacia abajo)|verticale (?:discendente|verso il basso)"
+)
 
 
 class ToldDirections:
@@ -32,12 +39,50 @@ class ToldDirections:
         of_formulas = self.names.arm is None or self.names.is_of_formulas
         if not of_formulas or not (outcome.verdict in DECIDED or outcome.defines):
             return outcome
-        facts = ((fact, text) for fact, _, text in (each.partition("\n") for each in told))
-        doubted = next((text for fact, text in facts if self._is_doubted(outcome, fact)), None)
+        facts = [(fact, text) for fact, _, text in (each.partition("\n") for each in told)]
+        shown = self._shown(facts) if self.names.arm is None else set()
+        doubted = next((text for fact, text in facts if fact not in shown and self._is_doubted(outcome, fact)), None)
         if doubted is None:
             return outcome
         left = outcome.left_open(say(Kind.TOLD_DIRECTION, text=quoted(doubted)))
         return replace(left, defines=(), as_usual=None)
+
+    def _shown(self, facts: Sequence[tuple[str, str]]) -> set[str]:
+        """Return the facts that the height shows which a document without an arm gives: it grows with an angle of elevation, and upside down where its axis points down."""
+        axis, height = self._height()
+        if height is None:
+            return set()
+        down = f"{AXIS_DOWN} {axis}"
+        sign = -1 if any(fact == down for fact, _ in facts) else 1
+        turns = {RISES: sign, FALLS: -sign}
+        found = {
+            fact
+            for fact, _ in facts
+            for kind, wanted in turns.items()
+            if fact.startswith(kind) and self._grows(height, fact.removeprefix(kind).strip(), wanted)
+        }
+        hangs = any(fact == down and _HANGS.search(text.lower()) for fact, text in facts)
+        if found or (hangs and (self._size(self._at(height, [*angles_in(height)])) or 0) > 0):
+            found.add(down)
+        return found
+
+    def _height(self) -> tuple[str, Scalar | None]:
+        """Return the vertical coordinate that a document gives, and its axis: z, the last of three of p, else y."""
+        made, exact = self.names.state.definitions, self.checker.exact
+        for axis, key, place in (*((axis, axis, 0) for axis in "zZ"), *(("z", key, 2) for key in "pP"), ("y", "y", 0)):
+            try:
+                value = as_matrix(stacked(self.names.defined_value(key, exact))) if key in made else None
+            except (EvaluationError, UnboundName):
+                value = None
+            if value is not None and len(value.cells) == place + 1 and isinstance(value.cells[place], Scalar):
+                return axis.lower(), value.cells[place]
+        return "", None
+
+    def _grows(self, height: Scalar, letter: str, sign: int) -> bool:
+        """Whether a height grows, or falls, with an angle where all are zero."""
+        key = self.names.reader.key_of(letter)
+        slope = self._size(self._at(derivative(height, height.ring.symbol(key)), [*angles_in(height), key]))
+        return (slope or 0) * sign > 0
 
     def _is_doubted(self, outcome: Outcome, told: str) -> bool:
         kind = next((each for each in (AXIS_DOWN, RISES, FALLS, AT_ZERO) if told.startswith(each)), None)

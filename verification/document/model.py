@@ -31,13 +31,14 @@ class Piece:
 class Listing:
     """Equations that give joints and lengths numbers: of a piece of code, or at the ends of what is worked out.
 
-    `off`: how far from what they are rounded from the latter may be.
+    `off`: how far from what they are rounded from the latter may be. `in_text`: the text of the section gives them.
     """
 
     line: int
     values: tuple[str, ...]
     section: str = ""
     off: float | None = None
+    in_text: bool = False
 
 
 @dataclass(frozen=True)

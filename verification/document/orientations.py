@@ -90,8 +90,9 @@ def _told(sentence: str) -> Iterator[str]:
 
 
 def _letter_by(words: str, formulas: list[str], found: re.Match[str]) -> str | None:
-    """Return the letter of the angle that a phrase speaks of: the last before it, else the first behind."""
+    """Return the letter of the angle that a phrase speaks of: the one that stands right behind it, "elevation φ", the last before it, else the first behind."""
     at = words.count("¤", 0, found.start())
     before = [each.strip() for each in formulas[:at] if _JOINT.fullmatch(each.strip())]
     behind = [each.strip() for each in formulas[at:] if _JOINT.fullmatch(each.strip())]
-    return before[-1] if before else next(iter(behind), None)
+    is_called = words[found.end() :].startswith(" ¤") and _JOINT.fullmatch(formulas[at].strip())
+    return before[-1] if before and not is_called else next(iter(behind), None)

@@ -425,7 +425,8 @@ def _orders(formulas: Sequence[str], words: str) -> Iterator[str]:
     if any(indices != sorted(indices) for indices in orders) or says("COLUMNS_REVERSED", words):
         yield JACOBIAN
     of_joints = [entries for name, entries in tuples if _NAME_OF_JOINTS.fullmatch(name)]
-    for entries in [*of_joints, *[listed] * says("IN_ORDER", words)]:
+    in_brackets = [entries for name, entries in tuples if not name and len(entries) > 1]
+    for entries in [*of_joints, *(in_brackets or [listed]) * says("IN_ORDER", words)]:
         yield " ".join((ORDER, *("".join(each.split()) for each in entries)))
 
 

@@ -566,7 +566,7 @@ columns/colonnes/spalten/columnas/colonne/colunas (of/de/von/di) (¤) (are/be/ca
 ¤ (,/and/et/und/y/e) ¤ (are/be/for/sont/sind/seien/son/sono) (the/its/les/ses/die/seine/las/sus/le) (two/deux/zwei/dos/due) columns/colonnes/spalten/columnas/colonne/colunas
 """
 IN_ORDER = """
-in/dans/en (l'/the/this/that/der/dieser/cet/este/ese/questo) order/ordre/reihenfolge/orden/ordine
+in/with/dans/en/mit/con (l'/the/this/that/der/dieser/cet/este/ese/questo/el) order/ordre/reihenfolge/orden/ordine
 """
 OF_ROWS = """
 rows/lignes/zeilen/filas/righe/linhas

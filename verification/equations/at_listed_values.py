@@ -14,7 +14,7 @@ from armproof.verification.algebra.calculus import derivative, substitute, symbo
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document.model import Listing
 from armproof.verification.equations.alignment import Pair, angle_places
-from armproof.verification.equations.decimals import roundings
+from armproof.verification.equations.decimals import roundings_of
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Members
 from armproof.verification.errors import ReadError, WhereDefined
@@ -89,6 +89,7 @@ class ListedValues:
     def _confirmed(outcome: Outcome, pair: Pair, listing: Listing, largest: float) -> Outcome:
         kind = Kind.AT_LISTED_VALUES if listing.off is None else Kind.AT_WORKED_VALUES
         found = say(kind, line=listing.line) if listing.line else say(Kind.AT_ZERO)
+        found = say(Kind.TO_DECIMALS_THERE) if listing.in_text else found
         return replace(
             outcome, verdict=Verdict.CONFIRMED, findings=(found,), pair=pair, wrong=[], samples=1, max_error=largest
         )
@@ -153,7 +154,7 @@ class ListedValues:
 
     def _compared(self, pair: Pair, numbers: n.Node, values: Values, listing: Listing) -> _Compared | None:
         """Compare entry by entry; None where one depends on what has no value, or where nothing is told."""
-        allowed, angles = roundings(numbers, pair.true.shape), angle_places(pair)
+        allowed, angles = roundings_of(self.members, numbers, pair.true.shape), angle_places(pair)
         if len(allowed) < len(pair.true.cells) or not (
             len(allowed) >= FEWEST or any(_tells(pair, each) for each in allowed)
         ):

@@ -13,7 +13,7 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document.heading import encloses
 from armproof.verification.equations.alignment import Pair, angle_places, exactly_equal
 from armproof.verification.equations.at_listed_values import ListedValues
-from armproof.verification.equations.decimals import FEW, Rounding, finest_decimals, roundings, slacks
+from armproof.verification.equations.decimals import FEW, finest_decimals, roundings_of
 from armproof.verification.equations.length_values import length_values
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member, Members
@@ -147,7 +147,7 @@ class StatedValues:
     def _judged(self, pair: Pair, numbers: n.Node) -> _Numbers:
         """Compare entry by entry, as the numbers are rounded."""
         found = _Numbers(pair)
-        allowed, angles = self._roundings(numbers, pair), angle_places(pair)
+        allowed, angles = roundings_of(self.members, numbers, pair.true.shape), angle_places(pair)
         stated = self._stated(symbols_in(_differences(pair)) & set(self.names.arm.lengths if self.names.arm else ()))
         units = {_has_unit(numbers), *(_has_unit(value.node) for value in stated.values())}
         for place, rounding in allowed.items():
@@ -160,20 +160,6 @@ class StatedValues:
             else:
                 found.largest = max(found.largest, error)
         return found
-
-    def _roundings(self, numbers: n.Node, pair: Pair) -> dict[Place, Rounding]:
-        """Return how numbers are rounded; one that is worked out, 40 · 0.866 + 30 · 0.259, by one of its own numbers."""
-        allowed = roundings(numbers, pair.true.shape)
-        if isinstance(bare(numbers), n.Number | n.Matrix):
-            return allowed
-        off = slacks(self.members, numbers)
-        return {
-            place: self._worked_out(each, [sizes.get(place, 0.0) for sizes in off]) for place, each in allowed.items()
-        }
-
-    @staticmethod
-    def _worked_out(rounding: Rounding, off: Sequence[float]) -> Rounding:
-        return Rounding(max(rounding.near, *off), max(rounding.far, 2 * sum(off))) if off else rounding
 
     def _error(self, difference: Scalar, is_angle: bool) -> float | None:
         """The size of a difference at the stated values; None where one is missing that it depends on."""

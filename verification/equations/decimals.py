@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import remainder, tau
 from typing import TYPE_CHECKING
 
 from armproof.verification.algebra.calculus import leaves_open, symbols_in
-from armproof.verification.algebra.matrix import as_matrix
+from armproof.verification.algebra.matrix import as_matrix, stacked
 from armproof.verification.equations.alignment import is_constant
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.second_route import FEWEST, SecondRoute
@@ -128,14 +128,27 @@ def slacks(members: Members, node: n.Node) -> list[dict[tuple[int, int], float]]
     """Return how far half a unit of each rounded number takes the numbers that a formula of numbers is, at each place (from 0)."""
     if any(isinstance(below, n.Name | n.JointAngles) and not is_number(below) for below in n.walk(node)):
         return []
-    value = as_matrix(members.evaluate(node).value)
+    value = as_matrix(stacked(members.evaluate(node).value))
     found = []
     for number in rounded_numbers(node, FINE):
         off = n.Number(number.value + Fraction(1, 2 * 10**number.decimals))
-        moved = as_matrix(members.evaluate(n.substitute(node, number, off)).value)
+        moved = as_matrix(stacked(members.evaluate(n.substitute(node, number, off)).value))
         if moved.shape == value.shape:
             found.append({(r, c): abs(members.number(moved.rows[r][c] - value.rows[r][c])) for r, c in value.places})
     return found
+
+
+def roundings_of(members: Members, numbers: n.Node, shape: tuple[int, int]) -> dict[tuple[int, int], Rounding]:
+    """Return how numbers are rounded; one that is worked out, 40 · 0.866 + 30 · 0.259, by one of its own numbers."""
+    allowed = roundings(numbers, shape)
+    if isinstance(n.bare(numbers), n.Number | n.Matrix):
+        return allowed
+    off = slacks(members, numbers)
+    return {place: _worked_out(each, [sizes.get(place, 0.0) for sizes in off]) for place, each in allowed.items()}
+
+
+def _worked_out(rounding: Rounding, off: Sequence[float]) -> Rounding:
+    return Rounding(max(rounding.near, *off), max(rounding.far, 2 * sum(off))) if off else rounding
 
 
 def rounded_numbers(node: n.Node, fine: int) -> list[n.Number]:

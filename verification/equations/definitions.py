@@ -11,7 +11,7 @@ from itertools import permutations
 from typing import Any
 
 from armproof.verification.algebra.calculus import symbols_in
-from armproof.verification.algebra.matrix import Matrix, as_scalar
+from armproof.verification.algebra.matrix import Matrix, as_scalar, stacked
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import Pair, is_constant, is_near
@@ -170,7 +170,9 @@ class Definitions:
 
     def define_entries(self, true: Member, member: Member, equation: int, defines: bool) -> Outcome | None:
         """A matrix whose unknown entries are bare names: each is defined by its place, the known ones are checked."""
-        value, rows = true.value, written_rows(member.node)
+        value, rows = stacked(true.value), written_rows(member.node)
+        if isinstance(value, Matrix) and value.shape[0] == 1 and isinstance(bare(member.node), n.Sequence):
+            rows = (tuple(cell for row in rows for cell in row),)  # a tuple may be a row
         alone = bare(rows[0][0]) if rows and len(rows) == 1 == len(rows[0]) else None
         is_one = isinstance(alone, n.Name) and not alone.base.isupper()  # [τ_1] is no column of torques
         blocks = partition(rows, value.shape) if rows and isinstance(value, Matrix) and not is_one else None

@@ -34,12 +34,13 @@ def heed_forces(names: Names, chain: n.Chain) -> None:
         name for member, column in zip(chain.members, columns, strict=True) for name in column or _alone(member, names)
     ]
     introduced = all(column or isinstance(bare(m), n.Name) for m, column in zip(chain.members, columns, strict=True))
-    if alone and not (introduced and any(columns)):
+    balances = any(_is_torque(member, names) for member in chain.members)  # f_h = F_z says nothing of the force
+    if alone and not (introduced and any(columns)) and not balances:
         names.state.adopted.difference_update(name.key for name in alone)
         return
     found = [name for below in _walked(chain) for name in (*_components(cells_of(below)), *_behind_transpose(below))]
     found += [name for column in columns for name in column]
-    if any(map(_is_torque, chain.members)):
+    if balances:
         found += [name for below in _walked(chain) for name in _one(below) if name.base in "Ff"]
     names.state.adopted |= {name.key for name in found if names.is_open(name)}
     names.state.balanced |= {(base, names.state.exercise): product for base, product in _torques_in(chain)}
@@ -91,10 +92,21 @@ def _is_force(node: n.Node) -> bool:
     return isinstance(name, n.Name) and name.base in ("F", "f") and not name.dots
 
 
-def _is_torque(node: n.Node) -> bool:
-    """Whether a side is the torque of a joint, τ_2."""
+def _is_torque(node: n.Node, names: Names) -> bool:
+    """Whether a side is the torque of a joint, τ_2, or τ_θ of the joint θ, or τ of the one that turns; or the force f_r of a slide r."""
     name = bare(node)
-    return _is_plain(name) and name.base in TORQUES and name.sub.isdigit()  # type: ignore[attr-defined]
+    if not isinstance(name, n.Name) or not _is_plain(name):
+        return False
+    return (name.base in TORQUES and name.sub.isdigit()) or joint_of_effort(name, names) is not None
+
+
+def joint_of_effort(name: n.Name, names: Names) -> str | None:
+    """Return the joint whose torque or force a name is by its letters: τ_θ, f_r, τ or f where one joint alone turns or slides; None of another."""
+    kind = "revolute" if name.base in TORQUES else "prismatic" if name.base in ("f", "F") else ""
+    of_kind = [symbol for symbol, joint in names.joints.items() if joint.kind == kind]
+    if not name.sub:
+        return of_kind[0] if len(of_kind) == 1 else None
+    return next((symbol for symbol in of_kind if symbol == name.sub and not symbol.isdigit()), None)
 
 
 def _behind_transpose(node: n.Node) -> list[n.Name]:

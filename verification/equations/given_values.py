@@ -324,9 +324,10 @@ def _is_point_beyond(name: n.Name, names: Names) -> bool:
 
 
 def names_alone(node: n.Node) -> list[n.Name]:
-    """Return the names that a matrix of nothing but names and numbers holds."""
+    """Return the names that a matrix, or a tuple, of nothing but names and numbers holds."""
     node = bare(node)
-    cells = node.cells if isinstance(node, n.Matrix) else ()
+    is_tuple = isinstance(node, n.Sequence) and node.brackets == "()"
+    cells = node.cells if isinstance(node, n.Matrix) else cells_of(node) if is_tuple else ()
     return [c for c in cells if isinstance(c, n.Name)] if all(isinstance(c, n.Name | n.Number) for c in cells) else []
 
 

@@ -11,7 +11,7 @@ from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import Pair, agree_exactly, different_entries, exactly_equal, is_near
-from armproof.verification.equations.forces import TORQUES
+from armproof.verification.equations.forces import TORQUES, joint_of_effort
 from armproof.verification.equations.jacobian_rows import PLANE
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Members
@@ -162,7 +162,11 @@ class Torques:
 
     def _joints(self, node: n.Node, count: int) -> list[int]:
         """Return the joints (from 0) whose torques a side names: τ_2, a column of such, τ as a whole."""
-        joints = len(self.members.names.joints)
+        letters = [*self.members.names.joints]
+        joints = len(letters)
+        effort = bare(node)
+        if isinstance(effort, n.Name) and (own := joint_of_effort(effort, self.members.names)) is not None:
+            return [letters.index(own)] if count == 1 else []
         if bare_key(node) in TORQUES:
             return [*range(joints)] if count == joints else []
         named = [bare(cell) for cell in cells_of(node) or (node,)]

@@ -5,6 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cached_property
 
+from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import (
     agree_exactly,
@@ -50,6 +53,8 @@ class UsualJudge:
         if refuted and not near and outcome.true is not None and _is_placed_above(outcome.true.node):
             return outcome.left_open(say(Kind.WHICH_INDEX))  # p_0^2 may place frame 2 in frame 0
         if refuted and (key := self._seen_from_elsewhere(outcome)):
+            return outcome.left_open(say(Kind.NOT_BOUND, name=key))
+        if refuted and (key := self._from_another_height(outcome)):
             return outcome.left_open(say(Kind.NOT_BOUND, name=key))
         near = near and not self._is_of_triangle(outcome, doubts)
         doubtful = (doubts.weak and not near) if refuted else (outcome.defines and doubts.open)
@@ -113,6 +118,22 @@ class UsualJudge:
             return ""
         blocks = (n.plain_name(cell) for row in written_rows(outcome.printed.node) for cell in row)
         return next((each.key for each in blocks if each is not None and self._is_unseen(each)), "")
+
+    def _from_another_height(self, outcome: Outcome) -> str:
+        """Return the height of a point with an index, z_w, that is counted from that of a joint which stands: z_w = z - d_1 - … from the shoulder."""
+        arm, pair = self.names.arm, outcome.pair
+        named = [name for node in outcome.nodes if (name := n.plain_name(node)) is not None]
+        key = next((each.key for each in named if each.base in "zZ" and each.sub and not self._is_bound(each)), "")
+        if arm is None or pair is None or not pair.is_scalar or not key:
+            return ""
+        ((_, true, printed),) = pair.entries()
+        origins = (self.members.exact.quantity(Quantity("origin", each, arm.frames[0])) for each in arm.frames[1:-1])
+        heights = [origin.rows[2][0] for origin in origins if isinstance(origin, Matrix)]
+        standing = [each for each in heights if symbols_in([each]).isdisjoint(self.names.joints) and not each.is_zero()]
+        return key if any(exactly_equal(true - printed, each) for each in standing) else ""
+
+    def _is_bound(self, name: n.Name) -> bool:
+        return name.key in self.names.quantities or name.key in self.names.state.definitions
 
     def _is_unseen(self, name: n.Name) -> bool:
         """Whether a name is taken as seen from the base, and no index and no front matter says so."""

@@ -116,7 +116,12 @@ def _in_four_rows(node: n.Node) -> n.Node:
 
 def multiply(a: Value, operator: str, b: Value) -> Value:
     """Return the product of two values: of matrices, scaled, × of vectors, ⋅ of columns."""
+    is_tuple = isinstance(a, list)
+    if is_tuple and not isinstance(b, Matrix | Identity | list):
+        return [cell * b for cell in stacked(a).cells]
     a, b = stacked(a), stacked(b)
+    if is_tuple and isinstance(a, Matrix) and isinstance(b, Matrix) and b.shape[0] == a.shape[0] and b.shape[1] > 1:
+        a = a.transpose  # (x, y) M: it can be a row alone
     if isinstance(a, Identity) and isinstance(b, Identity):
         return Identity(a.scale * b.scale)
     if isinstance(a, Identity):

@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import Any
 
 from armproof.verification.algebra.calculus import symbols_in
-from armproof.verification.algebra.matrix import Identity, Matrix, column
+from armproof.verification.algebra.matrix import Identity, Matrix, column, stacked
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value, elementary, identity
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
@@ -135,6 +135,8 @@ def joint_angle_sum(evaluator: Evaluating, node: n.JointAngles) -> Any:
         symbol = evaluator.names.joint_angle(index)
         if symbol is None:
             raise ShapeError(say(Kind.NO_SUCH_ANGLE, index=index))
+        if evaluator.names.arm is None:
+            evaluator.names.used.add(symbol)  # θ_1 = … behind c_1 gives it no meaning
         angle = evaluator.names.table_angle(symbol, evaluator.algebra)
         total = total + angle if sign == 1 else total - angle
     return total
@@ -188,7 +190,7 @@ def call_value(evaluator: Evaluating, node: n.Call) -> Value:
         values = [evaluator.scalar(a) for a in node.arguments]
         zero = evaluator.algebra.rational(Fraction(0))
         return Matrix(tuple(tuple(v if r == c else zero for c in range(len(values))) for r, v in enumerate(values)))
-    if function == "abs" and isinstance(matrix := evaluator.evaluate(node.arguments[0]), Matrix):  # |J|, |p|
+    if function == "abs" and isinstance(matrix := stacked(evaluator.evaluate(node.arguments[0])), Matrix):  # |J|, |p|
         if matrix.shape[1] == 1:
             return evaluator.algebra.sqrt((matrix.transpose @ matrix).rows[0][0])
         return matrix.determinant()
@@ -232,7 +234,7 @@ def _may_be_entry(arguments: Sequence[n.Node]) -> bool:
 
 def _norm(evaluator: Evaluating, node: n.Call) -> Any:
     """Return the length of a column or a row, the size of a scalar; of a matrix ‖·‖_F alone is known."""
-    value = evaluator.evaluate(node.arguments[0])
+    value = stacked(evaluator.evaluate(node.arguments[0]))
     if not isinstance(value, Matrix):
         return evaluator.algebra.absolute(value)
     if node.function == "norm" and 1 not in value.shape:

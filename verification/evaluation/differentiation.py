@@ -87,7 +87,7 @@ def _all_joints(evaluator: Evaluating, variable: n.Node) -> n.Node:
 
 
 _JOINT = re.compile(r"(?:theta|q)(?:_\d+)?")  # where there is no arm, what moves, and what never does
-_JOINT_OR_LENGTH = re.compile(rf"(?:dot )*(?:{_JOINT.pattern}|[lLabhmgI](?:_\w+)?)")
+_JOINT_OR_LENGTH = re.compile(rf"(?:dot )*(?:{_JOINT.pattern}|[lLabcehmgI](?:_\w+)?)")
 
 
 def time_derivative(evaluator: Evaluating, node: n.Name) -> Value:

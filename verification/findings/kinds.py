@@ -324,7 +324,7 @@ class Kind(MessageKind):
     OTHER_AS_TOLD = "other_as_told", "it does not hold at the values that the text before gives: state them in a display to have it checked there"
     OTHER_ORDER = "other_order", "it holds as atan2(x, y), and nothing in the document holds as atan2(y, x): write it so to have it checked"
     HOLDS_AS_TOLD = "holds_as_told", "it holds at the values that the text before gives, and not everywhere: state them in the display, with \\Rightarrow"
-    DERIVATIVES_OF_POINT = "derivatives_of_point", "the derivatives of the point that the document gives"
+    DERIVATIVES_OF_POINT = "derivatives_of_point", "the derivatives by `{letters}` of the point that the document gives"
     OF_SINGULARITIES = "of_singularities", "read as $\\det J = 0$ there and nowhere else, as the text before says"
     UNDER_RATES = "under_rates", "under the rates, or at the velocity, that the text before or a column of numbers gives"
     HOLDS_AS_BEHIND = "holds_as_behind", "it holds at the values that stand behind it, and not everywhere: join them with \\text{{for}}"

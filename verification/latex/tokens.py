@@ -632,7 +632,8 @@ class _Scanner:
         joins = joins or (name.lower() in SAID_OF_VALUES and not is_term)
         begins = self.previous in _BEGINS or _SCRIPT_BEFORE.search(self.text, max(0, start - 12), start)
         heads = begins and _RELATION_NEXT.match(self.text, after)
-        alone = self.previous == "LBRACE" and self.text[after : after + 1] == "}"  # in a fraction
+        closing = {"LBRACE": "}", "LPAR": ")"}.get(self.previous, " ")  # in a fraction, in cos(…)
+        alone = self.text[after : after + 1] == closing and (closing == "}" or self.before == "FUNC")
         if not joins and (
             heads or alone or self.previous in _BEFORE_OPERAND or _BEHIND_OPERAND.match(self.text, after)
         ):
@@ -714,10 +715,13 @@ class _Scanner:
             and (two[1] == "" or self._has_two(two.end()))
         ):
             return [self.token("FUNC", "atan2", start, two.end())], two.end()
+        is_above = self.previous == "FRAC"
         letter = self.token("LETTER", base, start, end)
         digits = re.compile(r"\d+(?!\.?\d)").match(self.text, end) if base != "pi" else None
         if digits is None:
             return [letter], end
+        if is_above:  # \\frac a2 is a half of a
+            return [letter, self.token("NUMBER", self.text[end], end, end + 1)], end + 1
         return [letter, self.token("SUB", digits.group(), end, digits.end())], digits.end()
 
     def _has_two(self, position: int) -> bool:

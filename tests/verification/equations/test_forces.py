@@ -60,3 +60,48 @@ def test_one_letter_alone_is_no_force() -> None:
         verdicts_of(r"$$ \begin{bmatrix} N_x \\ N_y \end{bmatrix} = \begin{bmatrix} c_1 \\ s_1 \end{bmatrix} $$")[-1]
         != "refuted"
     )
+
+
+CYLINDER = r"""# Cylindrical arm
+
+The joint vector is $q = (\theta, h, r)^T$, in this order.
+
+$$ p_x = r\cos\theta $$
+
+$$ p_y = r\sin\theta $$
+
+$$ p_z = h $$
+
+$$ v^2 = \dot r^2 + r^2\,\dot\theta^2 + \dot h^2 $$
+
+"""
+POLAR = r"""# Polar arm
+
+$$ x = (l + d)\cos\theta $$
+
+$$ y = (l + d)\sin\theta $$
+
+$$ \dot x^2 + \dot y^2 = \dot d^2 + (l+d)^2\,\dot\theta^2 $$
+
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict"),
+    [
+        (POLAR + r"$$ \tau = (l + d)(F_y\cos\theta - F_x\sin\theta) $$", "proved"),
+        (POLAR + r"$$ \tau = (l + d)(F_y\cos\theta + F_x\sin\theta) $$", "unchecked"),
+        (POLAR + r"$$ \tau = l\,(F_y\cos\theta - F_x\sin\theta) $$", "unchecked"),
+        (POLAR + r"$$ f = F_x\cos\theta + F_y\sin\theta $$", "proved"),
+        (POLAR + r"$$ f = F_x\cos\theta - F_y\sin\theta $$", "unchecked"),
+        (CYLINDER + r"$$ \tau_\theta = r\,(F_y\cos\theta - F_x\sin\theta),\qquad f_h = F_z,\qquad f_r = F_x\cos\theta + F_y\sin\theta $$", "proved"),
+        (CYLINDER + r"$$ f_h = F_x $$", "unchecked"),
+        (CYLINDER + r"$$ \tau_\theta = r\,(F_y\cos\theta + F_x\sin\theta) $$", "unchecked"),
+        (CYLINDER + r"$$ J = \begin{bmatrix} -r\sin\theta & 0 & \cos\theta \\ r\cos\theta & 0 & \sin\theta \\ 0 & 1 & 0 \end{bmatrix} $$", "proved"),
+        (CYLINDER + r"$$ J = \begin{bmatrix} -r\sin\theta & \cos\theta & 0 \\ r\cos\theta & \sin\theta & 0 \\ 0 & 0 & 1 \end{bmatrix} $$", "not passed"),
+        (CYLINDER + r"$$ J = \begin{bmatrix} -r\sin\theta & 0 & \cos\theta \\ r\cos\theta & 0 & -\sin\theta \\ 0 & 1 & 0 \end{bmatrix} $$", "not passed"),
+    ],
+)  # fmt: skip
+def test_efforts_and_columns_are_those_of_the_joints_by_their_letters(text: str, verdict: str) -> None:
+    found = verify_text(text).equations[-1].verdict.value
+    assert found in ("refuted", "unchecked") if verdict == "not passed" else found == verdict

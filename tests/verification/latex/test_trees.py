@@ -89,6 +89,7 @@ a / 2 c \quad 2 a / 3 b \quad a b / c d  ⟶  (a / (2 c)) or ((a / 2) c); ((2 a)
 a/b/c  ⟶  ((a / b) / c)
 a/(b c) \quad (a b)/c  ⟶  (a / ((b c))); (((a b)) / c)
 \frac12x \quad \frac123 \quad \frac1{ab} \quad \frac ab \quad \dfrac{a + b}{2} \quad \frac{a = b}{2}  ⟶  ((1 / 2) x); ((1 / 2) 3); (1 / (a b)); (a / b); ((+ a + b) / 2); (<a = b> / 2)
+\frac a2 x \quad \frac a{b} x \quad \cos(\text{pitch})  ⟶  ((a / 2) x); ((a / b) x); cos(pitch)
 {a \over b} {a + 1 \over {b \over c}}  ⟶  ({(a / b)} {((+ a + 1) / {(b / c)})})
 {2 a \over b + 1} \quad \sqrt{{a \over b}} = {a \over b}  ⟶  {((2 a) / (+ b + 1))}; sqrt({(a / b)}) = {(a / b)}
 """,

@@ -11,6 +11,7 @@ from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.tables.arms.witnesses import Reading, weigh
 
 _LENGTHS = ("a", "d", "l", "r", "D", "L", "R")
+_PLAIN = ("l", "L", "h", "e")  # of the tool's point, where its author numbers it as no link
 _LENGTH = re.compile(r"([A-Za-z]+)_(\d+)")
 
 
@@ -35,7 +36,7 @@ def _weight(reading: Reading) -> int:
 
 
 def _next_lengths(arm: Mapping[str, Any], document: Document) -> Iterator[str]:
-    """Yield the letters that displays have and the table has not: the one behind those of the column a, a_1 and a_2 before a_3, and those numbered as the frame behind the last."""
+    """Yield the letters that displays have and the table has not: the one behind those of the column a, a_1 and a_2 before a_3, those numbered as the frame behind the last, and l."""
     rows = arm["rows"]
     found = [_LENGTH.fullmatch(str(row.get("a", ""))) for row in rows]
     letters = [(each[1], int(each[2])) for each in found if each is not None]
@@ -44,8 +45,9 @@ def _next_lengths(arm: Mapping[str, Any], document: Document) -> Iterator[str]:
     last = int(arm.get("first", 0)) + len(rows)
     behind = [f"{base}_{last + 1}" for base in _LENGTHS] if "frames" not in arm else []
     cells = {str(cell) for row in rows for cell in row.values()}
-    for letter in dict.fromkeys((*following, *behind)):
+    for letter in dict.fromkeys((*following, *behind, *_PLAIN)):
         base, _, index = letter.partition("_")
-        written = re.compile(rf"(?<![A-Za-z\\]){base}\s*_\s*\{{?\s*{index}(?!\d)")
+        script = rf"\s*_\s*\{{?\s*{index}(?!\d)" if index else r"(?![A-Za-z]|\s*[_(])"
+        written = re.compile(rf"(?<![A-Za-z\\]){base}{script}")
         if letter not in cells and any(written.search(normalise_unicode(each.latex)) for each in document.displays):
             yield letter

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from armproof.verification.algebra.calculus import angles_in, derivative, substitute, symbols_in
 from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.document import Display, Document
+from armproof.verification.document.other_meanings import ORDER
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
@@ -80,31 +81,54 @@ def _of_point(document: Document, names: Names, spelt: re.Pattern[str]) -> list[
                 if axis not in found or is_next or (before is not None and not number):
                     found[axis], points[axis] = (value, display), number
                 meant = {**meant, key: value} if number else meant
-        rates = rates_in(document.displays)
-        arms = _arms(found, letters, algebra, rates) if {"x", "y"} <= found.keys() else []
+        rates, order = rates_in(document.displays), _told_order(document, names)
+        arms = _arms(found, letters, algebra, rates, order) if {"x", "y"} <= found.keys() else []
         if any(each.mended for each in arms) and (as_told := _told_in_words(document, arms)) is not None:
             arms = [as_told]
-        above = _arm_of_jacobian(document, names, algebra, rates) if not arms and spelt is _COORDINATE else []
+        above = _arm_of_jacobian(document, names, algebra, rates, order) if not arms and spelt is _COORDINATE else []
         told = [(display.cell or 0, display.line) for _, display in found.values()]
         return arms or [each for each in above if all((each.cell or 0, each.line) < place for place in told)]
 
 
-def _arms(found: Found, letters: Mapping[str, n.Name], algebra: ExactAlgebra, rates: set[str]) -> list[Candidate]:
+def _told_order(document: Document, names: Names) -> tuple[str, ...]:
+    """Return the joints in the order in which the text lists them, "in the order $\\theta, h, r$"; nothing where it lists none, or two orders."""
+    told = {
+        each.removeprefix(f"{ORDER} ")
+        for display in document.displays
+        for each in display.meant
+        if each.startswith(f"{ORDER} ")
+    }
+    orders = {
+        keys
+        for each in told
+        if all(keys := tuple(names.reader.key_of(part) for part in each.split())) and len(keys) > 1
+    }
+    return orders.pop() if len(orders) == 1 else ()
+
+
+def _arms(
+    found: Found, letters: Mapping[str, n.Name], algebra: ExactAlgebra, rates: set[str], order: tuple[str, ...]
+) -> list[Candidate]:
     """Return the arm whose tool has these coordinates; those by one of two that do not fit together."""
-    moves = _ClosedForm(algebra, {axis: value for axis, (value, _) in found.items()}, rates).moves()
+    moves = _ClosedForm(algebra, {axis: value for axis, (value, _) in found.items()}, rates, order).moves()
     if moves is not None:
         return [_candidate(moves, found, letters)]
-    tried = [(_ClosedForm(algebra, values, rates).moves(), told) for values, told in mended_coordinates(found, algebra)]
+    tried = [
+        (_ClosedForm(algebra, values, rates, order).moves(), told)
+        for values, told in mended_coordinates(found, algebra)
+    ]
     mended = [_candidate(moves, told, letters) for moves, told in tried if moves is not None]
     mended = [replace(each, mended=frozenset(range(1, len(each.rows) + 1))) for each in mended]
     return [each for each in mended if not _turns_back(each)]  # else it is seen from below, and a slip is in either
 
 
-def _arm_of_jacobian(document: Document, names: Names, algebra: ExactAlgebra, rates: set[str]) -> list[Candidate]:
+def _arm_of_jacobian(
+    document: Document, names: Names, algebra: ExactAlgebra, rates: set[str], order: tuple[str, ...]
+) -> list[Candidate]:
     """Return the arm whose tool has the Jacobian that a document prints, which another display, or the text, must show to be meant."""
     letters: dict[str, n.Name] = {}
     points, has_slip = coordinates_of_jacobian(document, names, algebra, letters)
-    arms = [each for found in points for each in _arms(found, letters, algebra, rates)]
+    arms = [each for found in points for each in _arms(found, letters, algebra, rates, order)]
     if has_slip:
         arms = [replace(each, mended=frozenset(range(1, len(each.rows) + 1))) for each in arms]
     told = _told_in_words(document, arms)
@@ -156,6 +180,17 @@ def point_given_anew(document: Document, names: Names) -> Display | None:
                 return display
             met.update(given)
     return None
+
+
+def coordinates_of_tool(document: Document, names: Names) -> Iterator[tuple[Display, dict[str, Scalar]]]:
+    """Yield the displays that give coordinates of the tool by letters, x and y or x and z, each with these."""
+    algebra = ExactAlgebra(Ring(), None)
+    with algebra.budget.of(SECONDS):
+        for display in document.displays:
+            given = _coordinates(display, names, algebra, {}, _COORDINATE) if "=" in display.latex else ()
+            own = {axis: value for axis, key, value in given if key == axis}
+            if own:
+                yield display, own
 
 
 def _candidate(moves: Moves, told: Found, letters: Mapping[str, n.Name]) -> Candidate:
@@ -306,11 +341,13 @@ class _ClosedForm:
 
     Attributes:
         rates: the letters whose rates the document has.
+        order: the joints as its text lists them.
     """
 
     algebra: ExactAlgebra
     values: Mapping[str, Scalar]
     rates: set[str]
+    order: tuple[str, ...] = ()
 
     def moves(self) -> Moves | None:
         """Return the chain that has these coordinates, or None."""
@@ -424,9 +461,12 @@ class _ClosedForm:
         return None if not fits else found[0] if found else ""
 
     def _with(self, up: Sequence[Step], steps: Sequence[Step]) -> list[Step]:
-        """Return steps with those along z between, as the numbers of joints say: they may be taken anywhere."""
+        """Return steps with those along z between, as the numbers of joints say, or the text: they may be taken anywhere."""
         fixed, sliding = [step for step in up if not step[2]], [step for step in up if step[2]]
         number = index_of(sliding[0][2]) if sliding else 0
         after = [k for k, (_, _, joint) in enumerate(steps) if number and index_of(joint) > number]
+        if sliding and sliding[0][2] in self.order:
+            behind = self.order[self.order.index(sliding[0][2]) + 1 :]
+            after = [k for k, (_, _, joint) in enumerate(steps) if joint in behind]
         place = min(after, default=len(steps))
         return [*fixed, *steps[:place], *sliding, *steps[place:]]

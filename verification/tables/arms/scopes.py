@@ -7,6 +7,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import groupby, pairwise
 
+from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document import Display, Document, Table
 from armproof.verification.document.heading import encloses
 from armproof.verification.errors import EvaluationError
@@ -14,7 +16,12 @@ from armproof.verification.latex.nodes import bare_key
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import WITH_ITS_ARM
 from armproof.verification.tables.arms.candidate import Candidate
-from armproof.verification.tables.arms.closed_forms import candidate_of_closed_form, point_given_anew
+from armproof.verification.tables.arms.closed_forms import (
+    candidate_of_closed_form,
+    coordinates_of_tool,
+    point_given_anew,
+)
+from armproof.verification.tables.arms.coordinate_slips import are_equal
 from armproof.verification.tables.arms.inference import arms_of, dh_tables, joints_used, plain_names
 from armproof.verification.tables.arms.last_turn import with_last_turn
 from armproof.verification.tables.arms.laws import candidate_of_law
@@ -76,6 +83,7 @@ def _up_to_other_joints(document: Document) -> Iterator[Document]:
         start = start or (_of_other_points(document, names) if found.source == "closed form" else None)
     else:
         start = None if tables else _of_other_law(document) or _of_section_alone(document, names)
+    start = start or _of_letters_anew(document, names)
     if start is None:
         yield document
         return
@@ -129,6 +137,35 @@ def _of_other_points(document: Document, names: Names) -> Place | None:
     if one is None or other is None:
         return None
     return start if (_moves(one), one.twists) != (_moves(other), other.twists) else None
+
+
+def _of_letters_anew(document: Document, names: Names) -> Place | None:
+    """Return where a section begins that gives its tool other coordinates, with letters of which its text tells what they mean there.
+
+    Its angles may be such as no table has, absolute ones: it is about an arm of its own nevertheless.
+    """
+    first = next(iter(document.displays), None)
+    begun = first.section if first is not None else ""
+    before: dict[str, list[Scalar]] = {}
+    told = _letters_told(first, names) if first is not None else set()
+    given = [*coordinates_of_tool(document, names)]
+    for section, run in groupby(given, key=lambda each: each[0].section):
+        shown = [*run]
+        values = {axis: value for _, each in shown for axis, value in each.items()}
+        letters = symbols_in([*values.values()])
+        met = any(are_equal(value, each) for axis, value in values.items() for each in before.get(axis, ()))
+        if section != begun and not met and len(values) > 1 and (_letters_told(shown[0][0], names) - told) & letters:
+            return min(_place(each) for each in document.displays if each.section == section)
+        for axis, value in values.items():
+            before.setdefault(axis, []).append(value)
+    return None
+
+
+def _letters_told(display: Display, names: Names) -> set[str]:
+    """Return the letters of which the text of a section tells what they mean."""
+    told = (each.split("\t")[1] for each in display.meant if each.startswith("told\t"))
+    anew = (each.removeprefix("anew ") for each in display.meant if each.startswith("anew "))
+    return {names.reader.key_of(each) for each in (*told, *anew)}
 
 
 def _of_other_law(document: Document) -> Place | None:

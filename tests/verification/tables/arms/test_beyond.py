@@ -24,7 +24,7 @@ ALONG = {
     "x": ("c_1(D_2 + D_3 c_2 + # c_{23})", "s_1(D_2 + D_3 c_2 + # c_{23})", "-D_3 s_2 - # s_{23}", "D_3 # s_3"),
     "z": ("c_1(D_2 + D_3 c_2) - # s_1", "s_1(D_2 + D_3 c_2) + # c_1", "-D_3 s_2", None),
 }
-LETTERS = ("R_4", "L_4", "D_4")
+LETTERS = ("R_4", "L_4", "D_4", "l")
 
 
 @pytest.mark.parametrize("axis", ALONG)
