@@ -35,9 +35,14 @@ from armproof.verification.document.limiting_clauses import (
 from armproof.verification.document.model import INLINE, Display
 from armproof.verification.document.moving_on import said_of_motion
 from armproof.verification.document.named_quantities import NAMED
-from armproof.verification.document.postures import SINGULAR, is_of_singularities
 from armproof.verification.document.strange import is_strange_before, is_strange_behind, strange_words
 from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, places_of_those, subjects
+from armproof.verification.document.told_singularities import (
+    SINGULAR,
+    is_of_singularities,
+    singularities_told,
+    without_place,
+)
 
 DENIED_ABOVE, LIMITED_ABOVE = r"\text{denies above}", r"\text{limits above}"  # what a text says of the display above it
 DENIED = r"\text{denies below}"  # and of the one that it leads to
@@ -143,7 +148,7 @@ def _is_prose(text: str) -> bool:
 
 def said_below(text: str, line: int, section: str) -> Iterator[Display]:
     """Yield what the last sentence of a text, formulas and all, says of the display that follows."""
-    for each in _heard_before(leading(text), before_leading(text)):
+    for each in (*_heard_before(leading(text), before_leading(text)), *singularities_told(text)):
         yield Display(line, each, section=section, opening=INLINE)
 
 
@@ -156,7 +161,7 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
     is_denied = denies_before(sentence, words) or (points_below and hears("DENIED_BEFORE", f"{words_before}{words}"))
     heard = [DENIED] if is_denied else []
     if (
-        _supposes(words, IS_OVER.search(sentence) is not None)
+        _supposes(words_of(without_place(sentence)), IS_OVER.search(sentence) is not None)
         or hears("MAY_LIMIT", words_before)
         or limits_what_is_near(words_before)
         or (hears("THEN", words) and says_what_would_be(words_before))
