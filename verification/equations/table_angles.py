@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 
 from armproof.verification.equations.outcome import Outcome, hold
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
-from armproof.verification.verdict import DECIDED, HOLDS, Verdict
+from armproof.verification.verdict import DECIDED, HOLDS, Record, Verdict
 
 VARIABLE, TABLE, LOOSE = "variable", "table", "loose"
 
@@ -29,7 +29,7 @@ class TableAngles:
         told = self.names.state.angles
         if not any(each.verdict in DECIDED for each in outcomes) or (told and hold(outcomes)):
             return outcomes
-        by_values = not self.holds_offset((chain,))
+        by_values = not self._rest_on_offset(chain.members)
         if by_values and self.names.offset_joints.keys().isdisjoint(self.names.state.configuration):
             return outcomes
         state = self.names.state
@@ -90,6 +90,17 @@ class TableAngles:
         joints = self.names.offset_joints
         return bool(joints) and any(symbol in joints for chain in chains for symbol in self._letters(chain))
 
+    def _rest_on_offset(self, nodes: Sequence[n.Node]) -> bool:
+        """Whether the letter of a joint with an offset stands in formulas, or in what defines their names: x = r c_1."""
+        made = self.names.state.definitions
+        formulas = [made[name.key].formula for node in nodes for name in n.names(node) if name.key in made]
+        return self.holds_offset([n.Chain((each,), ()) for each in (*nodes, *formulas) if each is not None])
+
+    def is_of_table(self, outcome: Outcome) -> bool:
+        """Whether an equation holds with the letter of a joint with an offset read as the angle of its row."""
+        is_read_so = self.names.state.angles == TABLE and outcome.verdict in HOLDS
+        return is_read_so and self._rest_on_offset(outcome.nodes)
+
     def _letters(self, chain: n.Chain) -> Iterator[str | None]:
         for below in n.walk(chain):
             if isinstance(below, n.Name):
@@ -104,3 +115,12 @@ class TableAngles:
             yield meaning
         finally:
             self.names.state.angles = before
+
+
+def settle_angles(records: Sequence[Record]) -> tuple[Record, ...]:
+    """Return the records of a document; what alone holds with the angles of the table, θ_2 for θ_2 + 90°, is left open: it may be a slip."""
+    found = [each for record in records for each in record.outcomes if each.is_of_table]
+    if len(found) != 1:
+        return tuple(records)
+    doubt = say(Kind.TABLE_ANGLES_ONCE)
+    return tuple(record.left_open(doubt, lambda one: one.is_of_table) for record in records)
