@@ -87,6 +87,12 @@ _ARGUMENTS = re.compile(  # \begin{frame}<2->[fragile]{Title}, \section{Inverse}
 )
 # a label, and no "est corrigé plus bas"
 _ANSWER = re.compile(r"\A[\W_]*(?:Corrigé|Svolgimento|Musterlösung)[\s*_}]*[.:][\s*_}]*(?=\w)")
+_LISTS_VALUES = re.compile(  # a sentence of formulas alone, with their units, behind a label
+    r"(?:(?:\W{1,2}|\w{1,2}|numerical|worked|test|check|numbers?|values?|data|application|examples?|question|zahlen\w*|werte|beispiel|exemple|valeurs|données|num[eé]ri\w+|ejemplo|datos|valores|esempio|dati|valori) )*?"
+    r"(?:(?:with|for|let|take|put|given|avec|pour|soit|soient|prenons|mit|für|sei|seien|con|para|sea|sean|per|sia|siano) )?"
+    r"(?:¤ (?:(?:mm|cm|m|rad|deg|degrees|degrés|grad|kg|n|nm|n m|rad/s|m/s|°/s) )?(?:(?:, |; )?(?:and |et |und |y |e )?)){2,}[:.,]? ?\Z",
+    re.IGNORECASE,
+)
 _JOINING = frozenset("and or et ou und oder y o e ed bzw resp".split())
 _OF_LETTERS = re.compile(
     r"angle|ángulo|ângulo|angol|winkel|measur|count|mesur|compt|mess|zähl|medid|length|longu|läng|lungh|absol|assol|convention|letter|symbol|lettre|zeichen|letra|letter"
@@ -208,6 +214,8 @@ def _is_at_values(words: str, words_before: str) -> bool:
     if _leads_away(words, words_before):
         return False
     plain = without("OF_A_POSTURE", words)
+    if _LISTS_VALUES.match(words) or _LISTS_VALUES.match(words_before):  # "Numbers: ¤ m, ¤ m, ¤. The speed is"
+        return True
     if hears("AT_VALUES", plain) or (IS_OVER.search(words) and hears("GIVES_VALUES", plain)):
         return True
     goes_on = hears("THEN", words) or hears("BECOMES", words)
