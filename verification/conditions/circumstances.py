@@ -149,6 +149,10 @@ class Circumstances:
         """Return what is proved, or refuted, of numbers at the values that lead to them; None where nothing is."""
         if outcome.true is None or outcome.printed is None or not outcome.tells(Kind.NUMBERS_OF_NOWHERE):
             return None
+        if (
+            self.names.arm is None
+        ):  # decimals at values of letters are compared elsewhere, and drawing points takes seconds
+            return None
         told = self.names.state.told
         is_near = told.line == line or told.holds_below
         return self._proved_there(outcome) or (self._vanishes_not(outcome) if is_near else None)
