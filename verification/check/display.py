@@ -250,8 +250,8 @@ class DisplayChecker:
         if (state := self.names.state).conventional:
             keys = self._keys_in(outcome) & state.conventional
             result = replace(result, usual={key: state.inferred[key] for key in sorted(keys) if key in state.inferred})
-        if self.names.offset_joints and self.checker.angles.is_of_table(outcome):
-            result = replace(result, is_of_table=True)
+        if self.names.offset_joints:
+            result = replace(result, of_table=self.checker.angles.entries_of_table(outcome))
         if "tan" in record.latex.lower() and outcome.verdict in DECIDED:
             result = replace(result, order=USUAL if in_told_order else self._order(outcome))
         if self.inferred.arm is not None:

@@ -211,7 +211,7 @@ class DocumentChecker:
             from armproof.verification.equations.argument_order import settle_orders
 
             equations = settle_orders(equations)
-        if any(each.is_of_table for record in equations for each in record.outcomes):
+        if any(each.of_table for record in equations for each in record.outcomes):
             equations = settle_angles(equations)
         if self._has_definitions(equations):
             equations = settle_used(settle_definitions(equations, self.displays.slips.is_cleared))

@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 
+from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.outcome import Outcome, hold
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
@@ -96,10 +99,15 @@ class TableAngles:
         formulas = [made[name.key].formula for node in nodes for name in n.names(node) if name.key in made]
         return self.holds_offset([n.Chain((each,), ()) for each in (*nodes, *formulas) if each is not None])
 
-    def is_of_table(self, outcome: Outcome) -> bool:
-        """Whether an equation holds with the letter of a joint with an offset read as the angle of its row."""
+    def entries_of_table(self, outcome: Outcome) -> int:
+        """Return how many entries of an equation hold with the letter of a joint with an offset read as the angle of its row."""
         is_read_so = self.names.state.angles == TABLE and outcome.verdict in HOLDS
-        return is_read_so and self._rest_on_offset(outcome.nodes)
+        if not is_read_so or not self._rest_on_offset(outcome.nodes) or outcome.true is None:
+            return 0
+        value = outcome.true.value
+        cells = value.cells if isinstance(value, Matrix) else (value,)
+        joints = self.names.offset_joints.keys()
+        return sum(isinstance(each, Scalar) and not joints.isdisjoint(symbols_in([each])) for each in cells) or 1
 
     def _letters(self, chain: n.Chain) -> Iterator[str | None]:
         for below in n.walk(chain):
@@ -118,9 +126,8 @@ class TableAngles:
 
 
 def settle_angles(records: Sequence[Record]) -> tuple[Record, ...]:
-    """Return the records of a document; what alone holds with the angles of the table, θ_2 for θ_2 + 90°, is left open: it may be a slip."""
-    found = [each for record in records for each in record.outcomes if each.is_of_table]
-    if len(found) != 1:
+    """Return the records of a document; the one entry that holds with the angles of the table, θ_2 for θ_2 + 90°, is left open: it may be a slip."""
+    if sum(each.of_table for record in records for each in record.outcomes) != 1:
         return tuple(records)
     doubt = say(Kind.TABLE_ANGLES_ONCE)
-    return tuple(record.left_open(doubt, lambda one: one.is_of_table) for record in records)
+    return tuple(record.left_open(doubt, lambda one: one.of_table > 0) for record in records)

@@ -338,3 +338,11 @@ def test_what_rests_on_a_formula_of_angles_with_offsets_tells_how_they_are_read(
     assert verdicts(right) == ["proved", "defined", "proved", "proved"]
     wrong = verify_text("Classic DH.\n" + OFFSETS + OF_JOINTS + HEIGHT_OF_ROWS)
     assert verdicts(wrong) == ["proved", "defined", "proved", "unchecked"]
+
+
+def test_two_entries_of_a_point_tell_that_angles_are_those_of_the_table():
+    head = "---\narm:\n  dh: classic\n  rows:\n    - {a: a_1, alpha: 0, d: 0, theta: theta_1 + pi/2}\n---\n\n"
+    point = r"$$ p_1 = \begin{bmatrix} a_1 c_1 \\ a_1 s_1 \\ 0 \end{bmatrix} $$"
+    assert verdicts(verify_text(head + point)) == ["proved"]
+    assert verdicts(verify_text(head + r"$$ p_{1x} = a_1 c_1 $$")) == ["unchecked"]
+    assert verdicts(verify_text(head + r"$$ p_{1x} = -a_1 s_1 $$")) == ["proved"]
