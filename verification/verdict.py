@@ -97,6 +97,7 @@ class EquationResult:
         slip_before: with which slip in a definition before it holds, where it is refuted.
         order: of the arguments of atan2, with which it holds.
         may_slip: of what it rests on, where it is refuted, the definitions that claim something: (x, y) = F does not.
+        of_table: how many of its entries hold with the letter of a joint with an offset read as the angle in the DH table.
     """
 
     index: int
@@ -117,6 +118,7 @@ class EquationResult:
     slip_before: SlipBefore | None = None
     order: str = ""
     may_slip: frozenset[tuple[str, int]] = frozenset()
+    of_table: int = 0
 
     @property
     def is_remark(self) -> bool:

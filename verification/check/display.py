@@ -21,6 +21,8 @@ from armproof.verification.display.taken_arm import OfTakenArm, names_in
 from armproof.verification.document import Display
 from armproof.verification.document.other_meanings import OMEGA_FIRST
 from armproof.verification.document.sentences import WOULD_BE
+from armproof.verification.document.told_notation import ORDINATE_FIRST
+from armproof.verification.equations.argument_order import USUAL, order_shown
 from armproof.verification.equations.foreign_index import unless_written_elsewhere
 from armproof.verification.equations.outcome import AsUsual, Outcome, new_one
 from armproof.verification.errors import NotSampled, ReadError, TooComplex
@@ -209,7 +211,7 @@ class DisplayChecker:
         judged = self._explained(self._record_of(record, outcomes, extra), display, outcomes)
         if judged.verdict is Verdict.REFUTED and self.correct:
             judged = replace(judged, corrections=self.corrector.correct(judged, statements, outcomes))
-        found = [self._result(outcome, judged) for outcome in outcomes]
+        found = [self._result(outcome, judged, ORDINATE_FIRST in display.meant) for outcome in outcomes]
         if display.erratum:
             return replace(judged, outcomes=tuple(found))
         if judged.verdict is not Verdict.REFUTED:
@@ -245,14 +247,16 @@ class DisplayChecker:
         except TooComplex:
             return replace(record, findings=record.findings or (say(Kind.TOO_LARGE_TO_TELL),))
 
-    def _result(self, outcome: Outcome, record: Record) -> EquationResult:
+    def _result(self, outcome: Outcome, record: Record, in_told_order: bool) -> EquationResult:
         """Return what became of one equation; why it is refuted is what the diagnosis of the display found."""
         result = outcome.result(record.line)
         if (state := self.names.state).conventional:
             keys = self._keys_in(outcome) & state.conventional
             result = replace(result, usual={key: state.inferred[key] for key in sorted(keys) if key in state.inferred})
+        if self.names.offset_joints:
+            result = replace(result, of_table=self.checker.angles.entries_of_table(outcome))
         if "tan" in record.latex.lower() and outcome.verdict in DECIDED:
-            result = replace(result, order=self._order(outcome))
+            result = replace(result, order=USUAL if in_told_order else self._order(outcome))
         if self.inferred.arm is not None:
             source, told_by = self.inferred.arm.source, self.inferred.arm.told_by
             result = replace(result, links=links_of(outcome, self.checker.members, source, told_by))
@@ -269,8 +273,6 @@ class DisplayChecker:
         return replace(result, findings=tuple(each for each in record.findings if each.equation == outcome.equation))
 
     def _order(self, outcome: Outcome) -> str:
-        from armproof.verification.equations.argument_order import order_shown
-
         try:
             with self.ring.budget.of(SECONDS_TO_EXPLAIN):
                 return order_shown(outcome, lambda chain: self.checker.check(chain, outcome.equation, 0, define=False))

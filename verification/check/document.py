@@ -26,6 +26,7 @@ from armproof.verification.display.statements import Statements
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
 from armproof.verification.equations.chain import ChainChecker, no_samples
 from armproof.verification.equations.later_definitions import definitions_behind, names_lacking
+from armproof.verification.equations.table_angles import settle_angles
 from armproof.verification.errors import DocumentError, ReadError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, say
@@ -210,6 +211,8 @@ class DocumentChecker:
             from armproof.verification.equations.argument_order import settle_orders
 
             equations = settle_orders(equations)
+        if any(each.of_table for record in equations for each in record.outcomes):
+            equations = settle_angles(equations)
         if self._has_definitions(equations):
             equations = settle_used(settle_definitions(equations, self.displays.slips.is_cleared))
         if self.inferred.arm is not None or self.inferred.problem is not None:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 
 from armproof.verification.algebra.calculus import substitute, symbols_in
-from armproof.verification.algebra.matrix import as_matrix
+from armproof.verification.algebra.matrix import as_matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.heeding import Heeding, unbraced, value_of
 from armproof.verification.conditions.holding_there import holds_where, postures_of
@@ -149,6 +149,10 @@ class Circumstances:
         """Return what is proved, or refuted, of numbers at the values that lead to them; None where nothing is."""
         if outcome.true is None or outcome.printed is None or not outcome.tells(Kind.NUMBERS_OF_NOWHERE):
             return None
+        if (
+            self.names.arm is None
+        ):  # decimals at values of letters are compared elsewhere, and drawing points takes seconds
+            return None
         told = self.names.state.told
         is_near = told.line == line or told.holds_below
         return self._proved_there(outcome) or (self._vanishes_not(outcome) if is_near else None)
@@ -209,6 +213,39 @@ class Circumstances:
         is_on_branch = any(finding.kind in ON_A_BRANCH for finding in outcome.findings)
         bounds = [each for each in self.names.state.told.bounds if is_on_branch and self.text.moves(each)]
         return self._within(bounds, outcome) if bounds else outcome
+
+    def is_beyond_bounds(self, point: Mapping[str, float]) -> bool:
+        """Whether a configuration may lie beyond what the text bounds its joints by: by more than the full turn of an angle, or d_3 > 0."""
+        bounds = [
+            each for chain in self.names.state.told.bounds if self.text.moves(chain) for each in comparisons_of(chain)
+        ]
+        where = [each for each in bounds if self._may_bound(each, point)]
+        if not where:
+            return False
+        sampled = self.checker.sampled()
+        with self.checker.exact.budget.paused():
+            from armproof.verification.equations.sampled_relations import hold_everywhere
+        return not hold_everywhere(self.checker, sampled, where)
+
+    def _may_bound(self, bound: tuple[n.Node, str, n.Node], point: Mapping[str, float]) -> bool:
+        """Whether a comparison holds a joint of a configuration, and is not that of a length with a number, as it is there."""
+        left, relation, right = bound
+        values = [as_scalar(self.checker.member(each).value) for each in (left, right)]
+        if point.keys().isdisjoint(symbols_in([each for each in values if isinstance(each, Scalar)])):
+            return False
+        one, other = (self._number_at(each, point) for each in (left, right))
+        if one is None or other is None:
+            return True
+        return not (one > other if relation in ">≥" else one < other)
+
+    def _number_at(self, node: n.Node, point: Mapping[str, float]) -> float | None:
+        """Return the value of a sliding joint at a configuration, or the number that a formula is."""
+        symbol = self.names.known_symbol(key) if (key := bare_key(node)) is not None else None
+        if symbol is not None and symbol in self.names.joints:
+            return None if self.names.is_angle(symbol) else point.get(symbol)
+        value = as_scalar(self.checker.member(node).value)
+        is_number_alone = isinstance(value, Scalar) and not symbols_in([value])
+        return self.checker.members.number(value) if is_number_alone else None
 
     def _within(self, bounds: Sequence[n.Chain], outcome: Outcome) -> Outcome:
         assert outcome.true is not None and outcome.printed is not None

@@ -16,8 +16,9 @@ from armproof.verification.conditions.holding_there import holds_where
 from armproof.verification.document.heading import sections_around
 from armproof.verification.document.joint_values import in_letters, is_joint_value
 from armproof.verification.document.moving_on import MOVED_BEHIND, OF_MOTION, RESIZED
-from armproof.verification.document.postures import SINGULAR, STRETCHED, THERE, bent_as, kind_of_joints
+from armproof.verification.document.postures import STRETCHED, THERE, bent_as, kind_of_joints
 from armproof.verification.document.sentences import FROM_VALUES, GENERAL, NOT_THERE, values_of
+from armproof.verification.document.told_singularities import SINGULAR_TOO, TOLD_SINGULAR
 from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.definitions import angle_of_tangent, squared_name
@@ -124,7 +125,7 @@ class Heeding:
             return
         heard = _Heard()
         for latex in self.in_letters(said):
-            if latex in (SINGULAR, FROM_VALUES):
+            if latex in (*TOLD_SINGULAR, FROM_VALUES):
                 continue
             if latex == GENERAL:
                 self._end_configuration(line)
@@ -136,21 +137,22 @@ class Heeding:
                 self._hear(latex, heard, line)
         if MOVED_BEHIND in said and any(map(self.moves, heard.conditions)):
             heard.conditions, heard.in_words = [], True
-        if self._stands_already(heard):
+        if self._stands_already(heard) or said[-1] == SINGULAR_TOO:  # the formulas before it are other places
             heard.conditions = []
         else:
             self._begin(heard.names, heard.conditions, heard.in_words, line)
-        before, is_last = self.names.state.told, said[-1:] == (SINGULAR,)
+        before = self.names.state.told
+        singular = said[-1] if said[-1] in TOLD_SINGULAR else ""
         self.names.state.told = replace(
             before,
-            of_singularities=is_last,
+            singular=singular,
             begins_there=any(THERE in latex for latex in said),
             velocities=tuple(heard.velocities) or before.velocities,
             bounds=tuple(heard.bounds) or before.bounds,
             kind=heard.kind or before.kind,
             bent=_bent_as([each for each in said if _is_posture(each)]),
             is_direct=bool(heard.conditions) and FROM_VALUES in said and not any(map(_NEARLY.search, said)),
-            line=line if heard.velocities or is_last else before.line,
+            line=line if heard.velocities or singular else before.line,
         )
         told = self._values(heard.conditions)
         self.names.state.given_last |= told
@@ -406,7 +408,7 @@ def _equations(said: Sequence[str]) -> tuple[str, ...]:
 
 def _is_posture(latex: str) -> bool:
     """Whether what a text says is a posture in words."""
-    is_told = latex in (FROM_VALUES, NOT_THERE, GENERAL, SINGULAR, *OF_MOTION) or is_joint_value(latex)
+    is_told = latex in (FROM_VALUES, NOT_THERE, GENERAL, *TOLD_SINGULAR, *OF_MOTION) or is_joint_value(latex)
     return latex.startswith("\\text{") and not is_told
 
 

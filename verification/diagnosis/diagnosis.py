@@ -13,7 +13,8 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.algebra.written import write_bounded
 from armproof.verification.diagnosis.carried_errors import consequence_of
 from armproof.verification.diagnosis.mend import LearntNotation, Mender
-from armproof.verification.diagnosis.slips import plain_edits, single_edits, swapped_lengths
+from armproof.verification.diagnosis.misconceptions import signs_of_arguments
+from armproof.verification.diagnosis.slips import on_all, plain_edits, single_edits, swapped_lengths
 from armproof.verification.diagnosis.slips_before import nothing_else_mends, slip_before, written
 from armproof.verification.diagnosis.whole_matrix import swapped_cells, whole_matrix
 from armproof.verification.equations.alignment import Pair, equal_matrices, exactly_equal
@@ -137,7 +138,8 @@ class Diagnostician:
         found = []
         for node in outcome.nodes:
             start, end = node.span
-            for edit in single_edits(node, self.learnt.letters(node)):
+            slips = single_edits(node, self.learnt.letters(node))
+            for edit in (*slips, *on_all(node, signs_of_arguments)):
                 self.checker.exact.budget.check()
                 correct = written(edit.node)
                 if edit.kind in _PLAIN and holds(latex[:start] + correct + latex[end:]):

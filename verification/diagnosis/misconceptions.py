@@ -227,8 +227,15 @@ def _arguments(node: n.Node) -> Iterator[Change]:
     """atan2(x, y) for atan2(y, x), and its arguments with another sign."""
     if not n.is_call(node, "atan2") or len(node.arguments) != 2:
         return
+    yield replace(node, arguments=node.arguments[::-1]), "function", say(Kind.ARGUMENTS_EXCHANGED)
+    yield from signs_of_arguments(node)
+
+
+def signs_of_arguments(node: n.Node) -> Iterator[Change]:
+    """An argument of atan2 with another sign: atan2(r_32, r_31) for atan2(r_32, -r_31)."""
+    if not n.is_call(node, "atan2") or len(node.arguments) != 2:
+        return
     y, x = node.arguments
-    yield replace(node, arguments=(x, y)), "function", say(Kind.ARGUMENTS_EXCHANGED)
     for number, arguments in ((1, (_negative(y), x)), (2, (y, _negative(x)))):
         yield replace(node, arguments=arguments), "sign", say(Kind.SIGN_OF_ARGUMENT, number=number)
 

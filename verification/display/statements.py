@@ -28,6 +28,7 @@ from armproof.verification.display.prepared import (
     with_bare_letters,
     without_its_letters,
 )
+from armproof.verification.document.told_singularities import SINGULAR_ALONE
 from armproof.verification.equations.cells_left_out import with_cells
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.given_values import named_sign
@@ -133,7 +134,7 @@ class Statements:
         if any(map(n.is_rank, (member for each in statements if isinstance(each, n.Chain) for member in each.members))):
             statements = [with_rank_first(statement) for statement in statements]
         told = self.names.state.told
-        of_singularities = told.of_singularities and self._are_conditions(statements)
+        of_singularities = bool(told.singular) and self._are_conditions(statements)
         if of_singularities and told.line == line and (found := self._of_singularities(statements, line)):
             return found
         display = _Display(statements, line, define, latex)
@@ -203,10 +204,12 @@ class Statements:
     def _of_singularities(
         self, statements: list[n.Statement], line: int
     ) -> tuple[list[Outcome], dict[str, float]] | None:
-        """ "The singularities are θ_2 = 0 or θ_2 = π": det J = 0 there and nowhere else. What leaves some out is open."""
+        """ "The singularities are θ_2 = 0 or θ_2 = π": det J = 0 there and nowhere else. What leaves some out is open, unless the text says that it does not."""
         statements = _as_alternatives(statements)
         vanishes = n.Chain((n.Call("det", (n.Name("J"),), "\\det"), n.Number(Fraction(0))), ("=",))
-        for kind, decided in (("⇔", HOLDS), ("⇐", (Verdict.REFUTED,))):
+        is_all = self.names.state.told.singular == SINGULAR_ALONE
+        wrong = [(kind, (Verdict.REFUTED,)) for kind in ("⇐", "⇒")[: 1 + is_all]]
+        for kind, decided in (("⇔", HOLDS), *wrong):
             implied = [vanishes, n.Connective(kind, kind), *statements]
             implication = find_implication(implied, 0)
             if implication is None or implication.after < len(implied):
@@ -214,7 +217,8 @@ class Statements:
             display = _Display(implied, line, False, "")
             with self.names.state.unchanged():
                 self._take_implication(display, implication)
-            if [each.verdict in decided for each in display.outcomes] == [True]:
+            is_decided = [each.verdict in decided for each in display.outcomes] == [True]
+            if is_decided and not self.claims.circumstances.is_beyond_bounds(display.counterexample):
                 display.outcomes[0].also(say(Kind.OF_SINGULARITIES))
                 return display.outcomes, display.counterexample
         return None

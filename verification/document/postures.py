@@ -51,32 +51,6 @@ _BEGINS = re.compile(
     re.IGNORECASE,
 )
 _STOPS = re.compile(r"[.;:!?]\s")
-SINGULAR = r"\text{singular}"  # what is said right before the conditions of singularities
-_OF_ARM = rf"(?: (?:of|du|del|de la) (?:the |this |a )?(?:planar |two-link )?(?:{_ARM}|Jacobian|mechanism|jacobienne))?"
-_JACOBIAN = r"(?:Jacobian|jacobienne|jacobiano|Jacobi-Matrix)"
-_LOSES = (
-    rf"{_JACOBIAN}(?: matrix)? (?:(?:is|becomes) (?:non-?invertible|not invertible|rank[ -]deficient|singular)(?: \(singular\))?|loses rank)"
-    rf"|(?:{_JACOBIAN} determinant|determinant of the {_JACOBIAN}(?: matrix)?) (?:vanishes|(?:is|becomes|equals) (?:zero|0))"
-)
-_SINGULARITIES = re.compile(
-    rf"\b(?:(?:{_LOSES}) (?:exactly |precisely |only )?(?:when|whenever|iff|if|for|at)(?: and only if)?|(?:singularit(?:y|ies)|singularités?|singularidad(?:es)?|singularità|(?:singular|kinematic) {_PLACE}s?|{_PLACE}s? singulières?|"
-    rf"configuraciones singulares){_OF_ARM}(?: (?:then|thus|therefore|here|donc|alors))?"
-    r"(?:\s*:(?=\s*\Z)| (?:are|is|are given by|is given by|occurs?|arises?|are at|(?:occurs?|arises?|appears?) (?:at|when|where|if|for)|when|sont|est|"
-    r"sont données? par|(?:se produisent|apparaissent) (?:pour|lorsque|quand|si)|son|ocurren (?:cuando|en|si)|sono))"
-    r"|singularités? (?:est|sont) donc|(?:jacobi-?matrix|jacobi-?determinante)(?: (?:ist|wird) singulär| verschwindet| verliert (?:ihren |den )?(?:vollen )?rang),? (?:genau dann, )?(?:wenn|falls|für|bei)"
-    r"|singularitäten(?: des (?:arms|roboters))? (?:sind|liegen (?:bei|vor bei)|treten auf(?: bei| für|, wenn)|ergeben sich(?: für| bei|, wenn))"
-    r"|(?:arm|roboter) (?:ist|wird) (?:genau dann )?singulär,? (?:genau dann, )?(?:wenn|falls|für|bei)"
-    r"|(?:robot|brazo|manipulador) es singular (?:cuando|si|para)|(?:robot|braccio|manipolatore) è singolare (?:quando|se|per)"
-    rf"|{_ARM}{_OF_ARM} (?:(?:is|becomes|est|devient|es|è) (?:(?:in|at|dans|en) (?:a |une? )?)?(?:singular|singulier|singulière)(?: {_PLACE})?"
-    rf"|est (?:dans|en) (?:une )?{_PLACE} singulière|loses (?:a|one) degree of freedom|perd un degré de liberté) "
-    r"(?:exactly |precisely |exactement )?(?:whenever|when|iff|if|for|at|lorsque|quand|si|pour|cuando|quando)(?: and only if| et seulement si)?)"
-    r"\s*:?\s*\Z",
-    re.IGNORECASE,
-)
-_DENIED = re.compile(
-    r"\b(?:no|not|non|without|avoid\w*|away|except|unless|sans|hors|évit\w*|sauf|pas|sin|no hay|never|nor|neither|cannot|\w+n['’]t|hardly|nobody|jamais|aucune?|nunca|jamás|nie|niemals|kein\w*|nicht|far from|loin de|wrong\w*|false\w*|fals[oa]|falsch|faux)\b",
-    re.IGNORECASE,
-)
 
 _NUMBER = r"-?\d+(?:\.\d+)?"
 _RATES = re.compile(
@@ -115,7 +89,7 @@ def bent_as(latex: str) -> str:
 
 
 def postures(text: str, line: int, section: str) -> Iterator[Display]:
-    """Yield the words of a text that name a posture, a kind of joints or, at its end, singularities, each as what stands in the text between displays."""
+    """Yield the words of a text that name a posture, or a kind of joints, each as what stands in the text between displays."""
     plain = " ".join(text.split())
     rest = without_joint_values(plain)
     for found in (*_POSTURE.finditer(rest), *_OF_A_KIND.finditer(rest)):
@@ -126,8 +100,6 @@ def postures(text: str, line: int, section: str) -> Iterator[Display]:
     for found in _RATES.finditer(plain):
         rates = ", ".join(re.findall(_NUMBER, found[1]))
         yield Display(line, rf"\dot q = [{rates}]^T", section=section, opening=INLINE)
-    if is_of_singularities(re.split(r"[.;:!?](?=\s+\S)", plain)[-1]):
-        yield Display(line, SINGULAR, section=section, opening=INLINE)
 
 
 def bent_to(text: str, at: int) -> str | None:
@@ -143,8 +115,3 @@ def _begins_there(text: str, at: int) -> bool:
     """Whether the sentence in which a posture stands begins with it: at, with, when, …"""
     stops = [each.end() for each in _STOPS.finditer(text, max(0, at - 3 * FARTHEST), at)]
     return _BEGINS.match(text, max(stops, default=max(0, at - 3 * FARTHEST))) is not None
-
-
-def is_of_singularities(sentence: str) -> bool:
-    """Whether a sentence says where the arm is singular, and ends there: "The arm is singular if"."""
-    return bool(_SINGULARITIES.search(sentence)) and not _DENIED.search(sentence)

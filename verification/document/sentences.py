@@ -35,9 +35,14 @@ from armproof.verification.document.limiting_clauses import (
 from armproof.verification.document.model import INLINE, Display
 from armproof.verification.document.moving_on import said_of_motion
 from armproof.verification.document.named_quantities import NAMED
-from armproof.verification.document.postures import SINGULAR, is_of_singularities
 from armproof.verification.document.strange import is_strange_before, is_strange_behind, strange_words
 from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, places_of_those, subjects
+from armproof.verification.document.told_singularities import (
+    SINGULAR,
+    is_of_singularities,
+    singularities_told,
+    without_place,
+)
 
 DENIED_ABOVE, LIMITED_ABOVE = r"\text{denies above}", r"\text{limits above}"  # what a text says of the display above it
 DENIED = r"\text{denies below}"  # and of the one that it leads to
@@ -82,6 +87,12 @@ _ARGUMENTS = re.compile(  # \begin{frame}<2->[fragile]{Title}, \section{Inverse}
 )
 # a label, and no "est corrigé plus bas"
 _ANSWER = re.compile(r"\A[\W_]*(?:Corrigé|Svolgimento|Musterlösung)[\s*_}]*[.:][\s*_}]*(?=\w)")
+_LISTS_VALUES = re.compile(  # a sentence of formulas alone, with their units, behind a label
+    r"(?:(?:\W{1,2}|\w{1,2}|numerical|worked|test|check|numbers?|values?|data|application|examples?|question|zahlen\w*|werte|beispiel|exemple|valeurs|données|num[eé]ri\w+|ejemplo|datos|valores|esempio|dati|valori) )*?"
+    r"(?:(?:with|for|let|take|put|given|avec|pour|soit|soient|prenons|mit|für|sei|seien|con|para|sea|sean|per|sia|siano) )?"
+    r"(?:¤ (?:(?:mm|cm|m|rad|deg|degrees|degrés|grad|kg|n|nm|n m|rad/s|m/s|°/s) )?(?:(?:, |; )?(?:and |et |und |y |e )?)){2,}[:.,]? ?\Z",
+    re.IGNORECASE,
+)
 _JOINING = frozenset("and or et ou und oder y o e ed bzw resp".split())
 _OF_LETTERS = re.compile(
     r"angle|ángulo|ângulo|angol|winkel|measur|count|mesur|compt|mess|zähl|medid|length|longu|läng|lungh|absol|assol|convention|letter|symbol|lettre|zeichen|letra|letter"
@@ -143,7 +154,7 @@ def _is_prose(text: str) -> bool:
 
 def said_below(text: str, line: int, section: str) -> Iterator[Display]:
     """Yield what the last sentence of a text, formulas and all, says of the display that follows."""
-    for each in _heard_before(leading(text), before_leading(text)):
+    for each in (*_heard_before(leading(text), before_leading(text)), *singularities_told(text)):
         yield Display(line, each, section=section, opening=INLINE)
 
 
@@ -156,7 +167,7 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
     is_denied = denies_before(sentence, words) or (points_below and hears("DENIED_BEFORE", f"{words_before}{words}"))
     heard = [DENIED] if is_denied else []
     if (
-        _supposes(words, IS_OVER.search(sentence) is not None)
+        _supposes(words_of(without_place(sentence)), IS_OVER.search(sentence) is not None)
         or hears("MAY_LIMIT", words_before)
         or limits_what_is_near(words_before)
         or (hears("THEN", words) and says_what_would_be(words_before))
@@ -203,6 +214,8 @@ def _is_at_values(words: str, words_before: str) -> bool:
     if _leads_away(words, words_before):
         return False
     plain = without("OF_A_POSTURE", words)
+    if _LISTS_VALUES.match(words) or _LISTS_VALUES.match(words_before):  # "Numbers: ¤ m, ¤ m, ¤. The speed is"
+        return True
     if hears("AT_VALUES", plain) or (IS_OVER.search(words) and hears("GIVES_VALUES", plain)):
         return True
     goes_on = hears("THEN", words) or hears("BECOMES", words)

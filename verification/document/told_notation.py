@@ -14,6 +14,7 @@ MAY_NOTE = re.compile(  # what no such sentence lacks, in small letters
     r"at(?:an|g)2|arct(?:an|g)2|\^\s*\{?\s*-\s*1|force|kraft|kräfte|fuerza|forza|força|reaction|réaction|reaktion|reacción"
 )
 ABSCISSA_FIRST = "abscissa first"  # atan2(x, y)
+ORDINATE_FIRST = "ordinate first"  # atan2(y, x), as it mostly is
 RECIPROCAL = "reciprocal"  # sin^{-1} that is 1/sin
 REACTION = "reaction"  # a force on the tool, and the letter of it where it has one: it is held by -J^T F
 
@@ -25,11 +26,18 @@ _ONE_CALL = re.compile(
 _FIRST = r"first|in front|before|leading|vorn|voran|zuerst|zunächst|vor(?:angestellt)?|premier|première|d'abord|en premier|avant|primero|primer|primera|antes|delante|prima|primo|davanti|primeiro|primeira"
 _X = r"(?:\$\s*x\s*\$|\\\(\s*x\s*\\\)|abs[ck]iss\w*|absciss\w*|ascissa|x-(?:value|coordinate|argument|component|wert|koordinate)\w*|(?:adjacent|cosine|kosinus|cosinus|coseno|cosseno)\w*)"
 _Y = r"(?:\$\s*y\s*\$|\\\(\s*y\s*\\\)|ordinat\w*|ordonnée|ordenada|y-(?:value|coordinate|argument|component|wert|koordinate)\w*|(?:opposite|sine|sinus|seno)\b)"
-_X_FIRST = re.compile(
-    rf"(?<![\w$]){_X}(?:(?!{_Y})[^.;!?]){{0,40}}?\b(?:{_FIRST})\b|\b(?:{_FIRST})\b(?:(?!{_Y})[^.;!?]){{0,40}}?(?<![\w$]){_X}|"
-    rf"\b(?:order|ordre|reihenfolge|orden|ordine|ordem)\b[^.;!?]{{0,20}}?{_X}\s*,\s*{_Y}",
-    re.IGNORECASE,
-)
+_SECOND = r"second|behind|after|last|zweit\w*|danach|hinten|deuxième|seconde?|dernière?|après|segund[oa]|después|detrás|second[oa]|dopo|depois|último"
+_ORDER = r"\b(?:order|ordre|reihenfolge|orden|ordine|ordem)\b[^.;!?]{0,20}?"
+
+
+def _named_first(one: str, other: str) -> tuple[re.Pattern[str], re.Pattern[str]]:
+    """Return the patterns of "the one comes first" and of "first comes the one", in which no word for the other stands."""
+    near = rf"(?:(?!{other}|\b(?:{_SECOND})\b)[^.;!?]){{0,40}}?"
+    is_said = rf"(?<![\w$]){one}{near}\b(?:{_FIRST})\b|{_ORDER}{one}\s*,\s*{other}"
+    return re.compile(is_said, re.IGNORECASE), re.compile(rf"\b(?:{_FIRST})\b{near}(?<![\w$]){one}", re.IGNORECASE)
+
+
+_X_FIRST, _Y_FIRST = _named_first(_X, _Y), _named_first(_Y, _X)
 _NOT = re.compile(r"\b(?:not|never|nicht|nie|pas|jamais|no|nunca|non|mai|não|unlike|instead)\b|n't\b", re.IGNORECASE)
 
 _POWER = re.compile(r"\\?(?:sin|cos|tan|sen)\s*\^\s*\{?\s*-\s*1")
@@ -65,6 +73,15 @@ _ON_TOOL = re.compile(
     rf"(?<!\w){_ON}\b\W*(?:\w+\W+){{0,2}}?{_TOOL}(?!\w){_NEAR}(?<!\w){_BY}\b\W*(?:\w+\W+){{0,2}}?{_AGENT}(?!\w)",
     re.IGNORECASE,
 )
+_OWN = rf"(?:{_TOOL}|forearm|wrist|elbow|avant-bras|poignet|coude|motors?|actuators?|joints?|links?|body|bodies|drives?|moteurs?|actionneurs?|articulations?|segments?|motoren|antriebe?|gelenke?|actuadores|juntas?|motori|giunti)"
+_ARTICLE = r"(?:the|an?|this|that|its|our|les?|la|l['’]|une?|des?|der|die|das|eine?|el|los|las|una?|il|lo|uno|os?|as)"
+_EXERTS = r"(?:exerts?|pulls?|pushes|push|presses|press|drags?|exerce(?:nt)?|tire(?:nt)?|pousse(?:nt)?|appuie(?:nt)?|drückt|zieht|ausübt|ejercen?|empujan?|esercitano?|spingono|spinge|exercem?|empurram?)"
+_BY_OTHER = re.compile(  # whoever it is that exerts it: "the scale pulls on the tip", "exerted on the arm by a spring"
+    rf"\b{_ARTICLE}\s*(?!{_OWN}\b)(?:(?!{_OWN}\b)[\w-]+ ){{1,3}}{_EXERTS} (?:(?:\w+ ){{0,2}}?){_ON}\b\W*(?:\w+\W+){{0,2}}?{_TOOL}(?!\w)|"
+    rf"(?:exerted|applied|exercée?|appliquée?|ejercida|aplicada|esercitata|applicata) {_ON}\b\W*(?:\w+\W+){{0,2}}?{_TOOL} {_BY} {_ARTICLE}\s*(?!{_OWN}\b)(?:\w+ )?(?!{_OWN}\b)\w+",
+    re.IGNORECASE,
+)
+_EMPHASIS = re.compile(r"\\(?:emph|textit|textbf|underline)\s*\{([^{}]*)\}|\*+")
 _FORCE = re.compile(
     r"^[\s{]*(?:\\(?:vec|mathbf|boldsymbol|bm|underline|mathrm|mathcal)\s*\{?\s*)*([FfWwHh])(?![A-Za-z])(?!\s*_\s*\{?\s*g)"
 )
@@ -73,22 +90,34 @@ _FORCE = re.compile(
 def notations_told(sentence: str) -> Iterator[str]:
     """Yield what a sentence says of a notation or a force; with the letter of a force, if it has one."""
     sentence = " ".join(sentence.split())
-    if _ATAN2.search(sentence) and _says_abscissa_first(sentence):
-        yield ABSCISSA_FIRST
+    if _ATAN2.search(sentence) and (order := _order_said(sentence)):
+        yield order
     if _POWER.search(sentence) and _IS_RECIPROCAL.search(sentence) and not _NOT.search(sentence):
         yield RECIPROCAL
-    if _ACTS.search(sentence) and _ON_TOOL.search(DELIMITED.sub("¤", sentence)):
+    if _ACTS.search(sentence) and _is_on_tool(_EMPHASIS.sub(lambda found: found[1] or "", sentence)):
         formulas = formulas_of(sentence)
         letters = dict.fromkeys(found[1] for formula in formulas if (found := _FORCE.search(formula)) is not None)
         yield from (f"{REACTION} {letter}" for letter in letters or ("",))
 
 
-def _says_abscissa_first(sentence: str) -> bool:
-    """Whether a sentence about atan2 says that x comes first: in words, or by atan2(x, y) with no atan2(y, x) beside it."""
+def _is_on_tool(sentence: str) -> bool:
+    """Whether a force of a sentence acts on the tool, and not from it on something else."""
+    plain = DELIMITED.sub("¤", sentence)
+    return bool(_ON_TOOL.search(plain) or _BY_OTHER.search(plain))
+
+
+def _order_said(sentence: str) -> str:
+    """Return which of x and y a sentence about atan2 says to come first: in words, or by atan2(x, y) with no atan2(y, x) beside it."""
     alone = DELIMITED.sub(
         lambda found: " " if "=" in found.group() else found.group(), sentence
     )  # θ_1 = atan2(x, y) is one claim
     calls = {(one.lower(), other.lower()) for one, other in _ONE_CALL.findall(alone)}
-    if ("y", "x") in calls or _NOT.search(sentence):
-        return False
-    return ("x", "y") in calls or _X_FIRST.search(sentence) is not None
+    if _NOT.search(sentence):
+        return ""
+    if {("x", "y"), ("y", "x")} & calls:
+        return ORDINATE_FIRST if ("y", "x") in calls else ABSCISSA_FIRST
+    for x_first, y_first in zip(_X_FIRST, _Y_FIRST, strict=True):  # "the ordinate first and the abscissa second"
+        found = [bool(each.search(sentence)) for each in (x_first, y_first)]
+        if any(found):
+            return "" if all(found) else (ABSCISSA_FIRST if found[0] else ORDINATE_FIRST)
+    return ""

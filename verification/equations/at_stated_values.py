@@ -167,7 +167,7 @@ class StatedValues:
         names = symbols_in([difference])
         stated = self._stated(names)
         missing, lengths = names - set(stated), self.names.arm.lengths
-        if not missing <= set(lengths):
+        if not missing <= {*lengths, *list(self.names.joints)[:1]}:  # a speed is the same at any θ_1
             return None
         value = None
         with WhereDefined():
@@ -175,6 +175,8 @@ class StatedValues:
         if value is None:
             return None
         missing &= symbols_in([value])  # l_2 cos 90° is none
+        if not missing <= set(lengths):
+            return None
         if missing and not value.is_zero() and length_values([value], lengths) is not None:
             return None
         self._rest_on(stated)

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 
+from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.outcome import Outcome, hold
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
-from armproof.verification.verdict import DECIDED, HOLDS, Verdict
+from armproof.verification.verdict import DECIDED, HOLDS, Record, Verdict
 
 VARIABLE, TABLE, LOOSE = "variable", "table", "loose"
 
@@ -29,7 +32,7 @@ class TableAngles:
         told = self.names.state.angles
         if not any(each.verdict in DECIDED for each in outcomes) or (told and hold(outcomes)):
             return outcomes
-        by_values = not self.holds_offset((chain,))
+        by_values = not self._rest_on_offset(chain.members)
         if by_values and self.names.offset_joints.keys().isdisjoint(self.names.state.configuration):
             return outcomes
         state = self.names.state
@@ -90,6 +93,22 @@ class TableAngles:
         joints = self.names.offset_joints
         return bool(joints) and any(symbol in joints for chain in chains for symbol in self._letters(chain))
 
+    def _rest_on_offset(self, nodes: Sequence[n.Node]) -> bool:
+        """Whether the letter of a joint with an offset stands in formulas, or in what defines their names: x = r c_1."""
+        made = self.names.state.definitions
+        formulas = [made[name.key].formula for node in nodes for name in n.names(node) if name.key in made]
+        return self.holds_offset([n.Chain((each,), ()) for each in (*nodes, *formulas) if each is not None])
+
+    def entries_of_table(self, outcome: Outcome) -> int:
+        """Return how many entries of an equation hold with the letter of a joint with an offset read as the angle of its row."""
+        is_read_so = self.names.state.angles == TABLE and outcome.verdict in HOLDS
+        if not is_read_so or not self._rest_on_offset(outcome.nodes) or outcome.true is None:
+            return 0
+        value = outcome.true.value
+        cells = value.cells if isinstance(value, Matrix) else (value,)
+        joints = self.names.offset_joints.keys()
+        return sum(isinstance(each, Scalar) and not joints.isdisjoint(symbols_in([each])) for each in cells) or 1
+
     def _letters(self, chain: n.Chain) -> Iterator[str | None]:
         for below in n.walk(chain):
             if isinstance(below, n.Name):
@@ -104,3 +123,11 @@ class TableAngles:
             yield meaning
         finally:
             self.names.state.angles = before
+
+
+def settle_angles(records: Sequence[Record]) -> tuple[Record, ...]:
+    """Return the records of a document; the one entry that holds with the angles of the table, θ_2 for θ_2 + 90°, is left open: it may be a slip."""
+    if sum(each.of_table for record in records for each in record.outcomes) != 1:
+        return tuple(records)
+    doubt = say(Kind.TABLE_ANGLES_ONCE)
+    return tuple(record.left_open(doubt, lambda one: one.of_table > 0) for record in records)

@@ -299,6 +299,7 @@ class Kind(MessageKind):
     ROWS_TOLD_OTHERWISE = "rows_told_otherwise", "`{name}` was printed in this section with the rows {rows}: give the two matrices two names"
     READ_AS_ROWS = "read_as_rows", "J is read as its rows {rows}"
     TABLE_ANGLES = "table_angles", "with the joint angles read as those of the DH table, offsets included; so they are read from here on"
+    TABLE_ANGLES_ONCE = "table_angles_once", "holds only with the joint angles read as those of the DH table, offsets included, and no other equation shows that they are"
     ANGLES_TOLD_OTHERWISE = "angles_told_otherwise", "holds only with the joint angles read as the {other} angles, and an equation before shows the other reading: of variables, or of the DH table's angles with their offsets"
     ANGLES_UNTOLD = "angles_untold", "holds only if the values given before are those of the DH table's angles, offsets included: which are meant?"
     CONDITION_ON_TABLE_ANGLE = "condition_on_table_angle", "the joint angles are those of the DH table here, and a condition on one that has an offset is not decided: state it for the joint variable"

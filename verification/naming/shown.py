@@ -13,6 +13,8 @@ from armproof.verification.verdict import AXES, DECIDED, HOLDS, EquationResult, 
 
 _COORDINATE = re.compile(r"(?<![A-Za-z])(?:[xyz]|[XYZ])(?![A-Za-z])")
 
+_ENTRY = re.compile(r"([A-Za-z]+_)[1-3],?[1-3]")  # of a matrix, r_31
+
 
 def settle_usual(records: Iterable[Record]) -> tuple[Record, ...]:
     """Return the records of a document; what its other equations show of a name is what it means in one that is left open."""
@@ -97,7 +99,9 @@ def _is_shown(key: str, quantity: object, shown: Iterable[Mapping[str, object]])
 
 
 def _whole(quantity: object) -> Quantity | None:
-    """Return the point, or the velocity, of which a quantity is a coordinate."""
+    """Return the point, or the velocity, of which a quantity is a coordinate, or the rotation of which it is an entry."""
+    if isinstance(quantity, Quantity) and quantity.kind == "rotation" and quantity.rows and quantity.columns:
+        return replace(quantity, rows=None, columns=None)
     if isinstance(quantity, Quantity) and quantity.kind == "velocity" and quantity.scalar:
         return replace(quantity, rows=None)
     return point_of(quantity)
@@ -111,5 +115,7 @@ def point_of(quantity: object) -> Quantity | None:
 
 
 def letters_of_point(key: str) -> str:
-    """Return a name with a mark for its coordinate: p_* of p_x and p_y, * of x, and of X a capital one."""
+    """Return a name with a mark for its coordinate or its place: p_* of p_x and p_y, * of x, and of X a capital one, r_* of r_31."""
+    if (entry := _ENTRY.fullmatch(key)) is not None:
+        return f"{entry[1]}*"
     return _COORDINATE.sub(lambda found: "*" if found.group().islower() else "**", key)

@@ -107,7 +107,7 @@ class Told:
         conditions: equations that it gives.
         earlier: the values stated before it, that it may leave as they are.
         in_words: whether it names a posture without an equation; begins_there: and begins with it.
-        of_singularities: whether it ends with "the singularities are".
+        singular: whether it ends with "the singularities are", and whether these are all (`told_singularities.py`).
         velocities: equations that may give how fast the tool moves.
         has_shown: whether an equation holds at the rates that it gives.
         bounds: where it says that something is positive, or larger than something else, or in an interval.
@@ -124,7 +124,7 @@ class Told:
     earlier: tuple[n.Chain, ...] = ()
     in_words: bool = False
     begins_there: bool = False
-    of_singularities: bool = False
+    singular: str = ""
     velocities: tuple[n.Chain, ...] = ()
     has_shown: bool = False
     bounds: tuple[n.Chain, ...] = ()

@@ -17,6 +17,22 @@ TOLD = (
     "Der Arm ist genau dann singulär, wenn",
     "El brazo es singular cuando",
     "Il braccio è singolare per",
+    "Por tanto, el brazo pierde un grado de libertad cuando está estirado o plegado:",
+    "Le bras est singulier lorsque le déterminant s'annule, c'est-à-dire pour",
+)
+EXHAUSTIVE = (
+    "The arm is singular if and only if the elbow is straight:",
+    "The singular positions are therefore those where the links are aligned,",
+    "Il y a donc singularité si et seulement si",
+    "The arm loses a degree of freedom when the determinant vanishes. This happens for these elbow angles and no other, namely",
+)
+SUPPOSED = (
+    "Suppose that the arm is singular when it is stretched:",
+    "For small angles the arm is singular if and only if",
+    "A student says that the arm is singular only when",
+    "The arm is singular when the second joint is locked, for",
+    "The arm is singular when it is stretched, and its manipulability is largest for",
+    "The arm is singular only if",
 )
 DENIED = (
     "Der Arm ist nicht singulär, wenn",
@@ -36,6 +52,29 @@ def test_what_is_told_to_be_singular_is_decided(sentence: str) -> None:
 def test_what_is_denied_is_not(sentence: str) -> None:
     for latex in (r"\sin\theta_2 = 0", r"\cos\theta_2 = 0"):
         assert _verdict(sentence, latex) is Verdict.UNCHECKED
+
+
+@pytest.mark.parametrize("sentence", EXHAUSTIVE)
+def test_a_place_that_is_left_out_refutes_what_is_said_to_be_all(sentence: str) -> None:
+    assert _verdict(sentence, r"\theta_2 = 0, \pi") is Verdict.PROVED
+    assert _verdict(sentence, r"\theta_2 = 0") is Verdict.REFUTED
+    assert _verdict("The arm is singular for", r"\theta_2 = 0") is Verdict.UNCHECKED  # for one
+
+
+def test_a_place_beyond_what_the_text_bounds_is_not_left_out() -> None:
+    assert _verdict(r"For $0 \le \theta_2 < \pi$ the arm is singular only for", r"\theta_2 = 0") is Verdict.UNCHECKED
+    assert _verdict(r"For $-\pi < \theta_2 \le \pi$ the arm is singular only for", r"\theta_2 = 0") is Verdict.REFUTED
+
+
+def test_a_second_place_holds_beside_the_first() -> None:
+    sentence = r"There is a singularity of the arm at $\theta_2 = 0$, and another singularity at"
+    assert _verdict(sentence, r"\theta_2 = \pi / 2") is Verdict.REFUTED
+    assert _verdict(sentence, r"\theta_2 = \pi") is Verdict.UNCHECKED
+
+
+@pytest.mark.parametrize("sentence", SUPPOSED)
+def test_what_is_supposed_or_of_another_is_not_refuted(sentence: str) -> None:
+    assert _verdict(sentence, r"\theta_2 = \pi / 2") is Verdict.UNCHECKED
 
 
 def _verdict(sentence: str, latex: str) -> Verdict:

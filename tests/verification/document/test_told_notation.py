@@ -5,7 +5,13 @@ import pytest
 from armproof import verify_text
 from armproof.verification.document.denials import denies_above
 from armproof.verification.document.in_words import said_in_words
-from armproof.verification.document.told_notation import ABSCISSA_FIRST, REACTION, RECIPROCAL, notations_told
+from armproof.verification.document.told_notation import (
+    ABSCISSA_FIRST,
+    ORDINATE_FIRST,
+    REACTION,
+    RECIPROCAL,
+    notations_told,
+)
 from armproof.verification.verdict import Verdict
 
 PLANAR = r"""---
@@ -33,7 +39,12 @@ def verdict_behind(said, latex):
         (r"As in Excel, we write $\operatorname{atan2}(x, y)$.", [ABSCISSA_FIRST]),
         ("Bei arctan2 steht $x$ vorn.", [ABSCISSA_FIRST]),
         ("Dans le tableur, l'abscisse vient en premier dans atan2.", [ABSCISSA_FIRST]),
-        (r"where $\operatorname{atan2}(y, x)$ is the angle of the point $(x, y)$.", []),
+        (r"where $\operatorname{atan2}(y, x)$ is the angle of the point $(x, y)$.", [ORDINATE_FIRST]),
+        ("On convient que atan2 prend l'ordonnée comme premier argument et l'abscisse comme second.", [ORDINATE_FIRST]),
+        ("On convient que atan2 prend l'abscisse comme premier argument et l'ordonnée comme second.", [ABSCISSA_FIRST]),
+        ("We agree that atan2 takes the ordinate first, the abscissa second.", [ORDINATE_FIRST]),
+        ("In atan2 first comes the abscissa, then the ordinate.", [ABSCISSA_FIRST]),
+        ("In atan2 the abscissa comes second, the ordinate first.", [ORDINATE_FIRST]),
         ("The function atan2 does not take the abscissa first.", []),
         (r"It follows that $\theta_1 = \operatorname{atan2}(x, y)$.", []),
         (r"Here $\sin^{-1}\theta$ means the reciprocal $1/\sin\theta$.", [RECIPROCAL]),
@@ -44,7 +55,15 @@ def verdict_behind(said, latex):
         ("Sea $F$ la fuerza que la pieza ejerce sobre la herramienta.", [f"{REACTION} F"]),
         ("La force $f$ exercée sur la pince par le mur est connue.", [f"{REACTION} f"]),
         ("Die Kraft $F$, die die Wand auf das Werkzeug ausübt, ist bekannt.", [f"{REACTION} F"]),
+        (
+            r"The spring scale pulls on the tip with the force $f$ (the force the \emph{scale exerts on the arm}).",
+            [f"{REACTION} f"],
+        ),
+        ("La force $F$ exercée sur la pince par un ressort est connue.", [f"{REACTION} F"]),
         ("The tool pushes against the wall with the force $F$.", []),
+        ("The second link pushes on the tool with the force $F$.", []),
+        ("The motors exert on the arm the torques that hold $F$.", []),
+        ("The force $F$ that the hand exerts on the spring is known.", []),
         ("Sea $F$ la fuerza que la herramienta ejerce sobre la pieza.", []),
         ("The force $F$ is applied at the end effector.", []),
     ],
@@ -124,7 +143,10 @@ def test_what_is_told_of_atan2_decides():
     assert verdict_behind(told, r"\theta_2 = \operatorname{atan2}(c_2, s_2)") in HOLDS
     assert verdict_behind(told, r"\theta_2 = \operatorname{atan2}(s_2, c_2)") in OPEN
     assert verdict_behind(told, r"\theta_2 = \operatorname{atan2}(c_1, s_2)") in OPEN
-    assert verdict_behind("Here atan2 takes the ordinate first.", r"\theta_2 = \operatorname{atan2}(s_2, c_2)") in HOLDS
+    told = "Here atan2 takes the ordinate as its first argument and the abscissa as the second."
+    assert verdict_behind(told, r"\theta_2 = \operatorname{atan2}(s_2, c_2)") in HOLDS
+    assert verdict_behind(told, r"\theta_2 = \operatorname{atan2}(c_2, s_2)") is Verdict.REFUTED
+    assert verdict_behind("Here is the angle.", r"\theta_2 = \operatorname{atan2}(c_2, s_2)") in OPEN
 
 
 def test_a_reciprocal_sine_is_not_decided():

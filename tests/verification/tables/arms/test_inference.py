@@ -306,3 +306,43 @@ def test_a_column_of_offsets_leaves_the_variable_out() -> None:
 def test_an_equation_of_defined_names_is_evidence_for_an_arm() -> None:
     displays = "$$ k = l_1 c_1 $$\n\n$$ x = k + l_2 c_{12} $$\n"
     assert [arm.convention for arm in verify_text(PLAIN + "\n" + displays).arms] == ["classic"]
+
+
+OFFSETS = r"""
+| i | theta | d | a | alpha |
+|---|---|---|---|---|
+| 1 | q_1 | h | 0 | 90° |
+| 2 | q_2 + 90° | 0 | b | 0 |
+| 3 | q_3 - 90° | 0 | c | 0 |
+
+$$ A_1 = \begin{bmatrix} \cos q_1 & 0 & \sin q_1 & 0 \\ \sin q_1 & 0 & -\cos q_1 & 0 \\ 0 & 1 & 0 & h \\ 0 & 0 & 0 & 1 \end{bmatrix} $$
+"""
+OF_ROWS = r"$$ r = b\cos q_2 + c\cos(q_2 + q_3) $$" + "\n\n" + r"$$ x = r\cos q_1, \quad y = r\sin q_1 $$" + "\n\n"
+OF_JOINTS = r"$$ r = -b\sin q_2 + c\cos(q_2 + q_3) $$" + "\n\n" + r"$$ x = r\cos q_1, \quad y = r\sin q_1 $$" + "\n\n"
+HEIGHT_OF_ROWS = r"$$ z = h + b\sin q_2 + c\sin(q_2 + q_3) $$" + "\n\n"
+HEIGHT_OF_JOINTS = r"$$ z = h + b\cos q_2 + c\sin(q_2 + q_3) $$" + "\n\n"
+
+
+def test_one_equation_alone_tells_no_other_reading_of_angles_with_offsets():
+    assert verdicts(verify_text("Classic DH.\n" + OFFSETS + HEIGHT_OF_JOINTS)) == ["proved", "proved"]
+    assert verdicts(verify_text("Classic DH.\n" + OFFSETS + HEIGHT_OF_ROWS)) == [
+        "proved",
+        "unchecked",
+    ]  # a slip, perhaps
+    both = verify_text("Classic DH.\n" + OFFSETS + OF_ROWS + HEIGHT_OF_ROWS)
+    assert verdicts(both) == ["proved", "defined", "proved", "proved"]
+
+
+def test_what_rests_on_a_formula_of_angles_with_offsets_tells_how_they_are_read():
+    right = verify_text("Classic DH.\n" + OFFSETS + OF_JOINTS + HEIGHT_OF_JOINTS)
+    assert verdicts(right) == ["proved", "defined", "proved", "proved"]
+    wrong = verify_text("Classic DH.\n" + OFFSETS + OF_JOINTS + HEIGHT_OF_ROWS)
+    assert verdicts(wrong) == ["proved", "defined", "proved", "unchecked"]
+
+
+def test_two_entries_of_a_point_tell_that_angles_are_those_of_the_table():
+    head = "---\narm:\n  dh: classic\n  rows:\n    - {a: a_1, alpha: 0, d: 0, theta: theta_1 + pi/2}\n---\n\n"
+    point = r"$$ p_1 = \begin{bmatrix} a_1 c_1 \\ a_1 s_1 \\ 0 \end{bmatrix} $$"
+    assert verdicts(verify_text(head + point)) == ["proved"]
+    assert verdicts(verify_text(head + r"$$ p_{1x} = a_1 c_1 $$")) == ["unchecked"]
+    assert verdicts(verify_text(head + r"$$ p_{1x} = -a_1 s_1 $$")) == ["proved"]
