@@ -24,6 +24,14 @@ _HERE = frozenset("here ici hier aquí qui aqui".split())
 _HENCE = frozenset(
     "so thus hence therefore donc ainsi also daher folglich somit luego así quindi dunque pertanto portanto logo".split()
 )
+_PROGRAMS = frozenset(
+    "code program programme script simulation simulator firmware spreadsheet notebook programm skript simulationsprogramm programa código simulación programma codice simulazione".split()
+)
+_PROVIDED = frozenset(
+    "provided providing as_long_as so_long_as pourvu à_condition tant_que sofern vorausgesetzt solange siempre_que purché finché desde_que contanto".split()
+)  # what begins a condition, and says nothing of other cases
+_AND = frozenset("and et und y e ed sowie & plus".split())
+_FEW = 3  # words of a clause in which its subject stands
 _LEADS = frozenset(
     ["claim", "have", "use", "that", "think", "good"]
 )  # kinds of a word that a display follows: "we do not have"
@@ -42,6 +50,22 @@ def denies_what_is_above(words: str) -> bool:
         return True  # "No, …"
     may_limit = goes_on(words) and not _is_consequence(words, found[0])
     return (may_limit and any(map(_is_exclusive, found))) or any(map(_denies_above, found))
+
+
+def finds_fault_with_another(words: str) -> bool:
+    """Whether all that a sentence finds fault with, behind a display, is something else than that: "Your code forgot the 90°.", "A common mistake is to forget it.".
+
+    What is there may still be meant: a display that is wrong is no claim.
+    """
+    denying = [each for each in clauses(words) if _denies_above(each)]
+    is_exclusive = goes_on(words) and any(map(_is_exclusive, clauses(words)))
+    return bool(denying) and not is_exclusive and all(map(_is_fault_of_another, denying))
+
+
+def _is_fault_of_another(clause: Clause) -> bool:
+    is_of_program = not _PROGRAMS.isdisjoint(clause.words[:_FEW])
+    is_common = clause.has("old") and clause.has("error", "fault") and clause.begins("article", "old")
+    return finds_fault_in(clause) and not clause.has("this", "display") and (is_of_program or is_common)
 
 
 def _is_consequence(words: str, first: Clause) -> bool:
@@ -92,6 +116,20 @@ def denies_beside(words: str) -> bool:
 def denies_as_heading(words: str) -> bool:
     """Whether a heading says that something is wrong; what is left out, or stands twice, may be what it is about."""
     return any(map(_is_judged_in_heading, clauses(words)))
+
+
+def lists_mistakes(words: str) -> bool:
+    """Whether a heading is of another thing, and, joined to that by "and", of mistakes."""
+    said = words.lower().split()
+    joins = [place for place, word in enumerate(said) if word in _AND]
+    if not joins or not any(each.has("fault", "error") for each in clauses(_sentence(said[joins[-1] + 1 :]))):
+        return False
+    before = clauses(_sentence(said[: joins[-1]]))
+    return bool(before) and not any(each.has("fault", "error", "lost", "not") for each in before)
+
+
+def _sentence(said: Sequence[str]) -> str:
+    return "".join(f"{word} " for word in said)
 
 
 def _is_judged_in_heading(clause: Clause) -> bool:
@@ -225,5 +263,7 @@ def _is_not_so(clause: Clause) -> bool:
 
 
 def _is_exclusive(clause: Clause) -> bool:
-    """Whether a clause says that something holds in a case only: a display that holds in all is denied."""
+    """Whether a clause says that something holds in a case only: a display that holds in all is denied, but for one that is so "provided" something holds."""
+    if not _PROVIDED.isdisjoint(clause.words[:1]):
+        return False
     return clause.has("only") and (clause.has("if", "of") or clause.begins("only")) and not clause.has("neutral")

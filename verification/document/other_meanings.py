@@ -28,10 +28,11 @@ from armproof.verification.document.lengths_in_units import lengths_in_two_units
 from armproof.verification.document.letters_anew import MAY_RENAME, letters_anew
 from armproof.verification.document.model import Display, Document
 from armproof.verification.document.strange import is_in_known_language
-from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, subjects
+from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, subjects, without_tool_frame
 from armproof.verification.document.told_names import MAY_TELL_NAMES, STRANGE, USUAL, Told, told_in_rows, told_names
 from armproof.verification.document.told_notation import MAY_NOTE, notations_told
 from armproof.verification.document.told_since import Since, told_since
+from armproof.verification.document.told_tasks import told_tasks
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
     r"horizontal|negati[vf]|négati[vf]|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
@@ -106,6 +107,9 @@ _PLURAL = re.compile(
     r"|(?:segundo|secondo) (?:motor|encoder|motore|actuador|attuatore)|both|all|each|every|chaque|rotations?|turns|positi[fv]e?|winkel|ángulos|deux|number(?:ed)?|roles)\b",
     re.IGNORECASE,
 )
+_OF_FIRST_ANGLE = re.compile(  # one that is no relative angle anyway: that of the shoulder
+    r"(?<!\S)(?:shoulder angle|schulterwinkel|(?:angle|ángulo|angolo|ângulo|winkel) (?:of |at |d' |de |de l' |del |della |do |der )(?:the |l' |la )?(?:shoulder|épaule|schulter|hombro|spalla|ombro)) "
+)
 _VERTICAL = re.compile(r"(?<!\S)(?:vertical|senkrecht|lotrecht)", re.IGNORECASE)
 _OTHERWISE = re.compile(  # what an angle from the vertical may be besides
     r"clockwise|horair|uhrzeiger|horari|orari|y-axis|downward|bas\b|number|from the (?:tip|tool|end|gripper|hand)|role|fold|interior|inner|intérieur|hang|pendant",
@@ -133,7 +137,8 @@ COLUMNS = "columns"  # J_1, J_2 that are columns of J
 ORDER = "order"  # the joint variables as q holds them
 ANEW = "anew"  # a letter that is something else for a while
 FRAME, JACOBIAN = "link", "J"  # the origin of one; that whose columns are those of joints in another order
-_TURNED_ROWS = [3, 4, 5, 0, 1, 2]  # of (ω_x, ω_y, ω_z, v_x, v_y, v_z)
+_FIRST_OF_OMEGA = 3  # rows of J from there on are those of ω
+_MOST_OF_TASK = 5  # rows of a task
 _NEAR_ABOVE, _NEAR_BELOW = 4, 8  # lines between a sentence and a display beside it
 
 
@@ -283,7 +288,7 @@ def _of_places(line: int, plain: str, words: str, formulas: Sequence[str]) -> It
             of_place = heard in (OTHER_PLACE, OTHER_BASE)
             yield Meaning(line, is_place=True) if of_place else Meaning(line, beside=heard)
     is_over = words.rstrip()[-1:] in ".!" and not mentions_only(words)
-    if is_over and any(says(each, words) for each in ("OTHER_POINT", "OTHER_FRAME")):
+    if is_over and any(says(each, without_tool_frame(words)) for each in ("OTHER_POINT", "OTHER_FRAME")):
         yield Meaning(line, is_place=True)
     yield from (Meaning(line, (f"{ALL} {each}",)) for each in lengths_in_two_units(plain))
     if len({*_UNIT.findall(words.lower())}) > 1:  # lengths in inches, and what is printed in millimetres
@@ -379,7 +384,7 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         is_of_other = (
             "¤" in words[: begin.end()] and not subjects
         )  # "The angle φ is absolute, the joint angles are not"
-        of_all = words[: begin.end()] if is_of_other else words
+        of_all = words[: begin.end()] if is_of_other or _OF_FIRST_ANGLE.search(begin.group()) else words
         if _PLURAL.search(of_all) and not any(re.search(r"\d", each) for each in subjects):  # all θ_i, too
             yield BEHIND if name != "TURNED" else ALL
     for name in ("OTHER_LENGTH", "SWAPPED"):
@@ -419,9 +424,11 @@ def _orders(formulas: Sequence[str], words: str) -> Iterator[str]:
         orders.append(_indices(" ".join(formulas[words.count("¤", 0, columns.start()) :])) + [1][: "first" in words])
     orders += [_rows(entries) for _, entries in tuples]
     orders += [_rows([*filter(_ROW.fullmatch, listed)])] * says("OF_ROWS", words)
-    if _TURNED_ROWS in orders:
+    if any(map(_has_omega_first, orders)):
         yield OMEGA_FIRST
-    orders = [indices for indices in orders if indices != _TURNED_ROWS]
+    orders = [indices for indices in orders if not _has_omega_first(indices)]
+    if any(told_tasks(words, formulas)):  # in whose rows J is read
+        orders = [indices for indices in orders if len(indices) > _MOST_OF_TASK]
     if any(indices != sorted(indices) for indices in orders) or says("COLUMNS_REVERSED", words):
         yield JACOBIAN
     of_joints = [entries for name, entries in tuples if _NAME_OF_JOINTS.fullmatch(name)]
@@ -443,6 +450,16 @@ def _rows(entries: Sequence[str]) -> list[int]:
     found = [_ROW.fullmatch(entry) for entry in entries]
     rows = ["xyz".index(each[1]) if each[1] else 3 + "xyz".index(each[2] or "z") for each in found if each is not None]
     return rows if len(rows) == len(entries) else []
+
+
+def _has_omega_first(rows: Sequence[int]) -> bool:
+    """Whether rows of a Jacobian are those of ω, and then those of v, each in their order: (ω_z, v_x, v_y, v_z), too."""
+    of_omega = [row >= _FIRST_OF_OMEGA for row in rows]
+    return (
+        of_omega[:1] == [True]
+        and not all(of_omega)
+        and [*rows] == sorted(rows, key=lambda row: (row < _FIRST_OF_OMEGA, row))
+    )
 
 
 def _with_velocities(words: str, formulas: Sequence[str]) -> str:
