@@ -137,7 +137,7 @@ COLUMNS = "columns"  # J_1, J_2 that are columns of J
 ORDER = "order"  # the joint variables as q holds them
 ANEW = "anew"  # a letter that is something else for a while
 FRAME, JACOBIAN = "link", "J"  # the origin of one; that whose columns are those of joints in another order
-_FIRST_OF_OMEGA = 3  # rows of J from there on are those of ω
+_TURNED_ROWS = [3, 4, 5, 0, 1, 2]  # of (ω_x, ω_y, ω_z, v_x, v_y, v_z)
 _MOST_OF_TASK = 5  # rows of a task
 _NEAR_ABOVE, _NEAR_BELOW = 4, 8  # lines between a sentence and a display beside it
 
@@ -424,9 +424,9 @@ def _orders(formulas: Sequence[str], words: str) -> Iterator[str]:
         orders.append(_indices(" ".join(formulas[words.count("¤", 0, columns.start()) :])) + [1][: "first" in words])
     orders += [_rows(entries) for _, entries in tuples]
     orders += [_rows([*filter(_ROW.fullmatch, listed)])] * says("OF_ROWS", words)
-    if any(map(_has_omega_first, orders)):
+    if _TURNED_ROWS in orders:
         yield OMEGA_FIRST
-    orders = [indices for indices in orders if not _has_omega_first(indices)]
+    orders = [indices for indices in orders if indices != _TURNED_ROWS]
     if any(told_tasks(words, formulas)):  # in whose rows J is read
         orders = [indices for indices in orders if len(indices) > _MOST_OF_TASK]
     if any(indices != sorted(indices) for indices in orders) or says("COLUMNS_REVERSED", words):
@@ -450,16 +450,6 @@ def _rows(entries: Sequence[str]) -> list[int]:
     found = [_ROW.fullmatch(entry) for entry in entries]
     rows = ["xyz".index(each[1]) if each[1] else 3 + "xyz".index(each[2] or "z") for each in found if each is not None]
     return rows if len(rows) == len(entries) else []
-
-
-def _has_omega_first(rows: Sequence[int]) -> bool:
-    """Whether rows of a Jacobian are those of ω, and then those of v, each in their order: (ω_z, v_x, v_y, v_z), too."""
-    of_omega = [row >= _FIRST_OF_OMEGA for row in rows]
-    return (
-        of_omega[:1] == [True]
-        and not all(of_omega)
-        and [*rows] == sorted(rows, key=lambda row: (row < _FIRST_OF_OMEGA, row))
-    )
 
 
 def _with_velocities(words: str, formulas: Sequence[str]) -> str:

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 
 TASK = "task"  # with the coordinates as LaTeX, parted by semicolons, in the order of the rows of J
 TASK_UNORDERED = "task of"  # with those that are named, in no order
+TASK_BY_RATES = "task by"  # with those whose rates the text lists as the rows
 _MARK = ";"
 
 MAY_TELL_TASK = re.compile(
@@ -68,8 +69,8 @@ def told_tasks(words: str, formulas: Sequence[str]) -> Iterator[str]:
     if tuples and (_OF_TASK.search(small) or _OF_ROW.search(small) or is_ordered):
         yield _task(TASK, tuples[-1])
         return
-    if _OF_ROW.search(small) and (rates := [each for each in map(_rates, plain) if each]):
-        yield _task(TASK, rates[-1])
+    if rates := _listed_rates(small, plain):
+        yield _task(TASK_BY_RATES, rates)
         return
     if tuples or not _CONTROLLED.search(small):
         return
@@ -81,8 +82,8 @@ def told_tasks(words: str, formulas: Sequence[str]) -> Iterator[str]:
 
 def coordinates_of(task: str) -> tuple[list[str], bool]:
     """Return the coordinates of a task as LaTeX, and whether their order is told."""
-    is_ordered = not task.startswith(f"{TASK_UNORDERED} ")
-    return task.removeprefix(f"{TASK_UNORDERED if not is_ordered else TASK} ").split(_MARK), is_ordered
+    kind = next((each for each in (TASK_UNORDERED, TASK_BY_RATES) if task.startswith(f"{each} ")), TASK)
+    return task.removeprefix(f"{kind} ").split(_MARK), kind != TASK_UNORDERED
 
 
 def _is_argument(words: str, place: int) -> bool:
@@ -93,6 +94,15 @@ def _is_argument(words: str, place: int) -> bool:
 
 def _task(kind: str, names: Sequence[str]) -> str:
     return f"{kind} {_MARK.join(dict.fromkeys(names))}"
+
+
+def _listed_rates(words: str, formulas: Sequence[str]) -> list[str]:
+    """Return the coordinates whose rates a sentence has as the rows of J: in a tuple, or one after another."""
+    if not _OF_ROW.search(words):
+        return []
+    tuples = [rates for each in formulas if (rates := _rates(each))]
+    alone = [each for each in formulas if _RATE.fullmatch(each)]
+    return tuples[-1] if tuples else _rates(f"({','.join(alone)})")
 
 
 def _rates(formula: str) -> list[str]:
