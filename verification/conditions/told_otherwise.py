@@ -101,9 +101,7 @@ class ToldOtherwise:
         name = next((each for each in below if isinstance(each, n.Name) and members.jacobian_name(each, True)), None)
         if rows is None or name is None:
             return outcome
-        if rows == () or (
-            outcome.verdict is Verdict.REFUTED and not are_listed and _are_permuted(outcome.pair)
-        ):
+        if rows == () or (outcome.verdict is Verdict.REFUTED and not are_listed and _are_permuted(outcome.pair)):
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=name.key))
         return outcome
 

@@ -24,6 +24,8 @@ _HERE = frozenset("here ici hier aquí qui aqui".split())
 _HENCE = frozenset(
     "so thus hence therefore donc ainsi also daher folglich somit luego así quindi dunque pertanto portanto logo".split()
 )
+_IT = frozenset("it il es".split())
+_TO = frozenset("to de d' zu".split())
 _PROGRAMS = frozenset(
     "code program programme script simulation simulator firmware spreadsheet notebook programm skript simulationsprogramm programa código simulación programma codice simulazione".split()
 )
@@ -57,15 +59,30 @@ def finds_fault_with_another(words: str) -> bool:
 
     What is there may still be meant: a display that is wrong is no claim.
     """
-    denying = [each for each in clauses(words) if _denies_above(each)]
-    is_exclusive = goes_on(words) and any(map(_is_exclusive, clauses(words)))
-    return bool(denying) and not is_exclusive and all(map(_is_fault_of_another, denying))
+    found = clauses(words)
+    denying = [each for each in found if _denies_above(each)]
+    is_exclusive = goes_on(words) and any(map(_is_exclusive, found))
+    goes_for_both = any(each.has("same") and each.has("display") for each in found) or " so does " in words
+    return bool(denying) and not (is_exclusive or goes_for_both) and all(map(_is_fault_of_another, denying))
 
 
 def _is_fault_of_another(clause: Clause) -> bool:
     is_of_program = not _PROGRAMS.isdisjoint(clause.words[:_FEW])
     is_common = clause.has("old") and clause.has("error", "fault") and clause.begins("article", "old")
-    return finds_fault_in(clause) and not clause.has("this", "display") and (is_of_program or is_common)
+    is_of_people = clause.subject == "person" and not clause.has("claim")
+    is_of_another = is_of_program or is_common or is_of_people
+    return finds_fault_in(clause) and (_is_of_a_deed(clause) or (is_of_another and not clause.has("this", "display")))
+
+
+def _is_of_a_deed(clause: Clause) -> bool:
+    """Whether what is wrong is to do something else than to claim: "It is a mistake to divide by the radius"."""
+    place = next((at for at, word in enumerate(clause.words) if word in _TO and at > clause.at("fault")), None)
+    is_it = clause.words[0] in _IT
+    return (
+        is_it
+        and place is not None
+        and not any(each & {"claim", "use", "display", "think"} for each in clause.kinds[place:])
+    )
 
 
 def _is_consequence(words: str, first: Clause) -> bool:
@@ -184,8 +201,8 @@ def _denies_above(clause: Clause) -> bool:
 
 def _is_denied(clause: Clause) -> bool:
     """Whether "not" in a clause denies the display: all it can say of that, but what is neither right nor wrong."""
-    if clause.has("good"):
-        return True
+    if clause.has("good") or (clause.at("not") <= 1 and clause.has("use") and clause.ends("this", "display")):
+        return True  # "Do not use this formula"
     if clause.has("neutral") or clause.begins("there") or (clause.has("use") and not clause.has("must")):
         return False
     if clause.begins("not") and clause.has("if"):
@@ -216,8 +233,8 @@ def _is_of_old_edition(clause: Clause) -> bool:
 def _is_to_be_changed(clause: Clause) -> bool:
     """Whether a clause says, or orders, that the display or a part of it is replaced."""
     is_too = clause.has("same") and not clause.has("this", "part", "letter")  # "Other versions should work, too"
-    if not clause.has("change") or is_too:
-        return False
+    if not clause.has("change") or is_too or clause.at("not") < clause.at("change"):
+        return False  # "We will not need the other entries"
     if not clause.has("must"):
         first = clause.words[0]
         is_order = clause.begins("change") and not first.endswith(_PARTICIPLES) and first not in _OTHERS
@@ -251,8 +268,9 @@ def _is_not_so(clause: Clause) -> bool:
         return True
     if clause.has("neutral") or (clause.begins("not") and clause.subject in ("part", "letter")):
         return False
-    if clause.words[clause.at("not")] in _NONE and clause.ends("part", "letter"):
-        return False  # "The speed has no mixed term"
+    is_of_arm = clause.subject == "arm" and clause.at("not") < len(clause.words) - 1
+    if clause.words[clause.at("not")] in _NONE and (is_of_arm or clause.ends("part", "letter")):
+        return False  # "The speed has no mixed term", "This arm has no vertical slide"
     is_of_other = clause.subject in ("arm", "formula", "") or clause.begins("there")
     ends_so = (
         clause.subject in ("arm", "formula")

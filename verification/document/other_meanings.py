@@ -270,7 +270,8 @@ def _meanings(text: str) -> Iterator[Meaning]:
             is_here = says_what_would_be(words)
             yield Meaning(line, letters, reach=_paragraph(text, begins, found.end()) if is_here else None)
         renamed, is_of_section = letters_anew(words_of(before) + words, [*formulas_of(before), *formulas])
-        if renamed and (known := tuple(_that_stand_in(text[: found.start()], renamed))):
+        above = _above_section(text, line, found.start()) if is_of_section else text[: found.start()]
+        if renamed and (known := tuple(_that_stand_in(above, renamed))):
             yield Meaning(line, anew=known, is_of_section=is_of_section)
         whole = with_axes(" ".join((before + sentence).split()))  # "turned about x, then y; all axes are the base's"
         if not goes_on and (turns := _turns(whole, words_of(whole))):
@@ -342,6 +343,12 @@ def _paragraph(text: str, start: int, end: int) -> tuple[int, int]:
     before, behind = text.rfind("\n\n", 0, start), text.find("\n\n", end)
     first, last = (text.count("\n", 0, at) + 1 for at in (before + 2, behind if behind >= 0 else len(text)))
     return first - _NEAR_ABOVE * text[before + 2 : before + 3].islower(), last + 2
+
+
+def _above_section(text: str, line: int, place: int) -> str:
+    """Return what stands above the section of a line: what a sentence says of its whole section changes no letter in it."""
+    begin = _reach(line, text)[0]
+    return text[:place] if begin == 0 else "".join(text.splitlines(keepends=True)[: begin - 1])
 
 
 def _that_stand_in(text: str, letters: Sequence[str]) -> Iterator[str]:

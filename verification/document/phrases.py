@@ -51,6 +51,17 @@ permutation~ circulaire/cyclique
 circular/cyclic permutation~
 zyklische/zyklischen/zyklischer vertauschung/permutation
 permutación/permutazione/permutação cíclica/ciclica/circular
+not/n'/ne/nicht need/require/take/brauche~ (…) more/much/anything/mehr than/als
+has/have/contains/had no (…) term/terms/factor/part/component/dependence in/with/of/for/on
+not/no/nothing/never/cannot (…) symmetric/interesting/inverted/invertible/expanded/memorise/memorised/memorize/simplify/simplified
+nothing/little to do with
+rien à voir avec
+most/many/all/several/some/other/these books/textbooks/texts/courses/authors/lecture (notes) print/give/use/have/derive/write/contain (exactly) the same formula/formulas/equation/expression/relation/result
+la plupart des livres/ouvrages/manuels/cours/auteurs donnent/impriment/écrivent/ont la même formule/équation/relation/expression
+n'/ne oublier~/oubli~/manquer~ pas/jamais
+personne ne s' étonn~
+personne ne sera/doute~ (surpris)
+ne/n' reste/restait/restera (donc/alors) (plus) qu'
 no need
 no hace/hará falta
 no/non/não es/è/é necesario/necessario/necessário/preciso

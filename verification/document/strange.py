@@ -27,7 +27,7 @@ _SUBJECT = 5  # words of a sentence of the arm within which a word for a part of
 _RATIO_OF_ARM = 5  # of how many words of such a one
 _MANY = 50  # words of a text that tell its language
 _NO_WORDS = re.compile(
-    r":[a-z:]+:(?=`)|\b\w{1,3}[₀-₉ₙᵢ]+|[α-ωΑ-Ω]\w*|\b\d\w*|https?:\S*|\S+\.(?:png|jpe?g|svg|eps|pdf|gif|md|py|m)\b|\S*[/_=]\S*|`[^`]*`|\b[lcr]{2,}\b|\b(?:turns?|rotates?|spins?|moves?|runs?) the other way\b"
+    r":[a-z:]+:(?=`)|\b\w{1,3}[₀-₉ₙᵢ]+|[α-ωΑ-Ω]\w*|\b\d\w*|https?:\S*|\S+\.(?:png|jpe?g|svg|eps|pdf|gif|md|py|m)\b|\S*[/_=]\S*|`[^`]*`|\b[lcr]{2,}\b|\b(?:turns?|rotates?|spins?|moves?|runs?) the other way\b|\b(?:kg|mm|cm|mod)\b"
 )
 _OF_DISPLAY = re.compile(  # a sentence whose subject is the display, or a part of it
     r"(?:[^\w\s]+ )*(?:(?:and|but|so|yet|however|thus|hence|et|mais|or|donc|aber|und|doch|pero|y|ma|mas|e) (?:, )?)?"

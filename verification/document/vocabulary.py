@@ -1,7 +1,7 @@
 """The words of robot-arm courses, in which equations are led to and spoken of: a sentence of others may say anything.
 
-They are those that two or more of some 190 public documents on arms have beside their displays, and what goes with them, the things that arms
-carry, and those that stand around them, without the words that deny, doubt, judge or tell of people. An English word of seven letters or more stands for all
+They are those that two or more of some 190 public documents on arms have beside their displays, and what goes with them, without
+the words that deny, doubt, judge or tell of people. An English word of seven letters or more stands for all
 that begin with the same seven, one of another language for those that begin with the same six.
 
 `OF_GERMAN` are of a sentence in which nouns begin with capitals, `OF_ARM` those of which a sentence is that says something of the arm and not of the display, `GOES_ON` begin what goes on from
@@ -160,14 +160,6 @@ words work worked workflow working workpiece works worksheet workshop workspace 
 wrists write writes writing written wrt xy yaw yawing yellow yesterday yet yield yielding yields yoshikawa you young your zero zeroed zeroes zeros
 zones zoom zyx zyz
 arrangement carried digger feet heavy hoist holding inward levers lowered piston shell slab stance torus
-aircraft aluminium bag bags barrel bicycle boat bone bones bottle bottles bow brick bricks bus carton chair crate crates cup cups door doors drawer
-dust east egg eggs eye eyes farm feel feels fence fire floorboards fork forklift fruit fuel furniture garage garden gate glass glove grass gravel
-grease grinder hammer helicopter hooks horse hose hospital house ice jet joules kg ladder lamp lamps leaf lean leaned leaning leans lid lorry magnet
-market mat metal mill mod nail neck north nut oil oven painted painter parcel parcels pipe pipes plank plant plants plaster plastic playground pole
-port pot pull pump pushed racks railway rain river roofs rope ropes rpm rubber rug sack sacks sand scaffold scoop shelves ship shovel smoke snow soil
-south spade spraying stair stairs starboard steel stem sticks stone stones storm stove street stronger surgery tank tape tile tiles tin toes towel
-tower town tractor trays trolley truck trucks tubes tunnel tyre van vessel walls water watt watts wave weld welds west wet wind wire wires wood
-workbench yard
 """
 FRENCH = """
 a abonner abord abordé aboutissons abrégée abréviation abscisse absolue accorde accouplement accueil accélère accélération achève acquérir actionneur
@@ -252,11 +244,6 @@ vérin vérins week-end y zone zéro à à-dire écart écarts échange échanti
 abaissé croisé croisée croisées croisés ajoutons appuis baissé balancier bilan bloqué bloquée caisse caisses cube dent dès décroissant déployé déployée dérivons figée fémur isolons
 levé levée manivelle manivelles montent mors mur palette palettes pantographe penché plafond plafonds pliée portent poussée rabattu rabattue relevé
 relevée sol sommons sorti telles tendue tourelle traçons vaudra verrouillé vise visseur visseurs visé visée vrillé élevons
-acier anti-horaire avion bac bateau bidon bois bouteille bouteilles boîte boîtes brique briques brosse bâtiment béton camion camions caoutchouc carton
-cartons chaise chantier charpente cheval ciment clou colis corde couteau couvercle cuir cuisine cuivre eau entrepôt fenêtre fer fruit gant gaz grues
-hangar herbe horaire horaires huile intensité jardin jouet kg linge lourds magasin maison marteau meuble murs métal papier paquet parquet pendule
-perceuse pieds pierre pierres planche plomb plâtre pompe pont poudre purement quai rayonnage robinet roue roues sable sacs scie seau silo soudage
-tapis terre tiroir tissu toit tombent tomber tonneau tuyau tuyaux vent verre vitre voiture voitures wagon échafaudage écrou étagère étagères étau
 """
 GERMAN = """
 ab abbildung abend abends aber abgabetermin abgeleitet abgeschlossen ablauf ableiten ablesen abmessungen absatz abschließen abschnitt absolut abstand
@@ -348,12 +335,6 @@ erkennbar erkennen erkennt ferner gebeugt gebeugte gefaltet gefaltete gehoben ge
 hubhöhe hubs höhen kern kippachse kippen kippt kugelig kugelkoordinaten lasten längs längsachse mithin musterlösung neigen neigt nutzlast querachse
 radien ragen ragt regulär ruhelage ränge schräg senken senkt sitzen sitzt spur statik säulen teleskop teleskopachse voneinander vorzeichens weltsystem
 zueinander zweig zweige äste übungsblatt
-ausladung auto bagger balken beton bett blech bohrer boot brett bretter brücke bühne dach deckel dose dosen draht eimer eisen fabrik fass feder feile
-fenster flasche flaschen flugzeug förderband gabel gabelstapler garten gebäude gerüst gewinde glas griff gummi haken halle hammer handhabung haus holz
-karton kartons kasten kg kiste kisten klotz knopf koffer kupfer küche lagerhalle lampe laster lastwagen leder leiter lenker löffel magnet mauer messer
-metall möbel nagel ofen paket pakete papier pfosten pinsel platte platten presse pumpe regal regale rohr rohre räder sack sand schachtel schere schiff
-schrank seil seile spule stahl stapel staub stein steine straße strom stuhl säcke säge tasse teller topf treppe tuch turm tür waage wasser wände zange
-ziegel zug öl
 """
 SPANISH = """
 a abajo abduccion abducción abierta abril abrir abscisa absorbiendo abstracta acaba acabamos acceso acciones acción aceleración acompaña acoplada
@@ -434,10 +415,6 @@ yugo zona zonas ángulo área índice órdenes última último única único út
 apoyos asimismo bajada bajan carga cargas carros cazo corredera correderas cuadrúpedo cuchara cuyo dicha dichas dichos esfuerzo esfuerzos excavadora
 flexionado fémur grúas guías hexápodo muslos nótese obsérvese pantorrilla pantorrillas pesos pies pistón pluma plumas rectos recuérdese rieles sexta
 sexto subcadena subcadenas suben subida subrobot supongamos supóngase véase émbolo
-acero agua alambre almacén arena avión bandeja barco barril bolsa bomba botella botellas cajas camiones camión carretilla casa cemento coche cristal
-cubo cuchillo cuerda dedo dedos destornillador edificio escalera escoba estante estantes fruta fábrica gancho goma grasa guante hierro hormigón horno
-jardín juguete kg ladrillo llave lámpara madera maleta martillo metal muro palanca palé palés paquete paquetes paredes piedra pila pintura plomo
-plástico polvo poste puente puerta saco sacos silla taller tapa tela tierra tijeras tractor tren tubo tubos tuerca vaso ventana vidrio viento árbol
 """
 ITALIAN = """
 a abbia abbiamo abbiano accelerazione accoppiamento ad addizione adesso adottata affinché affronta agenda aggiunge agisce agosto aiuto al alcuna
@@ -496,10 +473,6 @@ disteso dita dito estensione estesa estese estesi esteso ferma fermo fisse ganas
 pallettizzatore pantografo pari perché pesi piegata piegato pinze pistone pistoni portata quella quelli quello raggi reazione reazioni ripiegata
 ripiegato rivolta rivolto sbracci sbraccio scorre scorrevole scorrono sfili sfilo sforzi sforzo slitta slitte spinta stantuffo stesa steso supponiamo
 svolgimento traccia uguale uguali ventosa
-acciaio acqua albero armadio autocarro barca barile bottiglia bottiglie camion carta casa cassa casse cassetto cavo cemento chiave chiodo coltello
-corda edificio fabbrica ferro filo finestra fune gancio grasso guanto kg lampada legno magazzino martello mattone mattoni metallo muro nave officina
-pacchi pacco parete pavimento pennello pietra plastica polvere pompa ponte sabbia sacchi sacco scaffale scala scatola scatole secchio sedia sega
-tavola terra tetto trapano treno tubi tubo vento vernice vetro viti
 """
 PORTUGUESE = """
 a abaixo aberta abreviaturas abril abrir aceleração acesso acha achamos achar acima acoplada adicionando adição adota afasta agenda agora agosto
@@ -548,10 +521,6 @@ trajetória transforma translada transposta tratada trigonometria trilho trimest
 unitário universidade usa usada usadas usado usados usando usaremos usuais usual usuário utiliza vale valor valores vamos varia variação variável
 velocidade vem ver verdadeiro veremos verificar vertical verão vetor vetores vetorial vez viagem vimos visita vista visto volta voltaremos válido
 vídeo zerada zerado zero à às ângulo é índice última último
-ar areia armazém avião aço balde barco cabo cadeira caixa caixas carrinho casa chave cimento corda couro dedo dedos edifício escada faca ferro fio
-freio fábrica gancho garrafa graxa grua janela kg lata luva lâmpada madeira martelo metal mola muro navio oficina parafuso parafusos parede paredes
-pedra pincel piso plástico ponte prateleira prego rodas saco sacos serra tampa tecido telhado terra tijolo tijolos tinta trator trem tubo tubos vento
-vidro água árvore
 """
 OF_ARM = """
 arm arms manipulator robot gripper hand tool wrist elbow shoulder forearm effector base joint joints link links axis axes frame frames motion motions velocity velocities rates position orientation pose
@@ -573,8 +542,8 @@ HENCE = """
 so thus hence therefore donc ainsi also daher folglich somit luego así quindi dunque pertanto portanto logo
 """
 LOADED = """
-not no nor neither never nothing without only other should would could might sign plus minus
-ne pas ni non aucun aucune rien seul seule seuls seules seulement sans signe
+not no nor neither never nothing nobody none without only other else hardly should would could might sign plus minus
+ne pas ni non jamais personne aucun aucune rien seul seule seuls seules seulement sans signe
 nicht kein keine keinen nur ohne vorzeichen
 no ningún ninguna ni solo solamente sin signo
 non nessun nessuna né solo soltanto senza segno

@@ -72,7 +72,7 @@ ask check verify decide discuss test judge examine justify tick disprove refute 
 case special particular degenerate limiting posture~ boundary edge limit parallel approximation~ simplified another other different middle centre
   center midpoint local moving body coupled uncoupled contact gravity-free equal unit in_the_case home rest_position zero_position initial_position
   reference_position special_case limiting_case the_case_where the_case_of the_case_that
-neutral dropped_out weigh weighs weighed drops_out tool_at_rest gripper_at_rest hand_at_rest end-effector_at_rest nonzero zeros if_and_only_if iff depend~ contain~ involve~ matter~ change~ affect~ appear~ enter need~ necessary difficult hard easy surpris~ trivial obvious doubt~ forget
+neutral dropped_out show_up shows_up turn_up symmetric interesting weigh weighs weighed drops_out tool_at_rest gripper_at_rest hand_at_rest end-effector_at_rest nonzero zeros if_and_only_if iff depend~ contain~ involve~ matter~ change~ affect~ appear~ enter need~ necessary difficult hard easy surpris~ trivial obvious doubt~ forget
   vanish~ vary varies move~ moves turn~ rotate~ unique~ require~ influence~ exceed~ include~ help~ explain prove discuss~ repeat~ deriv~ mention~ constant linear
   singular zero new distinguish~ invertible square possible reachable expected wanted coincidence~ accident~ determin~ simplif~ simple simply similar
   analogous easily studied allow~ permit~ shown exist~ solv~ unknown~
@@ -149,7 +149,7 @@ claim écri~ prétend~ affirm~ répond~ dit disent lit obtien~ trouv~ conclu~ cr
 ask coch~ vérifi~ décid~ discut~ justifi~ réfut~ corrig~ trouvez_l' test~ commentez jugez examin~
 case particulier~ spécial~ limite~ bord posture~ milieu centre précédent autre autres voisinage parallèle~ simplifié~ contact dégénér~ frontière
   égales unitaires position_de_repos position_initiale position_zéro cas_particulier cas_limite cas_où cas_d' cas_de
-neutral outil_au_repos pèse~ pèsent pince_au_repos effecteur_au_repos outil_immobile pince_immobile nul nulle nuls nulles zéro zéros si_et_seulement_si ssi dépend~ contien~ intervien~ import~ chang~ affect~ besoin nécessaire~ difficil~ étonn~ surpren~ évident~ trivial~ doute~ oubli~ annul~ vari~ boug~
+neutral outil_au_repos décal~ déport symétrique~ intéressant~ pèse~ pèsent pince_au_repos effecteur_au_repos outil_immobile pince_immobile nul nulle nuls nulles zéro zéros si_et_seulement_si ssi dépend~ contien~ intervien~ import~ chang~ affect~ besoin nécessaire~ difficil~ étonn~ surpren~ évident~ trivial~ doute~ oubli~ annul~ vari~ boug~
   tourn~ unique~ exig~ influ~ dépass~ suffi~ aide~ hasard constant~ linéaire~ surprise peine nouveau démontr~ détermin~ simplifi~ simple semblable~
   analogue~ étudi~ intéress~ possèd~ permet~ exist~ résou~ résol~ inconnu~
 counted ajouté~ compté~ pris prise considéré~ tenu inclus~ soustrait~

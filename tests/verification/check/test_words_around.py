@@ -97,11 +97,39 @@ def test_what_holds_always_holds_provided_that_something_is_so(behind: str, verd
         ("This says nothing about the arm.", "This is nothing that holds."),
         ("Une permutation circulaire des lignes ne le change pas.", "Les lignes sont permutées."),
         ("On the contrary, it holds in every posture.", "It is the contrary that holds."),
+        ("It has no term in $d_3$.", "It has no term that is right."),
+        ("The last row is never interesting.", "The last row is never right."),
+        ("The first factor has nothing to do with singularities.", "The first factor has nothing right in it."),
+        ("We will not need the other entries.", "We must change the other entries."),
+        ("It is a mistake to divide by it near the boundary.", "It is a mistake to write this."),
+        ("Students tend to forget the base rotation.", "Students who forget the sine write this."),
+        ("Your program forgot the base rotation.", "Your program forgot it, and so does this formula."),
+        ("Nobody will need the other rows of the table.", "Do not use this formula."),
     ],
 )
 def test_what_denies_nothing_is_no_denial(harmless: str, denies: str) -> None:
     assert verdicts_of(RIGHT, "", harmless) == ["proved"]
     assert verdicts_of(RIGHT, "", denies) == ["unchecked"]
+
+
+@pytest.mark.parametrize(
+    ("harmless", "denies"),
+    [
+        ("Most textbooks print the same formula:", "Most textbooks print, wrongly,"),
+        ("Notice that the height does not show up:", "Notice that we do not have"),
+        (
+            "Unlike the one of last week, this arm has no vertical slide:",
+            "Unlike the one of last week, it is not so that",
+        ),
+        ("You will not need more than the addition theorems to see that", "You will not be able to claim that"),
+        ("On n'oubliera pas que l'angle du coude est relatif :", "On n'écrira pas que"),
+        ("Il ne reste plus qu'à projeter :", "Il n'est plus vrai que"),
+        ("Personne ne s'étonnera de trouver", "Personne ne devrait écrire"),
+    ],
+)
+def test_what_leads_to_a_display_denies_it_or_not(harmless: str, denies: str) -> None:
+    assert verdicts_of(harmless, "", RIGHT) == ["proved"]
+    assert verdicts_of(denies, "", RIGHT) == ["unchecked"]
 
 
 def test_rows_that_the_text_lists_by_their_rates_are_those_of_the_jacobian() -> None:
@@ -153,3 +181,9 @@ arm:
 def test_where_words_are_of_another_place_and_where_of_the_tool(lead: str, display: str, verdict: str) -> None:
     (record,) = verify_text(f"{PLANAR_3R}{lead}\n\n$$ {display} $$\n").equations
     assert record.verdict.value == verdict
+
+
+def test_what_a_letter_is_in_a_section_changes_it_where_it_stood_above_that() -> None:
+    told = "The first bar has the length $l_1$. In this section $l_1$ is the length of the first link."
+    assert verdicts_of("## A", "", told, "", RIGHT) == ["proved"]
+    assert verdicts_of("## A", "", RIGHT, "", "## B", "", told, "", RIGHT) == ["proved", "unchecked"]

@@ -35,7 +35,7 @@ STRANGE_BELOW = (
     "Mein Nachbar schwört Stein und Bein, dass",
 )
 PLAIN_ABOVE = (
-    "so $O_3$ never leaves the crate.",
+    "so $O_3$ never leaves the workspace.",
     "For the base the last joint turns the other way.",
     "This is the position of the gripper in the base frame.",
     "It follows that the arm reaches every point of the workspace.",
