@@ -216,7 +216,8 @@ def _with(display: Display, said: Iterable[tuple[Meaning, int, float]], since: I
             letters.append(f"{FRAME} {each.frame}")
         if each.beside and is_near:
             letters.append(each.beside)
-        if each.anew and each.line - _NEAR_ABOVE <= display.line < (ends if each.is_of_section else inf):
+        first, last = (begins, ends) if each.is_of_section else (0, inf)
+        if each.anew and max(first, each.line - _NEAR_ABOVE) <= display.line < last:
             letters += each.anew
         begin, end = each.reach or (begins, inf)
         if each.letters and (begin <= display.line <= end or (display.file and each.reach is None)):
