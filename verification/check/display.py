@@ -299,7 +299,7 @@ class DisplayChecker:
     ) -> tuple[list[Outcome], dict[str, float]]:
         """Return the outcomes; a name may be defined after its use in the display ("…, where D = …")."""
         known = len(self.names.state.definitions)
-        define = not (display.erratum or display.denied or WOULD_BE in display.meant)
+        define = not (display.erratum or display.denied or display.faulted or WOULD_BE in display.meant)
         latex = normalise_unicode(display.latex)
         check = partial(self.statements.check, statements, display.line, define=define, latex=latex)
         outcomes, extra = check()
@@ -334,6 +334,7 @@ def _is_spoken_of(display: Display) -> bool:
         or display.meant
         or display.directions
         or display.denied
+        or display.faulted
         or display.strange
     )
     return bool(elsewhere or says or display.may_not_print)

@@ -26,6 +26,7 @@ from armproof.verification.latex.nodes import bare_key
 from armproof.verification.naming.conventions import is_usual
 from armproof.verification.verdict import DECIDED, HOLDS, Verdict
 
+_OF_ANGLES = ("cos", "sin", "tan")
 PLANAR_WITH_HAND = 3  # joints: two place the wrist, the last turns the hand
 
 
@@ -64,6 +65,12 @@ class WordsAround:
             outcome = self.directions.judge(outcome, display.directions)
             outcome = unless_told_otherwise(outcome, display.directions, self.names)
         if display.denied and outcome.verdict is not Verdict.UNCHECKED:
+            outcome = replace(outcome.left_open(say(Kind.DENIED)), defines=())
+        if (
+            display.faulted
+            and outcome.verdict is not Verdict.UNCHECKED
+            and (outcome.verdict not in HOLDS or outcome.defines)
+        ):
             outcome = replace(outcome.left_open(say(Kind.DENIED)), defines=())
         if display.may_not_print and outcome.verdict is not Verdict.UNCHECKED:
             outcome = outcome.left_open(say(Kind.MAY_NOT_PRINT))
@@ -133,6 +140,8 @@ class WordsAround:
         return replace(outcome.left_open(say(Kind.OF_OTHER_POINT)), as_usual=None)
 
     def _is_joint(self, node: n.Node) -> bool:
+        if isinstance(node, n.Call) and node.function in _OF_ANGLES and len(node.arguments) == 1:
+            node = node.arguments[0]  # cos θ_3 = …
         key = bare_key(node)
         return key is not None and self.names.known_symbol(key) in self.names.joints
 

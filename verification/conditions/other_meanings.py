@@ -59,7 +59,7 @@ class OtherMeanings:
         if ASKED in meant:
             return outcome.left_open(say(Kind.IS_SUPPOSED))
         written = {below.undotted.key for node in outcome.nodes for below in n.names(node)}
-        of_order = next((b for node in outcome.nodes for b in n.names(node) if b.base in _IN_ORDER), None)
+        of_order = next((b for node in outcome.nodes for b in n.names(node) if self._is_in_order(b)), None)
         by = next((each.terms["letters"] for each in outcome.findings if each.kind is Kind.DERIVATIVES_OF_POINT), None)
         if of_order is not None and (JACOBIAN in meant or any(self._is_permuted(each, by) for each in meant)):
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=of_order.key))
@@ -83,6 +83,10 @@ class OtherMeanings:
             if not written.isdisjoint(letters):
                 return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=min(written & letters)))
         return outcome
+
+    def _is_in_order(self, name: n.Name) -> bool:
+        """Whether a name is of what has a column or an entry for each joint, and not a joint itself."""
+        return name.base in _IN_ORDER and self.names.known_symbol(name.undotted.key) not in self.names.joints
 
     def _turned_otherwise(self, outcome: Outcome, meant: Sequence[str]) -> str | None:
         """Return a rotation that is written out where the text has passive ones, or a T_{ij} where i is the frame that j sees; None without one."""

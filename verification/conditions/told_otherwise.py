@@ -9,6 +9,7 @@ from armproof.verification.algebra.calculus import substitute, symbols_in
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document.locked_joints import LOCKED
 from armproof.verification.document.told_builds import COUNTED_FROM_ONE, FROM_TOOL, OTHER_BUILD, TURNED_ROUND
+from armproof.verification.document.told_tasks import TASK_BY_RATES
 from armproof.verification.equations.alignment import Pair
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
@@ -38,7 +39,7 @@ class ToldOtherwise:
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=turned))
         if LOCKED in meant and outcome.verdict is Verdict.REFUTED and self._may_hold_locked(outcome):
             return outcome.left_open(say(Kind.IS_SUPPOSED))
-        return self._in_rows_of_task(outcome)
+        return self._in_rows_of_task(outcome, any(each.startswith(f"{TASK_BY_RATES} ") for each in meant))
 
     def _of_frames(self, outcome: Outcome) -> Iterator[str]:
         for node in (*outcome.nodes, *outcome.conditions):
@@ -89,15 +90,18 @@ class ToldOtherwise:
         still = [{rate: nought for rate in rates if rate.rpartition(" ")[2] in held} for held in sets if held]
         return any(all(substitute(each, held).normal().is_zero() for each in apart) for held in still)
 
-    def _in_rows_of_task(self, outcome: Outcome) -> Outcome:
-        """Leave open what is said of J where the rows of a task are not known, or stand in another order than the text has them."""
+    def _in_rows_of_task(self, outcome: Outcome, are_listed: bool) -> Outcome:
+        """Leave open what is said of J where the rows of a task are not known, or stand in another order than the text has its coordinates.
+
+        Where it lists the rows by their rates, they stand in that order.
+        """
         rows = self.names.state.task_rows
         members = self.checker.members
         below = [each for node in (*outcome.nodes, *outcome.conditions) for each in n.walk(node)]
         name = next((each for each in below if isinstance(each, n.Name) and members.jacobian_name(each, True)), None)
         if rows is None or name is None:
             return outcome
-        if rows == () or (outcome.verdict is Verdict.REFUTED and _are_permuted(outcome.pair)):
+        if rows == () or (outcome.verdict is Verdict.REFUTED and not are_listed and _are_permuted(outcome.pair)):
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=name.key))
         return outcome
 

@@ -9,6 +9,8 @@ from armproof.verification.document.denying_clauses import (
     denies_beside,
     denies_what_is_above,
     denies_what_is_below,
+    finds_fault_with_another,
+    lists_mistakes,
 )
 from armproof.verification.document.heading import sections_around
 from armproof.verification.document.hearing import (
@@ -43,6 +45,12 @@ def denies_behind(words: str) -> bool:
     )
 
 
+def faults_another(words: str) -> bool:
+    """Whether the words of a sentence that seem to deny the display above them find fault with something else."""
+    is_certain = hears("DENIED_BEHIND", words) is not None or _is_error(words)
+    return not is_certain and finds_fault_with_another(without_harmless(words))
+
+
 def denies_later(text: str) -> bool:
     """Whether a later sentence of a text denies what stands above it, and says that it is of that: "The formula above is wrong."."""
     line = " ".join(text.split())[:MOST_CHARACTERS]
@@ -73,9 +81,17 @@ def denies_within(text: str) -> bool:
     return _is_error(words) or denies_beside(without_harmless(words))
 
 
+def heading_may_deny(section: str) -> bool:
+    """Whether a heading is of mistakes and of another thing: "The first three joints, and four mistakes"; which stands below it tells the text."""
+    around = sections_around(section) if hears("TRUE", words_of(section)) is None else ()
+    return any(lists_mistakes(without_harmless(words_of(each))) for each in (section, *around))
+
+
 def heading_denies(section: str) -> bool:
     """Whether a heading says that what stands below it is wrong: "A common mistake"."""
     words = words_of(section)
+    if lists_mistakes(without_harmless(words)):
+        return False
     return hears("DENYING_HEADING", words) is not None or denies_as_heading(without_harmless(words))
 
 

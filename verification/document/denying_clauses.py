@@ -24,6 +24,16 @@ _HERE = frozenset("here ici hier aquí qui aqui".split())
 _HENCE = frozenset(
     "so thus hence therefore donc ainsi also daher folglich somit luego así quindi dunque pertanto portanto logo".split()
 )
+_IT = frozenset("it il es".split())
+_TO = frozenset("to de d' zu".split())
+_PROGRAMS = frozenset(
+    "code program programme script simulation simulator firmware spreadsheet notebook programm skript simulationsprogramm programa código simulación programma codice simulazione".split()
+)
+_PROVIDED = frozenset(
+    "provided providing as_long_as so_long_as pourvu à_condition tant_que sofern vorausgesetzt solange siempre_que purché finché desde_que contanto".split()
+)  # what begins a condition, and says nothing of other cases
+_AND = frozenset("and et und y e ed sowie & plus".split())
+_FEW = 3  # words of a clause in which its subject stands
 _LEADS = frozenset(
     ["claim", "have", "use", "that", "think", "good"]
 )  # kinds of a word that a display follows: "we do not have"
@@ -42,6 +52,37 @@ def denies_what_is_above(words: str) -> bool:
         return True  # "No, …"
     may_limit = goes_on(words) and not _is_consequence(words, found[0])
     return (may_limit and any(map(_is_exclusive, found))) or any(map(_denies_above, found))
+
+
+def finds_fault_with_another(words: str) -> bool:
+    """Whether all that a sentence finds fault with, behind a display, is something else than that: "Your code forgot the 90°.", "A common mistake is to forget it.".
+
+    What is there may still be meant: a display that is wrong is no claim.
+    """
+    found = clauses(words)
+    denying = [each for each in found if _denies_above(each)]
+    is_exclusive = goes_on(words) and any(map(_is_exclusive, found))
+    goes_for_both = any(each.has("same") and each.has("display") for each in found) or " so does " in words
+    return bool(denying) and not (is_exclusive or goes_for_both) and all(map(_is_fault_of_another, denying))
+
+
+def _is_fault_of_another(clause: Clause) -> bool:
+    is_of_program = not _PROGRAMS.isdisjoint(clause.words[:_FEW])
+    is_common = clause.has("old") and clause.has("error", "fault") and clause.begins("article", "old")
+    is_of_people = clause.subject == "person" and not clause.has("claim")
+    is_of_another = is_of_program or is_common or is_of_people
+    return finds_fault_in(clause) and (_is_of_a_deed(clause) or (is_of_another and not clause.has("this", "display")))
+
+
+def _is_of_a_deed(clause: Clause) -> bool:
+    """Whether what is wrong is to do something else than to claim: "It is a mistake to divide by the radius"."""
+    place = next((at for at, word in enumerate(clause.words) if word in _TO and at > clause.at("fault")), None)
+    is_it = clause.words[0] in _IT
+    return (
+        is_it
+        and place is not None
+        and not any(each & {"claim", "use", "display", "think"} for each in clause.kinds[place:])
+    )
 
 
 def _is_consequence(words: str, first: Clause) -> bool:
@@ -92,6 +133,20 @@ def denies_beside(words: str) -> bool:
 def denies_as_heading(words: str) -> bool:
     """Whether a heading says that something is wrong; what is left out, or stands twice, may be what it is about."""
     return any(map(_is_judged_in_heading, clauses(words)))
+
+
+def lists_mistakes(words: str) -> bool:
+    """Whether a heading is of another thing, and, joined to that by "and", of mistakes."""
+    said = words.lower().split()
+    joins = [place for place, word in enumerate(said) if word in _AND]
+    if not joins or not any(each.has("fault", "error") for each in clauses(_sentence(said[joins[-1] + 1 :]))):
+        return False
+    before = clauses(_sentence(said[: joins[-1]]))
+    return bool(before) and not any(each.has("fault", "error", "lost", "not") for each in before)
+
+
+def _sentence(said: Sequence[str]) -> str:
+    return "".join(f"{word} " for word in said)
 
 
 def _is_judged_in_heading(clause: Clause) -> bool:
@@ -146,8 +201,8 @@ def _denies_above(clause: Clause) -> bool:
 
 def _is_denied(clause: Clause) -> bool:
     """Whether "not" in a clause denies the display: all it can say of that, but what is neither right nor wrong."""
-    if clause.has("good"):
-        return True
+    if clause.has("good") or (clause.at("not") <= 1 and clause.has("use") and clause.ends("this", "display")):
+        return True  # "Do not use this formula"
     if clause.has("neutral") or clause.begins("there") or (clause.has("use") and not clause.has("must")):
         return False
     if clause.begins("not") and clause.has("if"):
@@ -178,8 +233,8 @@ def _is_of_old_edition(clause: Clause) -> bool:
 def _is_to_be_changed(clause: Clause) -> bool:
     """Whether a clause says, or orders, that the display or a part of it is replaced."""
     is_too = clause.has("same") and not clause.has("this", "part", "letter")  # "Other versions should work, too"
-    if not clause.has("change") or is_too:
-        return False
+    if not clause.has("change") or is_too or clause.at("not") < clause.at("change"):
+        return False  # "We will not need the other entries"
     if not clause.has("must"):
         first = clause.words[0]
         is_order = clause.begins("change") and not first.endswith(_PARTICIPLES) and first not in _OTHERS
@@ -213,8 +268,9 @@ def _is_not_so(clause: Clause) -> bool:
         return True
     if clause.has("neutral") or (clause.begins("not") and clause.subject in ("part", "letter")):
         return False
-    if clause.words[clause.at("not")] in _NONE and clause.ends("part", "letter"):
-        return False  # "The speed has no mixed term"
+    is_of_arm = clause.subject == "arm" and clause.at("not") < len(clause.words) - 1
+    if clause.words[clause.at("not")] in _NONE and (is_of_arm or clause.ends("part", "letter")):
+        return False  # "The speed has no mixed term", "This arm has no vertical slide"
     is_of_other = clause.subject in ("arm", "formula", "") or clause.begins("there")
     ends_so = (
         clause.subject in ("arm", "formula")
@@ -225,5 +281,7 @@ def _is_not_so(clause: Clause) -> bool:
 
 
 def _is_exclusive(clause: Clause) -> bool:
-    """Whether a clause says that something holds in a case only: a display that holds in all is denied."""
+    """Whether a clause says that something holds in a case only: a display that holds in all is denied, but for one that is so "provided" something holds."""
+    if not _PROVIDED.isdisjoint(clause.words[:1]):
+        return False
     return clause.has("only") and (clause.has("if", "of") or clause.begins("only")) and not clause.has("neutral")

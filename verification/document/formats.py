@@ -14,7 +14,13 @@ from armproof.verification.document.arm_in_words import MAY_NAME, planar_arms
 from armproof.verification.document.arms_called import CALLED
 from armproof.verification.document.cells import percent_cells
 from armproof.verification.document.code_tables import code_tables
-from armproof.verification.document.denials import denied_in, denies_above, denies_below, is_denied_by_headings
+from armproof.verification.document.denials import (
+    denied_in,
+    denies_above,
+    denies_below,
+    heading_may_deny,
+    is_denied_by_headings,
+)
 from armproof.verification.document.formula_links import shows_its_latex
 from armproof.verification.document.front_matter import read_any_text, suffix_of
 from armproof.verification.document.heading import encloses
@@ -35,6 +41,7 @@ from armproof.verification.document.sentences import (
     ABOVE,
     DENIED,
     DENIED_ABOVE,
+    FAULTED_ABOVE,
     FROM_VALUES,
     LIMITED_ABOVE,
     MEANT,
@@ -212,6 +219,7 @@ def _with_what_is_above(display: Display, latex: str) -> Display:
         return replace(display, meant=(*display.meant, latex.removeprefix(ABOVE + MEANT)))
     said: dict[str, Any] = {
         DENIED_ABOVE: {"denied": True},
+        FAULTED_ABOVE: {"faulted": True},
         LIMITED_ABOVE: {"supposed": True},
         ABOVE + OTHER_POINT: {"of_other_point": True},
         ABOVE + OTHER_FRAME: {"in_other_frame": True},
@@ -268,6 +276,7 @@ def _with_what_is_before(
         said_above=above,
         said_outside=outside,
         denied=not display.erratum and (DENIED in of_it or _denies_itself(display, is_marked)),
+        faulted=not (display.erratum or is_marked) and bool(display.section) and heading_may_deny(display.section),
         supposed=not display.erratum
         and (SUPPOSED in of_it or (bool(display.section) and is_of_a_case(display.section))),
         strange="" if display.erratum else " ".join(strange),

@@ -58,6 +58,7 @@ class Display:
     denied: bool = (
         False  # whether the text around it, or a tag, says that it is wrong: of an erratum that goes without saying
     )
+    faulted: bool = False  # whether it finds fault with something else, which may yet be this: what holds is not meant
     strange: str = ""  # the sentence around it that is not understood, and may take it back
     supposed: bool = False  # whether that supposes it, asks for it, or says in words that it holds in a case alone
     may_not_print: bool = False  # whether it stands in a branch of a conditional that nothing in the document decides

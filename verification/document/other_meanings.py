@@ -28,10 +28,11 @@ from armproof.verification.document.lengths_in_units import lengths_in_two_units
 from armproof.verification.document.letters_anew import MAY_RENAME, letters_anew
 from armproof.verification.document.model import Display, Document
 from armproof.verification.document.strange import is_in_known_language
-from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, subjects
+from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, subjects, without_tool_frame
 from armproof.verification.document.told_names import MAY_TELL_NAMES, STRANGE, USUAL, Told, told_in_rows, told_names
 from armproof.verification.document.told_notation import MAY_NOTE, notations_told
 from armproof.verification.document.told_since import Since, told_since
+from armproof.verification.document.told_tasks import told_tasks
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
     r"horizontal|negati[vf]|négati[vf]|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
@@ -106,6 +107,9 @@ _PLURAL = re.compile(
     r"|(?:segundo|secondo) (?:motor|encoder|motore|actuador|attuatore)|both|all|each|every|chaque|rotations?|turns|positi[fv]e?|winkel|ángulos|deux|number(?:ed)?|roles)\b",
     re.IGNORECASE,
 )
+_OF_FIRST_ANGLE = re.compile(  # one that is no relative angle anyway: that of the shoulder
+    r"(?<!\S)(?:shoulder angle|schulterwinkel|(?:angle|ángulo|angolo|ângulo|winkel) (?:of |at |d' |de |de l' |del |della |do |der )(?:the |l' |la )?(?:shoulder|épaule|schulter|hombro|spalla|ombro)) "
+)
 _VERTICAL = re.compile(r"(?<!\S)(?:vertical|senkrecht|lotrecht)", re.IGNORECASE)
 _OTHERWISE = re.compile(  # what an angle from the vertical may be besides
     r"clockwise|horair|uhrzeiger|horari|orari|y-axis|downward|bas\b|number|from the (?:tip|tool|end|gripper|hand)|role|fold|interior|inner|intérieur|hang|pendant",
@@ -134,6 +138,7 @@ ORDER = "order"  # the joint variables as q holds them
 ANEW = "anew"  # a letter that is something else for a while
 FRAME, JACOBIAN = "link", "J"  # the origin of one; that whose columns are those of joints in another order
 _TURNED_ROWS = [3, 4, 5, 0, 1, 2]  # of (ω_x, ω_y, ω_z, v_x, v_y, v_z)
+_MOST_OF_TASK = 5  # rows of a task
 _NEAR_ABOVE, _NEAR_BELOW = 4, 8  # lines between a sentence and a display beside it
 
 
@@ -211,7 +216,8 @@ def _with(display: Display, said: Iterable[tuple[Meaning, int, float]], since: I
             letters.append(f"{FRAME} {each.frame}")
         if each.beside and is_near:
             letters.append(each.beside)
-        if each.anew and each.line - _NEAR_ABOVE <= display.line < (ends if each.is_of_section else inf):
+        first, last = (begins, ends) if each.is_of_section else (0, inf)
+        if each.anew and max(first, each.line - _NEAR_ABOVE) <= display.line < last:
             letters += each.anew
         begin, end = each.reach or (begins, inf)
         if each.letters and (begin <= display.line <= end or (display.file and each.reach is None)):
@@ -265,7 +271,8 @@ def _meanings(text: str) -> Iterator[Meaning]:
             is_here = says_what_would_be(words)
             yield Meaning(line, letters, reach=_paragraph(text, begins, found.end()) if is_here else None)
         renamed, is_of_section = letters_anew(words_of(before) + words, [*formulas_of(before), *formulas])
-        if renamed and (known := tuple(_that_stand_in(text[: found.start()], renamed))):
+        above = _above_section(text, line, found.start()) if is_of_section else text[: found.start()]
+        if renamed and (known := tuple(_that_stand_in(above, renamed))):
             yield Meaning(line, anew=known, is_of_section=is_of_section)
         whole = with_axes(" ".join((before + sentence).split()))  # "turned about x, then y; all axes are the base's"
         if not goes_on and (turns := _turns(whole, words_of(whole))):
@@ -283,7 +290,7 @@ def _of_places(line: int, plain: str, words: str, formulas: Sequence[str]) -> It
             of_place = heard in (OTHER_PLACE, OTHER_BASE)
             yield Meaning(line, is_place=True) if of_place else Meaning(line, beside=heard)
     is_over = words.rstrip()[-1:] in ".!" and not mentions_only(words)
-    if is_over and any(says(each, words) for each in ("OTHER_POINT", "OTHER_FRAME")):
+    if is_over and any(says(each, without_tool_frame(words)) for each in ("OTHER_POINT", "OTHER_FRAME")):
         yield Meaning(line, is_place=True)
     yield from (Meaning(line, (f"{ALL} {each}",)) for each in lengths_in_two_units(plain))
     if len({*_UNIT.findall(words.lower())}) > 1:  # lengths in inches, and what is printed in millimetres
@@ -339,6 +346,12 @@ def _paragraph(text: str, start: int, end: int) -> tuple[int, int]:
     return first - _NEAR_ABOVE * text[before + 2 : before + 3].islower(), last + 2
 
 
+def _above_section(text: str, line: int, place: int) -> str:
+    """Return what stands above the section of a line: what a sentence says of its whole section changes no letter in it."""
+    begin = _reach(line, text)[0]
+    return text[:place] if begin == 0 else "".join(text.splitlines(keepends=True)[: begin - 1])
+
+
 def _that_stand_in(text: str, letters: Sequence[str]) -> Iterator[str]:
     """Yield the letters that stand in the displays and formulas of a text, as what holds of a display."""
     displays = [found.group() for found in _SHOWN.finditer(text)]
@@ -379,7 +392,7 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         is_of_other = (
             "¤" in words[: begin.end()] and not subjects
         )  # "The angle φ is absolute, the joint angles are not"
-        of_all = words[: begin.end()] if is_of_other else words
+        of_all = words[: begin.end()] if is_of_other or _OF_FIRST_ANGLE.search(begin.group()) else words
         if _PLURAL.search(of_all) and not any(re.search(r"\d", each) for each in subjects):  # all θ_i, too
             yield BEHIND if name != "TURNED" else ALL
     for name in ("OTHER_LENGTH", "SWAPPED"):
@@ -422,6 +435,8 @@ def _orders(formulas: Sequence[str], words: str) -> Iterator[str]:
     if _TURNED_ROWS in orders:
         yield OMEGA_FIRST
     orders = [indices for indices in orders if indices != _TURNED_ROWS]
+    if any(told_tasks(words, formulas)):  # in whose rows J is read
+        orders = [indices for indices in orders if len(indices) > _MOST_OF_TASK]
     if any(indices != sorted(indices) for indices in orders) or says("COLUMNS_REVERSED", words):
         yield JACOBIAN
     of_joints = [entries for name, entries in tuples if _NAME_OF_JOINTS.fullmatch(name)]

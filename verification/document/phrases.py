@@ -23,6 +23,14 @@ pas sorcier
 étonn~/surprendra/doutera pas (de)
 without/sans/sin/senza/sem/ohne (any/a/further/aucune) (the) loss/perte/pérdida/perdita/perda/doubt/duda/doute/dubbio/dúvida/ado/zweifel
 unless/sauf otherwise/mention/indication (stated/noted/specified/mentioned) (contraire)
+says/say/said/tells/tell (us) nothing/little about/of/on
+ne dit/disent rien de/d'/du/sur/des
+sagt/sagen nichts über
+no dice/dicen nada de/sobre
+on the contrary
+au/im contraire/gegenteil
+as it/they/one/this (indeed) must/should/may/can/need not
+ne le/la/les/l'/en/y/lui change/changent/modifie/modifient/affecte/affectent/touche pas/rien
 does/do/did/is not/n' depend/matter/involve/change/affect/enter/appear/contain/assume/presuppose/suppose/require
 is/are not restricted/limited/confined/bound/tied to
 ne dépend/change/contient/intervient/suppose/présuppose/exige/requiert/nécessite pas
@@ -39,6 +47,21 @@ twice as fast/long/large/big/much/high/heavy/far/great/quick/quickly/wide
 doppelt/halb so schnell/lang/groß/hoch/viel/schwer/weit
 and/or the other way round/around
 and/or/et/und/y/o/e/ou vice versa/viceversa/conversely/inversement/réciproquement/umgekehrt/inversamente/recíprocamente/vice-versa/viceversa
+permutation~ circulaire/cyclique
+circular/cyclic permutation~
+zyklische/zyklischen/zyklischer vertauschung/permutation
+permutación/permutazione/permutação cíclica/ciclica/circular
+not/n'/ne/nicht need/require/take/brauche~ (…) more/much/anything/mehr than/als
+has/have/contains/had no (…) term/terms/factor/part/component/dependence in/with/of/for/on
+not/no/nothing/never/cannot (…) symmetric/interesting/inverted/invertible/expanded/memorise/memorised/memorize/simplify/simplified
+nothing/little to do with
+rien à voir avec
+most/many/all/several/some/other/these books/textbooks/texts/courses/authors/lecture (notes) print/give/use/have/derive/write/contain (exactly) the same formula/formulas/equation/expression/relation/result
+la plupart des livres/ouvrages/manuels/cours/auteurs donnent/impriment/écrivent/ont la même formule/équation/relation/expression
+n'/ne oublier~/oubli~/manquer~ pas/jamais
+personne ne s' étonn~
+personne ne sera/doute~ (surpris)
+ne/n' reste/restait/restera (donc/alors) (plus) qu'
 no need
 no hace/hará falta
 no/non/não es/è/é necesario/necessario/necessário/preciso
@@ -52,6 +75,7 @@ not/nicht/pas/no (so/too/very/si/très/sehr) difficult/hard/easy/surprising/diff
 nothing/rien (is) wrong/false/incorrect
 no/not/without/sans/aucune/keine/sin (only/merely) (any/a/an/une) approximation/trivial/surprise/approximate
 not surprisingly
+no/not/kein/pas (a/an/un/une) (mere) slip/typo/misprint/oversight/accident/coquille/versehen/druckfehler
 not/no/never/cannot (…) wrong/wrongly/false/incorrect/mistake/mistaken/impossible/absurd
 pas/nicht/kein/no (…) faux/fausse/falsch/falscher/falso/incorrecto/inexact
 avoid~/prevent~/remedy/without/éviter/évite~/sans/vermeide~/evitar (…) mistake~/error~/misconception~/erreur~/wrong/fehler
@@ -407,7 +431,9 @@ image coordinates
 ^ * y (axis) points/pointing down~
 origin is/lies (placed/taken) at/in the tip/end of
 base/shoulder is/stands/lies/sits (placed/located) at (a/the) height
-base/shoulder (is) displaced/shifted/offset (by)
+base/shoulder (is) displaced/shifted (by)
+base/shoulder is offset (by)
+base/shoulder offset by
 after (a) (the) reflection
 seen/viewed/looked in/through (a/the) mirror
 mirrored/mirror-image/mirror image/version/arm

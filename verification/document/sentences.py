@@ -11,7 +11,7 @@ from functools import lru_cache
 
 from armproof.verification.document.arms_called import CALLED, arms_called
 from armproof.verification.document.clauses import clauses, is_of_display, says_what_would_be
-from armproof.verification.document.denials import denies_before, denies_behind, denies_later
+from armproof.verification.document.denials import denies_before, denies_behind, denies_later, faults_another
 from armproof.verification.document.denying_clauses import leads_on
 from armproof.verification.document.hearing import (
     FORMULA,
@@ -36,7 +36,13 @@ from armproof.verification.document.model import INLINE, Display
 from armproof.verification.document.moving_on import said_of_motion
 from armproof.verification.document.named_quantities import NAMED
 from armproof.verification.document.strange import is_strange_before, is_strange_behind, strange_words
-from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, places_of_those, subjects
+from armproof.verification.document.subjects import (
+    OTHER_BASE,
+    OTHER_PLACE,
+    places_of_those,
+    subjects,
+    without_tool_frame,
+)
 from armproof.verification.document.told_singularities import (
     SINGULAR,
     is_of_singularities,
@@ -45,6 +51,7 @@ from armproof.verification.document.told_singularities import (
 )
 
 DENIED_ABOVE, LIMITED_ABOVE = r"\text{denies above}", r"\text{limits above}"  # what a text says of the display above it
+FAULTED_ABOVE = r"\text{faults above}"  # or of something that may be that
 DENIED = r"\text{denies below}"  # and of the one that it leads to
 GENERAL = r"\text{in general}"  # what ends a configuration
 FROM_VALUES = r"\text{from values}"  # what leads to what holds at the values that it gives: "For ¤ and ¤ we get"
@@ -59,7 +66,7 @@ MEANT = r"\text{meant}"  # of which link it is, which quantity, or what is done 
 EVERYWHERE = "everywhere"  # what is said of every configuration
 WOULD_BE = "would be"  # of another case than that at hand: it says there what a letter is
 ABOVE = r"\text{above}"  # before a place or a quantity that is said of the display above
-OF_ABOVE = (DENIED_ABOVE, LIMITED_ABOVE, STRANGE_ABOVE, ABOVE)
+OF_ABOVE = (DENIED_ABOVE, FAULTED_ABOVE, LIMITED_ABOVE, STRANGE_ABOVE, ABOVE)
 OF_NEXT = (
     DENIED,
     SUPPOSED,
@@ -93,6 +100,10 @@ _LISTS_VALUES = re.compile(  # a sentence of formulas alone, with their units, b
     r"(?:¤ (?:(?:mm|cm|m|rad|deg|degrees|degrés|grad|kg|n|nm|n m|rad/s|m/s|°/s) )?(?:(?:, |; )?(?:and |et |und |y |e )?)){2,}[:.,]? ?\Z",
     re.IGNORECASE,
 )
+_MISTAKE = re.compile(  # **Mistake 2.** of a list of them: what stands behind it is one
+    r"[\W_]*(?:(?:textbf|textit|emph|paragraph|item)\W*)*(?:mistake|error|pitfall|trap|slip|erreur|faute|piège|fehler|falle|errore|erro|trampa)\s*(?:n°|nr\.?|no\.?|#)?\s*\d+\s*[.:)–—]",
+    re.IGNORECASE,
+)
 _JOINING = frozenset("and or et ou und oder y o e ed bzw resp".split())
 _OF_LETTERS = re.compile(
     r"angle|ángulo|ângulo|angol|winkel|measur|count|mesur|compt|mess|zähl|medid|length|longu|läng|lungh|absol|assol|convention|letter|symbol|lettre|zeichen|letra|letter"
@@ -112,14 +123,16 @@ def said_above(text: str, line: int, section: str) -> Iterator[Display]:
 
 @lru_cache(maxsize=MOST_KNOWN)
 def _heard_behind(sentence: str) -> tuple[str, ...]:
+    if _MISTAKE.match(sentence):
+        return ()
     words = words_of(sentence)
-    heard = [DENIED_ABOVE] if denies_behind(words) else []
+    heard = [FAULTED_ABOVE if faults_another(words) else DENIED_ABOVE] if denies_behind(words) else []
     if _limits(words):
         heard.append(LIMITED_ABOVE)
     if is_of_display(words):
         heard += (ABOVE + each for each in _subjects(sentence, words) if not (_FOR.search(words) and NAMED in each))
     is_of_next = leads_on(words) and denies_before(sentence, words)
-    if DENIED_ABOVE not in heard and not is_of_next and is_strange_behind(_plain(sentence)):
+    if not ({DENIED_ABOVE, FAULTED_ABOVE} & {*heard}) and not is_of_next and is_strange_behind(_plain(sentence)):
         heard.append(STRANGE_ABOVE + sentence)
     return tuple(heard)
 
@@ -165,7 +178,7 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
     words, words_before = words_of(sentence), words_of(before)
     points_below = hears("POINTS_BELOW", words_before) is not None
     is_denied = denies_before(sentence, words) or (points_below and hears("DENIED_BEFORE", f"{words_before}{words}"))
-    heard = [DENIED] if is_denied else []
+    heard = [DENIED] if is_denied or _MISTAKE.match(sentence) else []
     if (
         _supposes(words_of(without_place(sentence)), IS_OVER.search(sentence) is not None)
         or hears("MAY_LIMIT", words_before)
@@ -179,7 +192,7 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
         heard.append(MEANT + EVERYWHERE)
     if is_of_other_place(words) or (hears("OF_THE_ONE_BEFORE", words) and is_of_other_place(words_before)):
         heard.append(OTHER_POINT)
-    if says("OTHER_FRAME", words):
+    if says("OTHER_FRAME", without_tool_frame(words)):
         heard.append(OTHER_FRAME)
     is_label = words.count(" ") <= _MOST_OF_LABEL
     own = words_of(_ARGUMENTS.sub(" ", sentence))
@@ -266,7 +279,7 @@ def values_of(section: str) -> tuple[str, ...]:
 
 def is_of_other_place(words: str) -> bool:
     """Whether a sentence is of another point, frame or origin than the tool in the base, and does not say that it is not."""
-    return any(says(place, words) for place in ("OTHER_POINT", "OTHER_FRAME", "OTHER_ORIGIN"))
+    return any(says(place, without_tool_frame(words)) for place in ("OTHER_POINT", "OTHER_FRAME", "OTHER_ORIGIN"))
 
 
 def _supposes(words: str, is_over: bool) -> bool:

@@ -27,7 +27,7 @@ _SUBJECT = 5  # words of a sentence of the arm within which a word for a part of
 _RATIO_OF_ARM = 5  # of how many words of such a one
 _MANY = 50  # words of a text that tell its language
 _NO_WORDS = re.compile(
-    r":[a-z:]+:(?=`)|\b\w{1,3}[₀-₉ₙᵢ]+|[α-ωΑ-Ω]\w*|\b\d\w*|https?:\S*|\S+\.(?:png|jpe?g|svg|eps|pdf|gif|md|py|m)\b|\S*[/_=]\S*|`[^`]*`|\b[lcr]{2,}\b"
+    r":[a-z:]+:(?=`)|\b\w{1,3}[₀-₉ₙᵢ]+|[α-ωΑ-Ω]\w*|\b\d\w*|https?:\S*|\S+\.(?:png|jpe?g|svg|eps|pdf|gif|md|py|m)\b|\S*[/_=]\S*|`[^`]*`|\b[lcr]{2,}\b|\b(?:turns?|rotates?|spins?|moves?|runs?) the other way\b|\b(?:kg|mm|cm|mod)\b"
 )
 _OF_DISPLAY = re.compile(  # a sentence whose subject is the display, or a part of it
     r"(?:[^\w\s]+ )*(?:(?:and|but|so|yet|however|thus|hence|et|mais|or|donc|aber|und|doch|pero|y|ma|mas|e) (?:, )?)?"
@@ -51,7 +51,7 @@ def is_strange_behind(words: str) -> bool:
     if not found or found[0] == "Erratum" or _is_foreign(found):
         return False  # of the next
     subject = _subject(words)
-    if subject or (words[:1].islower() and found[0] not in _table("GOES_ON") and not _follows_for_arm(found)):
+    if subject or (words[:1].islower() and found[0] not in _table("GOES_ON") and not _follows_for_arm(words, found)):
         return bool(
             _strange(found[:_HEAD])
         )  # the subject is of known words, and what stands behind it begins no sentence
@@ -87,9 +87,10 @@ def _subject(words: str) -> str:
     return "" if found is None or is_of_arm else found.group()
 
 
-def _follows_for_arm(found: Sequence[str]) -> bool:
-    """Whether a sentence says what follows for the arm, "so the arm loses rank", and nothing of the display."""
-    return found[0] in _table("HENCE") and not _table("OF_ARM").isdisjoint(found[1:3])
+def _follows_for_arm(words: str, found: Sequence[str]) -> bool:
+    """Whether a sentence says what follows for the arm, "so the arm loses rank", or a quantity, "so $O_3$ never reaches", and nothing of the display."""
+    of_quantity = words.split()[1:2] == ["¤"]
+    return found[0] in _table("HENCE") and (of_quantity or not _table("OF_ARM").isdisjoint(found[1:3]))
 
 
 def _is_mostly_strange(found: Sequence[str], short: int) -> bool:

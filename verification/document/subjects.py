@@ -61,13 +61,24 @@ ACTS describes concerns regards décrit concerne beschreibt betrifft describe co
 DERIVATIVE derivative~ dérivée~ ableitung~ zeitableitung derivada~ derivata
 """).holds
 _ORDINALS = {"first": 1, "second": 2, "third": 3, "fourth": 4, "premier": 1, "première": 1, "deuxième": 2, "seconde": 2, "troisième": 3, "ersten": 1, "zweiten": 2, "dritten": 3, "primer": 1, "primero": 1, "segundo": 2, "tercer": 3, "primo": 1, "secondo": 2, "terzo": 3, "primeiro": 1, "terceiro": 3}  # fmt: skip
+_CENTRES = frozenset("centre center centro zentrum mittelpunkt".split())
+_WRISTS = ("wrist", "poignet", "handgelenk", "handwurzel", "muñeca", "polso", "pulso", "punho")
 _LETTERS = {"jacobi": "J", "rotation": "R", "orientat": "R", "pose": "THA", "transfor": "THA", "position": "pPxyz", "accélér": "", "rotació": "R", "rotazio": "R", "posició": "pPxyz", "posizio": "pPxyz"}  # fmt: skip
 _POINT = re.compile(r"\s*(?:\\(?:mathbf|boldsymbol|vec)\s*)?\{?[OPCAp]\}?_\{?(\d)\}?\s*")
 _NUMBER = re.compile(r"¤?\s*(?:\\?[A-Za-z]+\s*_\s*)?\{?\s*(?:\\?[A-Za-z]+_)?(\d)\s*\}?\s*")  # 2, $2$, $R_2$, $\{2\}$
 _OF_FRAME = re.compile(r"¤\s*(?:\\mathcal\s*)?\{?[RF]\}?_\{?([1-9])\}?\s*|¤\s*\\\{([1-9])\\\}\s*")
 _OF_JOINT = re.compile(r"¤\s*(?:\\(?:var)?(?:theta|phi|alpha|beta)|q)(?![A-Za-z])")
 _JOINT = frozenset("joint articulation gelenk gelenks articulación giunto".split())
+_OF_TOOL_FRAME = re.compile(  # what a tool's frame does anyway: "The hand frame turns with the forearm."
+    r"(?<!\S)(?:the |le |la )?(?:(?:hand|tool|gripper|end-effector|effector|tip|wrist|last)(?:' s)? (?:frame|axes)|(?:repère|référentiel) (?:de |du |lié à )?(?:la |l' )?(?:outil|pince|main|effecteur)) (?:turns|moves|rotates|travels|tourne|bouge|se déplace) (?=with |along with |avec )",
+    re.IGNORECASE,
+)
 _ENDS = frozenset(",:.;!?")
+
+
+def without_tool_frame(words: str) -> str:
+    """Return the words of a sentence without what the tool's frame does anyway, and that tells of no other: "The hand frame turns with the forearm."."""
+    return _OF_TOOL_FRAME.sub("", words)
 
 
 def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
@@ -211,7 +222,10 @@ def _of_two_frames(said: Sequence[str]) -> Iterator[str]:
 def _of_place(phrase: Sequence[str]) -> Iterator[str]:
     """Yield of what place a phrase is, by the first noun in it that tells: "end of the first link" is link 1."""
     number = _number(phrase)
-    for word, behind in zip(phrase, (*phrase[1:], ""), strict=False):
+    for place, (word, behind) in enumerate(zip(phrase, (*phrase[1:], ""), strict=False)):
+        if word in _CENTRES and any(each.startswith(_WRISTS) for each in phrase[place + 1 : place + 4]):
+            yield f"{LINK} {WRIST}"  # where its axes meet
+            return
         if _is(word, "OTHER") and _is(behind, "KIND"):  # the elbow manipulator
             return
         if (found := _POINT.fullmatch(word.removeprefix("¤"))) and word.startswith("¤"):

@@ -33,6 +33,9 @@ _REVERSED = re.compile(
     r"|(?:se )?inviert(?:e|imos) (?:ahora )?(?:el|la)|(?:está|queda) (?:ahora )?invertid[oa]|al revés|sentido (?:contrario|opuesto|inverso)"
     r"|(?:si )?invert(?:e|iamo) (?:ora |adesso )?(?:il|la|l')|è (?:ora |adesso )?invertit[oa]|(?:verso|senso) (?:contrario|opposto|inverso)|ao contrário|sentido (?:contrário|oposto)) "
 )
+_SEEN = re.compile(
+    r"(?<!\S)(?:(?:seen|viewed|looked at) from|looking (?:down|up|from)|vue?s? (?:de|du|d'|depuis|par)|von (?:oben|unten|vorn|vorne|hinten)(?: (?:gesehen|betrachtet))?|vist[oa]s? (?:desde|de|dall'|dal|da|por)) "
+)
 _FROM_HERE = re.compile(
     r"(?<!\S)(?:from (?:now|here) on|henceforth|désormais|dorénavant|à partir de (?:maintenant|là)|ab (?:jetzt|hier)|von nun an|a partir de (?:ahora|aquí)|d' ora in poi|a partir de agora) "
 )
@@ -87,6 +90,8 @@ def turned_round(words: str, formulas: Sequence[str]) -> tuple[tuple[str, ...], 
         return (), ""
     if not of_part and not any(_is(each, "PART") for each in said):
         return (), ""
+    if _SEEN.search(small) and not (_FROM_HERE.search(small) or _NOW.search(small)):
+        return (), ""  # where the sense is that of who looks, and none is turned round
     numbers = [str(_NUMBERS[each]) for each in said if each in _NUMBERS]
     which = tuple(f"{TURNED_ROUND} {each}" for each in (map(str.strip, of_part) if of_part else numbers))
     since = "from here" if _FROM_HERE.search(small) else "now" if _NOW.search(small) else "beside"

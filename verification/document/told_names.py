@@ -218,8 +218,14 @@ def _is_of_a_path(before: Sequence[str]) -> bool:
 
 
 def _moves(before: Sequence[str]) -> bool:
-    said = [word for word in before if word[:1].isalpha()]
+    said = [word for word, behind in zip(before, (*before[1:], ""), strict=True) if not _is_an_end(word, behind)]
+    said = [word for word in said if word[:1].isalpha()]
     return any(is_of(word, "MOVES") for word in said) and not any(is_of(word, "FRAME") for word in said)
+
+
+def _is_an_end(word: str, behind: str) -> bool:
+    """Whether a word is no verb but the end of something: "the far end of the forearm"."""
+    return word in ("end", "ends") and behind == "of"
 
 
 def _told(listed: Sequence[str], phrase: Sequence[str], is_sure: bool) -> Iterator[Told]:

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 
 TASK = "task"  # with the coordinates as LaTeX, parted by semicolons, in the order of the rows of J
 TASK_UNORDERED = "task of"  # with those that are named, in no order
+TASK_BY_RATES = "task by"  # with those whose rates the text lists as the rows
 _MARK = ";"
 
 MAY_TELL_TASK = re.compile(
@@ -37,9 +38,16 @@ _OF_OTHERS = re.compile(  # joints, lengths, velocities, torques, forces, indice
 _COORDINATE = re.compile(
     r"[xyzXYZ](?:\s*_\s*(?:\{[A-Za-z\\{} ]+\}|[A-Za-z]))?|[pP]\s*_\s*\{?\s*[xyz]\s*\}?|\\(?:var)?(?:phi|psi)(?:\s*_\s*\{?[A-Za-z]+\}?)?|\\alpha|\\gamma"
 )
+_RATE = re.compile(  # of a coordinate, as a row of J gives it: \dot x, v_x, \omega_z
+    r"\\dot\s*\{?\s*(?P<coordinate>[xyzXYZ]|[pP]\s*_\s*\{?\s*[xyz]\s*\}?|\\(?:var)?(?:phi|psi))\s*\}?|[vV]\s*_\s*\{?\s*(?P<axis>[xyz])\s*\}?|(?P<turn>\\omega\s*_\s*\{?\s*[xyzXYZ]\s*\}?)"
+)
+_MOST_RATES = 5  # rows of a task: all six are those of the whole J
 _BY = re.compile(
     r"(?:respect to|as (?:a )?functions? of|respecto (?:de|a)|rapport (?:à|aux)|bezüglich|nach|rispetto a|em relação a|(?<!belongs )(?<!belong )(?<!corresponds )(?<!correspond )to|at|reach|points?|target|ziel|cible|punto|zum punkt)(?: the| l'| la| le| les| den)?(?: \w+){0,2} \Z"
 )
+_OF_Q = re.compile(
+    r"(?:\\(?:mathbf|boldsymbol|vec|bm)\s*)?\{?\s*(?:q|\\[tT]heta)\s*\}?\s*="
+)  # the joints in their order
 _JACOBIAN = re.compile(r"\\?(?:mathbf|boldsymbol|bm)?\s*\{?\s*J\b.*")
 
 
@@ -54,10 +62,15 @@ def told_tasks(words: str, formulas: Sequence[str]) -> Iterator[str]:
             return
     is_ordered = re.search(r"(?<!\S)(?:order|ordre|reihenfolge|orden|ordine|ordem) ", small) is not None
     tuples = [
-        entries for place, each in enumerate(plain) if (entries := _entries(each)) and not _is_argument(small, place)
+        entries
+        for place, each in enumerate(plain)
+        if (entries := _entries(each)) and not _is_argument(small, place) and not _OF_Q.match(each)
     ]
     if tuples and (_OF_TASK.search(small) or _OF_ROW.search(small) or is_ordered):
         yield _task(TASK, tuples[-1])
+        return
+    if rates := _listed_rates(small, plain):
+        yield _task(TASK_BY_RATES, rates)
         return
     if tuples or not _CONTROLLED.search(small):
         return
@@ -69,8 +82,8 @@ def told_tasks(words: str, formulas: Sequence[str]) -> Iterator[str]:
 
 def coordinates_of(task: str) -> tuple[list[str], bool]:
     """Return the coordinates of a task as LaTeX, and whether their order is told."""
-    is_ordered = not task.startswith(f"{TASK_UNORDERED} ")
-    return task.removeprefix(f"{TASK_UNORDERED if not is_ordered else TASK} ").split(_MARK), is_ordered
+    kind = next((each for each in (TASK_UNORDERED, TASK_BY_RATES) if task.startswith(f"{each} ")), TASK)
+    return task.removeprefix(f"{kind} ").split(_MARK), kind != TASK_UNORDERED
 
 
 def _is_argument(words: str, place: int) -> bool:
@@ -81,6 +94,25 @@ def _is_argument(words: str, place: int) -> bool:
 
 def _task(kind: str, names: Sequence[str]) -> str:
     return f"{kind} {_MARK.join(dict.fromkeys(names))}"
+
+
+def _listed_rates(words: str, formulas: Sequence[str]) -> list[str]:
+    """Return the coordinates whose rates a sentence has as the rows of J: in a tuple, or one after another."""
+    if not _OF_ROW.search(words):
+        return []
+    tuples = [rates for each in formulas if (rates := _rates(each))]
+    alone = [each for each in formulas if _RATE.fullmatch(each)]
+    return tuples[-1] if tuples else _rates(f"({','.join(alone)})")
+
+
+def _rates(formula: str) -> list[str]:
+    r"""Return the coordinates whose rates are the entries of a tuple, [] of another: "the rows are $(\omega_z, \dot x, \dot y)$"."""
+    found = _ENTRIES.fullmatch(formula)
+    entries = re.split(r",|;|&|\\\\", found["entries"]) if found is not None else []
+    rates = [_RATE.fullmatch(each.strip()) for each in entries]
+    if not 1 < len(rates) <= _MOST_RATES or None in rates:
+        return []
+    return [each["coordinate"] or each["axis"] or each["turn"] for each in rates if each is not None]
 
 
 def _entries(formula: str) -> list[str]:

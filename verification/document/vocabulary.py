@@ -798,8 +798,8 @@ HENCE = """
 so thus hence therefore donc ainsi also daher folglich somit luego así quindi dunque pertanto portanto logo
 """
 LOADED = """
-not no nor neither never nothing without only other should would could might sign plus minus
-ne pas ni non aucun aucune rien seul seule seuls seules seulement sans signe
+not no nor neither never nothing nobody none without only other else hardly should would could might sign plus minus
+ne pas ni non jamais personne aucun aucune rien seul seule seuls seules seulement sans signe
 nicht kein keine keinen nur ohne vorzeichen
 no ningún ninguna ni solo solamente sin signo
 non nessun nessuna né solo soltanto senza segno

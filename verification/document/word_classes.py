@@ -29,7 +29,7 @@ display formula formulas formulae equation~ expression~ relation~ result~ identi
 part sign signs term terms factor factors index indices subscript~ superscript~ exponent~ sine sines cosine cosines entry entries row rows column
   columns bracket~ parenthes~ coefficient~
 letter angle angles length lengths coordinate~ component~ sum unit units dimension~ sides letters symbol symbols
-person student~ pupil~ candidate~ beginner~ reader~ author~ colleague~ classmate~ neighbour~ someone somebody people many book books textbook~
+person others student~ pupil~ candidate~ beginner~ reader~ author~ colleague~ classmate~ neighbour~ someone somebody people many book books textbook~
   participant~ group groups lecturer~ teacher~ class student teacher pupils colleague classmate manufacturer~ chatgpt web rumour leaflet manual manuals data_sheet datasheet some pupil
   exam
 writer we i one you
@@ -72,7 +72,7 @@ ask check verify decide discuss test judge examine justify tick disprove refute 
 case special particular degenerate limiting posture~ boundary edge limit parallel approximation~ simplified another other different middle centre
   center midpoint local moving body coupled uncoupled contact gravity-free equal unit in_the_case home rest_position zero_position initial_position
   reference_position special_case limiting_case the_case_where the_case_of the_case_that
-neutral dropped_out drops_out tool_at_rest gripper_at_rest hand_at_rest end-effector_at_rest nonzero zeros if_and_only_if iff depend~ contain~ involve~ matter~ change~ affect~ appear~ enter need~ necessary difficult hard easy surpris~ trivial obvious doubt~ forget
+neutral dropped_out show_up shows_up turn_up symmetric interesting weigh weighs weighed drops_out tool_at_rest gripper_at_rest hand_at_rest end-effector_at_rest nonzero zeros if_and_only_if iff depend~ contain~ involve~ matter~ change~ affect~ appear~ enter need~ necessary difficult hard easy surpris~ trivial obvious doubt~ forget
   vanish~ vary varies move~ moves turn~ rotate~ unique~ require~ influence~ exceed~ include~ help~ explain prove discuss~ repeat~ deriv~ mention~ constant linear
   singular zero new distinguish~ invertible square possible reachable expected wanted coincidence~ accident~ determin~ simplif~ simple simply similar
   analogous easily studied allow~ permit~ shown exist~ solv~ unknown~
@@ -149,7 +149,7 @@ claim écri~ prétend~ affirm~ répond~ dit disent lit obtien~ trouv~ conclu~ cr
 ask coch~ vérifi~ décid~ discut~ justifi~ réfut~ corrig~ trouvez_l' test~ commentez jugez examin~
 case particulier~ spécial~ limite~ bord posture~ milieu centre précédent autre autres voisinage parallèle~ simplifié~ contact dégénér~ frontière
   égales unitaires position_de_repos position_initiale position_zéro cas_particulier cas_limite cas_où cas_d' cas_de
-neutral outil_au_repos pince_au_repos effecteur_au_repos outil_immobile pince_immobile nul nulle nuls nulles zéro zéros si_et_seulement_si ssi dépend~ contien~ intervien~ import~ chang~ affect~ besoin nécessaire~ difficil~ étonn~ surpren~ évident~ trivial~ doute~ oubli~ annul~ vari~ boug~
+neutral outil_au_repos décal~ déport symétrique~ intéressant~ pèse~ pèsent pince_au_repos effecteur_au_repos outil_immobile pince_immobile nul nulle nuls nulles zéro zéros si_et_seulement_si ssi dépend~ contien~ intervien~ import~ chang~ affect~ besoin nécessaire~ difficil~ étonn~ surpren~ évident~ trivial~ doute~ oubli~ annul~ vari~ boug~
   tourn~ unique~ exig~ influ~ dépass~ suffi~ aide~ hasard constant~ linéaire~ surprise peine nouveau démontr~ détermin~ simplifi~ simple semblable~
   analogue~ étudi~ intéress~ possèd~ permet~ exist~ résou~ résol~ inconnu~
 counted ajouté~ compté~ pris prise considéré~ tenu inclus~ soustrait~
@@ -222,7 +222,7 @@ claim schreib~ schrieb~ behaupt~ sagt sagen antwort~ glaub~ denk~ meint meinen e
 ask kreuze~ ankreuzen prüf~ entscheid~ überprüf~ untersuch~ begründ~ widerleg~ korrigier~ diskutier~ beurteil~ finde_den finden_sie_den kontrollier~
 case fall falle sonderfall~ spezialfall~ grenzfall~ gestreckt~ strecklage~ mitte anderen anderer anderes rand parallel~ vereinfacht~ näherung~
   grundstellung~ nullstellung~ nulllage~ ruhelage~ ruhestellung~ ausgangsstellung~ referenzstellung~
-neutral null nullen dann_und_nur_dann genau_dann hängt abhäng~ enthäl~ spielt rolle ändert nötig notwendig~ schwer schwierig~ überrasch~ trivial~ zweifel~ vergessen verschwind~ variier~ veränder~ beweg~ dreh~
+neutral null nullen wiegt wiegen dann_und_nur_dann genau_dann hängt abhäng~ enthäl~ spielt rolle ändert nötig notwendig~ schwer schwierig~ überrasch~ trivial~ zweifel~ vergessen verschwind~ variier~ veränder~ beweg~ dreh~
   eindeutig~ erforder~ braucht brauchen benötig~ wunder~ schlimm vorkomm~ kommt auftret~ beeinfluss~ neu einfach leicht bestimm~ ähnlich~ analog~
   erlaub~ betracht~ existier~ gelöst auflös~ lösen löst unbekannt~
 counted addiert gezählt berücksichtigt genommen subtrahiert multipliziert
@@ -291,7 +291,7 @@ claim escrib~ afirm~ dice dicen respond~ obtien~ cree~ piens~ concluy~ entreg~ s
 ask marqu~ comprueb~ verifi~ verifiq~ decid~ discut~ justifi~ refut~ corrij~ encuentre_el busque_el compruebe examin~
 case caso casos particular~ especial~ límite~ extendid~ estirad~ plegad~ centro mitad otro otra borde parale~ simplific~ posición_extendida
   posición_de_reposo posición_inicial
-neutral nulo nula nulos nulas cero ceros si_y_solo_si si_y_sólo_si depend~ contien~ intervien~ import~ cambi~ afect~ hace_falta necesari~ difícil~ sorprend~ trivial~ duda~ olvid~ anul~ varía~ muev~ gir~ únic~
+neutral nulo nula nulos nulas cero pesa pesan ceros si_y_solo_si si_y_sólo_si depend~ contien~ intervien~ import~ cambi~ afect~ hace_falta necesari~ difícil~ sorprend~ trivial~ duda~ olvid~ anul~ varía~ muev~ gir~ únic~
   requier~ influy~ aparec~ extrañ~ nuev~ determin~ simplific~ simple similar análog~ estudi~ permit~ exist~ resolv~ resuelv~ incógnit~ desconocid~
 counted sumado~ contado~ tenido considerad~ incluid~ restad~
 remedy correct~ sino corregid~ correctamente
@@ -358,7 +358,7 @@ claim scriv~ scritt~ afferm~ dice dicono rispond~ ottien~ cred~ pens~ conclud~ c
 ask barr~ verific~ controll~ decid~ discut~ giustific~ confut~ corregg~ trova_l' trovare_l' esamin~
 case caso casi particolar~ special~ limit~ distes~ ripiegat~ centro metà altro bordo parallel~ semplificat~ esteso posizione_di_riposo
   posizione_iniziale
-neutral nullo nulla nulli nulle zero se_e_solo_se dipend~ contien~ compare import~ cambi~ influen~ serve necessari~ difficil~ sorprend~ banal~ dubbi~ dimentic~ annull~ varia~ muov~ ruot~ unic~
+neutral nullo nulla nulli nulle zero pesa pesano se_e_solo_se dipend~ contien~ compare import~ cambi~ influen~ serve necessari~ difficil~ sorprend~ banal~ dubbi~ dimentic~ annull~ varia~ muov~ ruot~ unic~
   richied~ bisogno nuov~ determin~ semplific~ semplice simile~ analog~ studi~ permett~ esist~ risol~
 counted sommat~ contat~ considerat~ inclus~ tenut~ sottratt~
 remedy corrett~ giust~ invece piuttosto bensì

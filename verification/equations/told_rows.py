@@ -3,6 +3,7 @@ r"""The rows of J of a task that the text tells: $(y, \varphi)$ are rows 2 and 6
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from armproof.verification.algebra.quantity import COMPONENTS
 from armproof.verification.document.told_tasks import TASK, TASK_UNORDERED, coordinates_of
@@ -27,13 +28,21 @@ def rows_of_task(meant: Sequence[str], names: Names) -> tuple[int, ...] | None:
         return None  # of joints and lengths
     if _are_usual([_row_by_letter(name) for name in read]):
         return None  # whatever the document says that x and y are
-    rows = [None if name is None else row_of(n.Name(name.base, dots=1), names) for name in read]
+    rows = [None if name is None else _row(name, names) for name in read]
     if None in rows or len({*rows}) < len(rows):
         return ()
     if _are_usual(rows):
         return None
     found = tuple(row for row in rows if row is not None)
     return found if is_ordered or found == tuple(sorted(found)) else ()
+
+
+def _row(name: n.Name, names: Names) -> int | None:
+    """Return the row of J that gives the rate of a coordinate, or a component of ω."""
+    if name.base == "omega":
+        return row_of(name, names)
+    own = row_of(replace(name, dots=1), names) if name.base in "pP" else None
+    return own or row_of(n.Name(name.base, dots=1), names)
 
 
 def _are_usual(rows: Sequence[int | None]) -> bool:

@@ -14,6 +14,7 @@ from armproof.verification.verdict import Verdict
 
 RIGHT, WRONG = "x = l_1 c_1 + l_2 c_{12}", "x = l_1 c_1 + l_2 c_2"
 STRANGE_ABOVE = (
+    "which is a gem.",
     "This was my cousin's idea of a joke.",
     "It begs belief.",
     "The formula limps.",
@@ -57,6 +58,8 @@ STRANGE_BELOW = (
     "A olho,",
 )
 PLAIN_ABOVE = (
+    "so $O_3$ never leaves the workspace.",
+    "For the base the last joint turns the other way.",
     "This is the position of the gripper in the base frame.",
     "It follows that the arm reaches every point of the workspace.",
     "The second term is the contribution of the forearm.",

@@ -53,6 +53,7 @@ def test_a_definition_by_the_usual_words_tells_nothing_new(sentence: str) -> Non
         r"Note that $\theta_1 + \theta_2$ is the angle of the tool.",
         r"The vector from $O_0$ to $O_1$ is",
         r"$J$ is singular there.",
+        r"The hand is the far end of the forearm, at $(x, y)$.",
     ],
 )
 def test_what_defines_no_name_tells_none(sentence: str) -> None:
