@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import groupby, pairwise
 
-from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.calculus import angles_in, symbols_in
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document import Display, Document, Table
 from armproof.verification.document.heading import encloses
@@ -152,7 +152,10 @@ def _of_letters_anew(document: Document, names: Names) -> Place | None:
     for section, run in groupby(given, key=lambda each: each[0].section):
         shown = [*run]
         values = {axis: value for _, each in shown for axis, value in each.items()}
-        letters = symbols_in([*values.values()])
+        angles = {angle for value in values.values() for angle in angles_in(value)}
+        letters = (
+            symbols_in(values.values()) if before else angles
+        )  # behind a table, which gives no point, its angles mean something else
         met = any(are_equal(value, each) for axis, value in values.items() for each in before.get(axis, ()))
         if section != begun and not met and len(values) > 1 and (_letters_told(shown[0][0], names) - told) & letters:
             return min(_place(each) for each in document.displays if each.section == section)
