@@ -9,6 +9,7 @@ from dataclasses import replace
 from armproof.models.errors import ArmproofError
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.conditions.other_meanings import OtherMeanings
+from armproof.verification.conditions.told_branches import ToldBranches
 from armproof.verification.conditions.told_directions import ToldDirections
 from armproof.verification.conditions.told_indices import unless_told_otherwise
 from armproof.verification.conditions.told_names import ToldNames
@@ -37,6 +38,7 @@ class WordsAround:
         self.meanings = OtherMeanings(circumstances.checker, circumstances.given)
         self.directions = ToldDirections(circumstances.checker)
         self.otherwise = ToldOtherwise(circumstances.checker)
+        self.branches = ToldBranches(circumstances.checker)
         self.names = circumstances.names
         self.told = ToldNames(self.names, self._has_hand)
 
@@ -56,6 +58,7 @@ class WordsAround:
             outcome = self.meanings.of_quantity(self.meanings.judge(outcome, display.meant), display.meant)
             outcome = self.meanings.of_arm(outcome, display.meant)
             outcome = self.otherwise.judge(outcome, display.meant)
+            outcome = self.branches.judge(outcome, display.meant)
         if display.meant and not display.erratum:
             outcome = self.told.judge(outcome, display.meant)
             outcome = self.meanings.in_order(outcome, display.meant)

@@ -18,10 +18,11 @@ from armproof.verification.document.told_builds import (
     told_build,
     turned_round,
 )
+from armproof.verification.document.told_branches import MAY_TELL_BRANCH, ToldBranch, told_branches
 from armproof.verification.document.told_tasks import MAY_TELL_TASK, told_tasks
 
 MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
-    f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}"
+    f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_TELL_BRANCH.pattern}"
 )
 _BESIDE = 12  # lines behind a sentence that may be said of what is near alone
 
@@ -41,6 +42,7 @@ def told_since(
     text: str, displays: Sequence[Display], sentences: Sequence[tuple[int, str]], reach: Reach
 ) -> Iterator[Since]:
     """Yield what the sentences of a text say of displays behind them, each with its place."""
+    branches: list[tuple[int, float, ToldBranch]] = []
     for place, sentence in sentences:
         if len(sentence) > MOST_CHARACTERS or not MAY_SAY_SINCE.search(sentence.lower()):
             continue
@@ -58,5 +60,15 @@ def told_since(
             yield Since(OTHER_BUILD, line, end if table is None else min(end, text.count("\n", 0, table) + 1))
         yield from (Since(each, begin, inf) for each in told_build(words, formulas))
         yield from (Since(each, line, end) for each in told_tasks(words, formulas))
+        branches += ((line, end, each) for each in told_branches(words, formulas))
         if locks(words, formulas):
             yield Since(LOCKED, line, end)
+    yield from _of_branches(branches)
+
+
+def _of_branches(told: Sequence[tuple[int, float, ToldBranch]]) -> Iterator[Since]:
+    """Yield which branches are told, each up to where its letter is told anew; what words alone tell up to where any is."""
+    for at, (line, end, branch) in enumerate(told):
+        later = (begin for begin, _, each in told[at + 1 :] if begin > line and branch.letter in ("", each.letter))
+        if branch.bound or not branch.letter:  # of both signs nothing holds
+            yield Since(branch.as_meant(), line, min(end, next(later, inf)))
