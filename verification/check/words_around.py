@@ -12,6 +12,7 @@ from armproof.verification.conditions.other_meanings import OtherMeanings
 from armproof.verification.conditions.told_branches import ToldBranches
 from armproof.verification.conditions.told_directions import ToldDirections
 from armproof.verification.conditions.told_indices import unless_told_otherwise
+from armproof.verification.conditions.told_jacobians import unless_of_told_jacobian
 from armproof.verification.conditions.told_names import ToldNames
 from armproof.verification.conditions.told_notation import ATAN2, written_as_told
 from armproof.verification.conditions.told_otherwise import ToldOtherwise
@@ -59,6 +60,7 @@ class WordsAround:
             outcome = self.meanings.of_arm(outcome, display.meant)
             outcome = self.otherwise.judge(outcome, display.meant)
             outcome = self.branches.judge(outcome, display.meant)
+            outcome = unless_of_told_jacobian(outcome, display, self.names)
         if display.meant and not display.erratum:
             outcome = self.told.judge(outcome, display.meant)
             outcome = self.meanings.in_order(outcome, display.meant)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from math import inf
 
 from armproof.verification.document.hearing import MOST_CHARACTERS, formulas_of, with_axes, words_of
@@ -19,10 +20,16 @@ from armproof.verification.document.told_builds import (
     turned_round,
 )
 from armproof.verification.document.told_branches import MAY_TELL_BRANCH, ToldBranch, told_branches
+from armproof.verification.document.told_jacobians import (
+    MAPS_OTHERWISE,
+    MAY_TELL_JACOBIAN,
+    maps_otherwise,
+    told_jacobians,
+)
 from armproof.verification.document.told_tasks import MAY_TELL_TASK, told_tasks
 
 MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
-    f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_TELL_BRANCH.pattern}"
+    f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_TELL_BRANCH.pattern}|{MAY_TELL_JACOBIAN.pattern}"
 )
 _BESIDE = 12  # lines behind a sentence that may be said of what is near alone
 
@@ -43,6 +50,7 @@ def told_since(
 ) -> Iterator[Since]:
     """Yield what the sentences of a text say of displays behind them, each with its place."""
     branches: list[tuple[int, float, ToldBranch]] = []
+    sizes: list[tuple[int, float, str]] = []
     for place, sentence in sentences:
         if len(sentence) > MOST_CHARACTERS or not MAY_SAY_SINCE.search(sentence.lower()):
             continue
@@ -60,10 +68,29 @@ def told_since(
             yield Since(OTHER_BUILD, line, end if table is None else min(end, text.count("\n", 0, table) + 1))
         yield from (Since(each, begin, inf) for each in told_build(words, formulas))
         yield from (Since(each, line, end) for each in told_tasks(words, formulas))
+        for told in told_jacobians(words, formulas):
+            if told == MAPS_OTHERWISE:
+                yield Since(told, begin, end)
+            else:
+                sizes.append((line, end, told))
         branches += ((line, end, each) for each in told_branches(words, formulas))
         if locks(words, formulas):
             yield Since(LOCKED, line, end)
     yield from _of_branches(branches)
+    for (line, end, told), (later, *_) in pairwise([*sizes, (inf,)]):
+        yield Since(told, line, min(end, later))
+    yield from _of_maps(displays, reach)
+
+
+def _of_maps(displays: Sequence[Display], reach: Reach) -> Iterator[Since]:
+    """Yield that J maps otherwise where the first display of a section that says what it maps says so."""
+    heard = set[int]()
+    for display in displays:
+        begin, end = reach(display.line)
+        says = None if begin in heard else maps_otherwise(display.latex)
+        heard |= set() if says is None else {begin}
+        if says:
+            yield Since(MAPS_OTHERWISE, begin, end)
 
 
 def _of_branches(told: Sequence[tuple[int, float, ToldBranch]]) -> Iterator[Since]:
