@@ -26,10 +26,12 @@ from armproof.verification.document.told_jacobians import (
     maps_otherwise,
     told_jacobians,
 )
+from armproof.verification.document.told_notation import REACTION
+from armproof.verification.document.told_statics import MAY_TELL_BALANCE, acts_on_tool, force_of_balance, holds_arm
 from armproof.verification.document.told_tasks import MAY_TELL_TASK, told_tasks
 
 MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
-    f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_TELL_BRANCH.pattern}|{MAY_TELL_JACOBIAN.pattern}"
+    f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_TELL_BRANCH.pattern}|{MAY_TELL_JACOBIAN.pattern}|{MAY_TELL_BALANCE.pattern}"
 )
 _BESIDE = 12  # lines behind a sentence that may be said of what is near alone
 
@@ -51,6 +53,8 @@ def told_since(
     """Yield what the sentences of a text say of displays behind them, each with its place."""
     branches: list[tuple[int, float, ToldBranch]] = []
     sizes: list[tuple[int, float, str]] = []
+    acting: list[tuple[int, int, float, str]] = []
+    holding = set[int]()  # sections
     for place, sentence in sentences:
         if len(sentence) > MOST_CHARACTERS or not MAY_SAY_SINCE.search(sentence.lower()):
             continue
@@ -73,6 +77,8 @@ def told_since(
                 yield Since(told, begin, end)
             else:
                 sizes.append((line, end, told))
+        acting += ((line, begin, end, letter) for letter in acts_on_tool(words, formulas))
+        holding |= {begin} if holds_arm(words) else set()
         branches += ((line, end, each) for each in told_branches(words, formulas))
         if locks(words, formulas):
             yield Since(LOCKED, line, end)
@@ -80,6 +86,10 @@ def told_since(
     for (line, end, told), (later, *_) in pairwise([*sizes, (inf,)]):
         yield Since(told, line, min(end, later))
     yield from _of_maps(displays, reach)
+    yield from (Since(f"{REACTION} {letter}", line, end) for line, begin, end, letter in acting if begin in holding)
+    for display in displays:
+        if (letter := force_of_balance(display.latex)) is not None:
+            yield Since(f"{REACTION} {letter}", display.line, reach(display.line)[1])
 
 
 def _of_maps(displays: Sequence[Display], reach: Reach) -> Iterator[Since]:

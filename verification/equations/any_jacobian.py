@@ -131,6 +131,12 @@ def _law_of(chain: n.Chain, names: Names) -> _Law | None:
     return _Law(members, names, frozenset(kinds), damping)
 
 
+def weighs_forces(node: n.Sum) -> bool:
+    """Whether torques and forces stand in one sum: its sign tells which acts on which, and is a convention."""
+    kinds = {_kind_of(each) for each in n.names(node)}
+    return {FORCE, TORQUE} <= kinds
+
+
 def names_its_columns(chain: n.Chain, names: Names) -> bool:
     """Whether a chain says no more than that J_1, J_2, …, J_n are the columns of J, as they are of any: [J_1 J_2 ⋯ J_n]."""
     whole, row = (map(bare, chain.members)) if len(chain.members) == 2 and chain.relations == ("=",) else (None, None)
