@@ -27,11 +27,13 @@ from armproof.verification.document.told_jacobians import (
     told_jacobians,
 )
 from armproof.verification.document.told_notation import REACTION
+from armproof.verification.document.told_quantities import MAY_TELL_QUANTITY, TOLD_QUANTITY, tells_quantity
 from armproof.verification.document.told_statics import MAY_TELL_BALANCE, acts_on_tool, force_of_balance, holds_arm
 from armproof.verification.document.told_tasks import MAY_TELL_TASK, told_tasks
 
 MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
     f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_TELL_BRANCH.pattern}|{MAY_TELL_JACOBIAN.pattern}|{MAY_TELL_BALANCE.pattern}"
+    f"|{MAY_TELL_QUANTITY.pattern}"
 )
 _BESIDE = 12  # lines behind a sentence that may be said of what is near alone
 
@@ -55,7 +57,7 @@ def told_since(
     sizes: list[tuple[int, float, str]] = []
     acting: list[tuple[int, int, float, str]] = []
     holding = set[int]()  # sections
-    for place, sentence in sentences:
+    for at, (place, sentence) in enumerate(sentences):
         if len(sentence) > MOST_CHARACTERS or not MAY_SAY_SINCE.search(sentence.lower()):
             continue
         plain = with_axes(" ".join(sentence.split()))
@@ -77,6 +79,9 @@ def told_since(
                 yield Since(told, begin, end)
             else:
                 sizes.append((line, end, told))
+        if tells_quantity(words):
+            behind = next((other for other, each in sentences[at + 1 :] if each), len(text))
+            yield Since(TOLD_QUANTITY, line, min(end, text.count("\n", 0, behind) + 1))
         acting += ((line, begin, end, letter) for letter in acts_on_tool(words, formulas))
         holding |= {begin} if holds_arm(words) else set()
         branches += ((line, end, each) for each in told_branches(words, formulas))
