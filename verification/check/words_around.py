@@ -16,6 +16,7 @@ from armproof.verification.conditions.told_jacobians import unless_of_told_jacob
 from armproof.verification.conditions.told_names import ToldNames
 from armproof.verification.conditions.told_notation import ATAN2, written_as_told
 from armproof.verification.conditions.told_otherwise import ToldOtherwise
+from armproof.verification.conditions.told_relative import unless_relative
 from armproof.verification.document import Display
 from armproof.verification.document.other_meanings import FRAME
 from armproof.verification.document.sentences import EVERYWHERE, not_known_in, quoted
@@ -64,6 +65,7 @@ class WordsAround:
         if display.meant and not display.erratum:
             outcome = self.told.judge(outcome, display.meant)
             outcome = self.meanings.in_order(outcome, display.meant)
+            outcome = unless_relative(outcome, display.meant, self.names)
         outcome = self.meanings.of_entries(outcome)
         if display.directions:
             outcome = self.directions.judge(outcome, display.directions)

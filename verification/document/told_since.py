@@ -28,12 +28,13 @@ from armproof.verification.document.told_jacobians import (
 )
 from armproof.verification.document.told_notation import REACTION
 from armproof.verification.document.told_quantities import MAY_TELL_QUANTITY, TOLD_QUANTITY, tells_quantity
+from armproof.verification.document.told_relative import MAY_TELL_RELATIVE, relative_angles
 from armproof.verification.document.told_statics import MAY_TELL_BALANCE, acts_on_tool, force_of_balance, holds_arm
 from armproof.verification.document.told_tasks import MAY_TELL_TASK, told_tasks
 
 MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
     f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_TELL_BRANCH.pattern}|{MAY_TELL_JACOBIAN.pattern}|{MAY_TELL_BALANCE.pattern}"
-    f"|{MAY_TELL_QUANTITY.pattern}"
+    f"|{MAY_TELL_QUANTITY.pattern}|{MAY_TELL_RELATIVE.pattern}"
 )
 _BESIDE = 12  # lines behind a sentence that may be said of what is near alone
 
@@ -74,6 +75,7 @@ def told_since(
             yield Since(OTHER_BUILD, line, end if table is None else min(end, text.count("\n", 0, table) + 1))
         yield from (Since(each, begin, inf) for each in told_build(words, formulas))
         yield from (Since(each, line, end) for each in told_tasks(words, formulas))
+        yield from (Since(each, begin, end) for each in relative_angles(words, formulas))
         for told in told_jacobians(words, formulas):
             if told == MAPS_OTHERWISE:
                 yield Since(told, begin, end)

@@ -25,6 +25,9 @@ _HOLDS = re.compile(
     r"(?<!\S)(?:balance[sd]?|balancing|equilibrat\S*|resist(?:s|ing)?|opposes?|oppose to|counteract\S*|counterbalance\S*|compensat\S*|withstand|support(?:s|ing)?|(?:s'y |s' y |s' )?oppos\S*|résist\S*|équilibr(?:e|ent|er|ant)|compens\S*|maint(?:ient|iennent|enir)|supporter"
     r"|(?:hold|keep|holds|keeps|holding|keeping) (?:\S+ ){0,5}?(?:still|at rest|in place|immobile|in equilibrium|steady|position|pose|load|force|it|arm|robot)|(?:stays?|remains?|is|be) (?:\S+ )?(?:at rest|still|in equilibrium|motionless|immobile)|(?:does|do) not move|ne (?:bouge|bougent) pas|reste(?:nt)? immobile|au repos|en équilibre)(?!\w)"
 )
+_IN_EQUILIBRIUM = re.compile(
+    r"(?<!\S)(?:(?:at|in|for|static) (?:\S+ )?equilibrium|equilibrium (?:needs|requires|demands|asks|gives|then|of)|(?:à|en) (?:l' )?équilibre|l' équilibre (?:exige|demande|impose|donne|s' écrit))(?!\w)"
+)
 _TORQUES = re.compile(
     r"(?<!\S)(?:torques?|motors?|drives?|actuators?|joints?|controller|couples?|moteurs?|actionneurs?|\\tau|articulaires?)(?!\w)"
 )
@@ -49,7 +52,8 @@ def acts_on_tool(words: str, formulas: Sequence[str]) -> Iterator[str]:
 def holds_arm(words: str) -> bool:
     """Whether a sentence tells of torques, or of motors, that hold the arm against a force."""
     small = words.lower()
-    return _HOLDS.search(small) is not None and _TORQUES.search(small) is not None
+    is_of_torques = _HOLDS.search(small) is not None and _TORQUES.search(small) is not None
+    return is_of_torques or _IN_EQUILIBRIUM.search(small) is not None
 
 
 def force_of_balance(latex: str) -> str | None:
