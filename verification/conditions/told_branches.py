@@ -31,7 +31,8 @@ class ToldBranches:
         told = [each.removeprefix(BRANCH).strip() for each in meant if each.startswith(BRANCH)]
         if not told or outcome.true is None or outcome.printed is None:
             return outcome
-        told = [each for each in told if each != _sign_of_root(outcome)]
+        root = _sign_of_root(outcome)
+        told = [each for each in told if not root or each != root]
         if not told:
             return outcome
         is_open = say(Kind.BOUND_IN_TEXT)

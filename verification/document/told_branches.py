@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 BRANCH = "branch"  # the comparison that the sentence makes, as LaTeX; without one nothing tells which branch it is
 MINUS_ROOT, PLUS_ROOT = "root -", "root +"  # that of any root
@@ -23,6 +23,8 @@ _LETTER = re.compile(  # of which a branch has one sign: a joint, its sine or co
 )
 _EXTENT = re.compile(r"-?\s*(?:\d+(?:\.\d+)?\s*(?:\^\s*\{?\s*\\circ\s*\}?|°)?|(?:\d\s*)?\\pi(?:\s*/\s*\d)?)")
 _OF_ROOT = re.compile(r"(?P<name>[^=]+)=\s*(?P<sign>[+-]?)\s*\\sqrt\b.*")
+_COMPARED = re.compile(r"(?P<name>[^<>=]+?)\s*(?P<relation><|>|\\lt|\\gt|\\leq?(?:slant)?|\\geq?(?:slant)?)\s*0")
+_ON_CONDITION = re.compile(r"(?<!\S)(?:if|when(?:ever)?|in case|si|s' il|quand|lorsque|lorsqu'|wenn|falls|cuando|quando|se) ")
 _POSITIVE = r"(?:positi(?:ve[rsnm]?|fs?|ves|v|v[oa]s?))"
 _NEGATIVE = r"(?:n[eé]gati(?:ve[rsnm]?|fs?|ves|v|v[oa]s?))"
 _SIGN = rf"(?:(?P<positive>{_POSITIVE})|{_NEGATIVE})"
@@ -51,14 +53,15 @@ _BETWEEN = re.compile(
 _OPEN_END = re.compile(r"¤ (?:[,.;:] )?")
 _WHICH = r"(?:negative|minus|positive|plus|other|opposite|lower|upper|n[eé]gati(?:ve|f)|positi(?:ve|f))"
 _SIDE = r"(?:left|right|lefty|righty|gauche|droite?)"
-_POSTURE = r"(?:posture|configuration|solution|branch|arm|elbow|shoulder|wrist|case|coude|épaule|poignet|bras|branche)"
+_POSTURE = r"(?:posture|elbow|shoulder|wrist|coude|épaule|poignet|arm (?:posture|configuration|solution))"
+_HANDED = r"(?:left|right)-(?:handed|arm) (?:\(\S+ )?(?:posture|configuration|solution|branch|arm|elbow|case)|(?:left|lefty|righty) (?:solution|configuration|branch)"
 _ROOT = re.compile(  # "the negative root", « la racine négative »
     rf"(?<!\S)(?:{_SIGN_WORD}|minus|plus) (?:square )?(?:roots?|sign)|(?:racine|signe) (?:{_SIGN_WORD}|moins|plus)"
 )
 _MINUS = re.compile(rf"{_NEGATIVE}|minus|moins")
 _UNCLEAR = re.compile(  # which solution is meant, in words that no formula says
     rf"(?<!\S)(?:{_WHICH} (?:square )?(?:roots?|sign|branch|determination)|(?:root|sign|branch|racine|signe|branche|solution|elbow|coude|épaule|poignet|shoulder|wrist)s? (?:is |est )?(?:{_WHICH}|moins)"
-    rf"|(?:{_WHICH}|{_SIDE})[- ](?:elbow|shoulder|wrist|coude)|{_SIDE}(?:-handed|-arm)? (?:\(\S+ )?{_POSTURE}|(?:coude|épaule|bras|poignet) (?:à )?{_SIDE}|{_SIDE}-(?:shoulder|elbow|arm)"
+    rf"|(?:{_WHICH}|{_SIDE})[- ](?:elbow|shoulder|wrist|coude)|{_SIDE} {_POSTURE}|{_HANDED}|(?:coude|épaule|bras|poignet) (?:à )?{_SIDE}|{_SIDE}-(?:shoulder|elbow|arm)"
     r"|(?:(?:no|non|without|the|wrist) )?(?:flip|flipped|non-flip|no-flip|retourné)(?= |\Z)"
     r"|(?:reach\w*|bend\w*|bent|lean\w*|fold\w*|tend\w*|atteint|penché\w*|replié\w*|tourné\w*) (?:\S+ ){0,2}?(?:backwards?|behind|back over|over (?:its|the) (?:head|back|shoulder)|en arrière|vers l' arrière)"
     r"|(?:behind|on the (?:other|opposite|far) side of) (?:the |its )?(?:robot|arm|base|shoulder|column|(?:first |vertical )?axis)|(?:derrière|de l' autre côté (?:de|du)) (?:le |la |l' |son )?(?:robot|bras|base|épaule|axe|colonne)) ?"
@@ -68,10 +71,14 @@ _BOTH = re.compile(rf"{_POSITIVE}\b.{{0,60}}?\b{_NEGATIVE}|{_NEGATIVE}\b.{{0,60}
 
 @dataclass(frozen=True)
 class ToldBranch:
-    """What a sentence says of branches: of which letter, with what comparison; without either in words alone."""
+    """What a sentence says of branches: of which letter, with what comparison; without either in words alone.
+
+    What is said of a root, or on a condition, is `brief`: it is said of what the sentence leads to.
+    """
 
     letter: str = ""
     bound: str = ""
+    is_brief: bool = False
 
     def as_meant(self) -> str:
         """Return it as what holds of a display."""
@@ -86,12 +93,14 @@ def told_branches(words: str, formulas: Sequence[str]) -> Iterator[ToldBranch]:
     if _BOTH.search(small):
         yield from (ToldBranch(_key(each)) for each in plain if _LETTER.fullmatch(each))
         return
-    found = [*_of_signs(small, plain), *_of_roots(plain), *_of_extents(small, plain)]
-    yield from found
+    is_brief = _ON_CONDITION.search(small) is not None
+    compared = () if is_brief else _of_comparisons(plain)
+    found = [*_of_signs(small, plain), *_of_roots(plain), *_of_extents(small, plain), *compared]
+    yield from (replace(each, is_brief=is_brief) for each in found)
     if not found and (root := _ROOT.search(small)) is not None:
-        yield ToldBranch(bound=MINUS_ROOT if _MINUS.search(root.group()) else PLUS_ROOT)
+        yield ToldBranch(bound=MINUS_ROOT if _MINUS.search(root.group()) else PLUS_ROOT, is_brief=True)
     elif not found and _UNCLEAR.search(small):
-        yield ToldBranch()
+        yield ToldBranch(is_brief=is_brief)
 
 
 def _of_signs(words: str, formulas: Sequence[str]) -> Iterator[ToldBranch]:
@@ -112,6 +121,14 @@ _GOES_ON = frozenset("and so or then we where with which hence et donc ou on où
 def _told(formula: str, is_positive: bool) -> Iterator[ToldBranch]:
     if _LETTER.fullmatch(formula):
         yield ToldBranch(_key(formula), f"{formula} {ABOVE_ZERO if is_positive else BELOW_ZERO} 0")
+
+
+def _of_comparisons(formulas: Sequence[str]) -> Iterator[ToldBranch]:
+    """Yield the letters that a sentence compares with zero itself: $\\theta_2 < 0$."""
+    for each in formulas:
+        found = _COMPARED.fullmatch(each)
+        if found is not None:
+            yield from _told(found["name"].strip(), found["relation"] != "<" and not found["relation"].startswith("\\l"))
 
 
 def _of_roots(formulas: Sequence[str]) -> Iterator[ToldBranch]:

@@ -79,6 +79,7 @@ _IS_TRANSPOSED = re.compile(
     r"|derivatives? of the ¤(?:-?th)? coordinate (?:with respect to|by) the ¤|(?:dérivée) de la ¤(?:-?\S+)? coordonnée (?:\S+ ){0,3}?(?:à|par) (?:\S+ )?¤"
     r"|transpose of the usual jacobi|transposée de la jacobienne (?:usuelle|habituelle)|(?:transposed|denominator|gradient)[- ](?:layout|convention)|convention transposée"
 )
+_OF_ITS_INVERSE = re.compile(r"(?<!\S)(?:inver(?:se|ting|sion)|l' inverse|transpos\S*|pseudo\S*) (?:of |de |d' |la |the |le )*(?:matri(?:x|ce) )?¤")
 _OF_JOINTS = r"(?:joint|actuator|motor|drive|articula|actionneur|moteur|gelenk|antrieb|leg|jambe)\S*"
 _OF_TOOL = r"(?:tool|platform|plate-?forme|hand|end|effector|gripper|outil|effecteur|pince|task|cartesian|cartésien\S*|twist|plattform|werkzeug|celle)"
 _FROM = r"(?:from|as (?:a )?functions? of|in terms of|en fonction|à partir|out of|given|aus)"
@@ -115,7 +116,7 @@ def _is_otherwise(words: str, formulas: Sequence[str]) -> bool:
     """Whether a sentence says of J alone, and not of its inverse or transpose, that it maps otherwise."""
     is_of_j = any(map(_ALONE.fullmatch, formulas)) and not any(map(_TURNED.search, formulas))
     is_of_j |= not any(map(_TURNED.search, formulas)) and _MATRIX.search(words) is not None
-    if not is_of_j:
+    if not is_of_j or _OF_ITS_INVERSE.search(words):
         return False
     if _IS_TRANSPOSED.search(words) and not re.search(r"(?<!\S)(?:table|tableau|tabelle|tabla|tabella) ", words):
         return True

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import accumulate, pairwise
 from math import inf
 
 from armproof.verification.document.hearing import MOST_CHARACTERS, formulas_of, with_axes, words_of
@@ -58,14 +58,16 @@ def told_since(
     sizes: list[tuple[int, float, str]] = []
     acting: list[tuple[int, int, float, str]] = []
     holding = set[int]()  # sections
-    for at, (place, sentence) in enumerate(sentences):
+    said = [(place, sentence) for place, sentence in sentences if sentence]
+    begins = _lines(text, [place for place, _ in said])
+    lines = [display.line for display in displays]
+    for at, (place, sentence) in enumerate(said):
         if len(sentence) > MOST_CHARACTERS or not MAY_SAY_SINCE.search(sentence.lower()):
             continue
         plain = with_axes(" ".join(sentence.split()))
         words, formulas = words_of(plain), formulas_of(plain)
-        line = text.count("\n", 0, place) + 1
+        line = begins[at]
         begin, end = reach(line)
-        lines = [display.line for display in displays]
         joints, since = turned_round(words, formulas)
         if joints and any(each < line for each in lines):  # what is said before all is of the arm as it is
             ends = {"from here": inf, "now": end}.get(since, min(end, line + _BESIDE))
@@ -81,12 +83,13 @@ def told_since(
                 yield Since(told, begin, end)
             else:
                 sizes.append((line, end, told))
+        behind = begins[at + 1] if at + 1 < len(begins) else inf
         if tells_quantity(words):
-            behind = next((other for other, each in sentences[at + 1 :] if each), len(text))
-            yield Since(TOLD_QUANTITY, line, min(end, text.count("\n", 0, behind) + 1))
+            yield Since(TOLD_QUANTITY, line, min(end, behind))
         acting += ((line, begin, end, letter) for letter in acts_on_tool(words, formulas))
         holding |= {begin} if holds_arm(words) else set()
-        branches += ((line, end, each) for each in told_branches(words, formulas))
+        found = told_branches(words, formulas)
+        branches += ((line, min(end, behind) if each.is_brief else end, each) for each in found)
         if locks(words, formulas):
             yield Since(LOCKED, line, end)
     yield from _of_branches(branches)
@@ -97,6 +100,12 @@ def told_since(
     for display in displays:
         if (letter := force_of_balance(display.latex)) is not None:
             yield Since(f"{REACTION} {letter}", display.line, reach(display.line)[1])
+
+
+def _lines(text: str, places: Sequence[int]) -> list[int]:
+    """Return the lines of places in a text, which are in order: each is counted from the one before."""
+    steps = (text.count("\n", start, stop) for start, stop in pairwise((0, *places)))
+    return [1 + count for count in accumulate(steps)]
 
 
 def _of_maps(displays: Sequence[Display], reach: Reach) -> Iterator[Since]:
