@@ -17,7 +17,9 @@ from armproof.verification.naming.settled import Key, settle_used, uses_of
 from armproof.verification.verdict import EquationResult, Record, Verdict
 
 
-def settle_told_quantities(records: tuple[Record, ...], displays: Sequence[Display], reader: Reader) -> tuple[Record, ...]:
+def settle_told_quantities(
+    records: tuple[Record, ...], displays: Sequence[Display], reader: Reader
+) -> tuple[Record, ...]:
     """Return the records of a document; where the text says what a letter is, its derivatives do not show that its formula is right."""
     told = {display.place for display in displays if TOLD_QUANTITY in display.meant}
     defined = {key: record for record in records if (record.cell, record.line) in told for key in _defined(record)}
@@ -69,5 +71,7 @@ def _rests(result: EquationResult, idle: set[Key]) -> bool:
 def _open(result: EquationResult) -> EquationResult:
     (name, line), *_ = sorted(result.uses)
     return replace(
-        result, verdict=Verdict.UNCHECKED, findings=(say(Kind.FOLLOWS_FROM_DOUBT, name=name, line=line).at(result.index),)
+        result,
+        verdict=Verdict.UNCHECKED,
+        findings=(say(Kind.FOLLOWS_FROM_DOUBT, name=name, line=line).at(result.index),),
     )

@@ -44,7 +44,11 @@ class ToldBranches:
         if outcome.verdict is Verdict.REFUTED:
             count = self._holds_where(outcome, bounds) if bounds and _has_a_sign(outcome) else 0
             there = (say(Kind.HOLDS_WHERE_SAID, count=count),)
-            return replace(outcome, verdict=Verdict.CONFIRMED, findings=there, samples=count, wrong=[]) if count else outcome
+            return (
+                replace(outcome, verdict=Verdict.CONFIRMED, findings=there, samples=count, wrong=[])
+                if count
+                else outcome
+            )
         bounds += [(n.Name(*each.partition("_")[::2]), ">", n.Number(Fraction(0))) for each in self._slides()]
         return outcome if all(map(self._read, told)) and self._meets(outcome, bounds) else outcome.left_open(is_open)
 

@@ -24,14 +24,14 @@ _LETTER = re.compile(  # of which a branch has one sign: a joint, its sine or co
 _EXTENT = re.compile(r"-?\s*(?:\d+(?:\.\d+)?\s*(?:\^\s*\{?\s*\\circ\s*\}?|°)?|(?:\d\s*)?\\pi(?:\s*/\s*\d)?)")
 _OF_ROOT = re.compile(r"(?P<name>[^=]+)=\s*(?P<sign>[+-]?)\s*\\sqrt\b.*")
 _COMPARED = re.compile(r"(?P<name>[^<>=]+?)\s*(?P<relation><|>|\\lt|\\gt|\\leq?(?:slant)?|\\geq?(?:slant)?)\s*0")
-_ON_CONDITION = re.compile(r"(?<!\S)(?:if|when(?:ever)?|in case|si|s' il|quand|lorsque|lorsqu'|wenn|falls|cuando|quando|se) ")
+_ON_CONDITION = re.compile(
+    r"(?<!\S)(?:if|when(?:ever)?|in case|si|s' il|quand|lorsque|lorsqu'|wenn|falls|cuando|quando|se) "
+)
 _POSITIVE = r"(?:positi(?:ve[rsnm]?|fs?|ves|v|v[oa]s?))"
 _NEGATIVE = r"(?:n[eé]gati(?:ve[rsnm]?|fs?|ves|v|v[oa]s?))"
 _SIGN = rf"(?:(?P<positive>{_POSITIVE})|{_NEGATIVE})"
 _SIGN_WORD = rf"(?:{_POSITIVE}|{_NEGATIVE})"
-_IS = (
-    r"(?:is|are|be|being|been|stays?|remains?|has|est|sont|reste|soit|être|ist|sind|bleibt|sei|es|è|sia|sea|must|shall|will|can|doit|taken|chosen|kept|pris|prise|choisi|choisie)"
-)
+_IS = r"(?:is|are|be|being|been|stays?|remains?|has|est|sont|reste|soit|être|ist|sind|bleibt|sei|es|è|sia|sea|must|shall|will|can|doit|taken|chosen|kept|pris|prise|choisi|choisie)"
 _ADVERB = r"(?:always|thus|then|therefore|hence|here|now|also|only|toujours|donc|alors|ici|aussi|never|not|jamais|pas|immer|nie|nicht|stets|siempre|nunca|sempre|mai)"
 _NO_SIGN = (  # "positive when it lifts", "positive counter-clockwise" tell how it is counted
     r"(?! (?:, )?(?:if|when(?:ever)?|for|in|to|towards?|about|around|along|counter|anti|clock|up|down|left|right|axis|direction|sense|values?|rotation|angles?|is|means|lowers?|lifts?|raises?|moves?|turns?|bends?|"
@@ -47,9 +47,7 @@ _OF_DIRECTION = re.compile(
     r"(?:along|towards?|about|around|in|on|from|of the|sur|vers|autour|selon|le long|l'|des|axes?) (?:the |of |du |de |des |les? |la )*\Z"
 )
 _DENIES = re.compile(r"\b(?:never|not|jamais|pas|nie|nicht|nunca|mai)\b")
-_BETWEEN = re.compile(
-    r"¤ (?:\S+ ){0,3}?(?:between|entre|zwischen|tra|from|de|von) ¤ (?:and|et|und|y|e|to|à|bis) ¤"
-)
+_BETWEEN = re.compile(r"¤ (?:\S+ ){0,3}?(?:between|entre|zwischen|tra|from|de|von) ¤ (?:and|et|und|y|e|to|à|bis) ¤")
 _OPEN_END = re.compile(r"¤ (?:[,.;:] )?")
 _WHICH = r"(?:negative|minus|positive|plus|other|opposite|lower|upper|n[eé]gati(?:ve|f)|positi(?:ve|f))"
 _SIDE = r"(?:left|right|lefty|righty|gauche|droite?)"
@@ -110,7 +108,9 @@ def _of_signs(words: str, formulas: Sequence[str]) -> Iterator[ToldBranch]:
         yield from _told(formulas[words[: found.start()].count("¤")], is_positive)
     for found in _SAID_BEFORE.finditer(words):
         before = words[: found.start("sign")]
-        is_of_direction = _OF_DIRECTION.search(before) or found["behind"].isalpha() and found["behind"] not in _GOES_ON
+        is_of_direction = _OF_DIRECTION.search(before) or (
+            found["behind"].isalpha() and found["behind"] not in _GOES_ON
+        )
         if not is_of_direction:
             yield from _told(formulas[before.count("¤")], found["positive"] is not None)
 
@@ -128,7 +128,9 @@ def _of_comparisons(formulas: Sequence[str]) -> Iterator[ToldBranch]:
     for each in formulas:
         found = _COMPARED.fullmatch(each)
         if found is not None:
-            yield from _told(found["name"].strip(), found["relation"] != "<" and not found["relation"].startswith("\\l"))
+            yield from _told(
+                found["name"].strip(), found["relation"] != "<" and not found["relation"].startswith("\\l")
+            )
 
 
 def _of_roots(formulas: Sequence[str]) -> Iterator[ToldBranch]:

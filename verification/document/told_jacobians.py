@@ -73,13 +73,15 @@ _IS_INVERSE = re.compile(
     r"|(?<!\S)(?:inverse jacobi\S*|jacobi\S* (?:inverse|inversa))(?: matrix)? (?P<named>¤)"
 )
 _IS_TRANSPOSED = re.compile(
-    rf"(?<!\S){_ROW} (?:(?!col|spalt)\S+ ){{0,5}}?{_JOINT}(?!\w)|(?<!\S){_ROW} (?:a|per|par|for each|for every|pour chaque|je|por) {_JOINT}(?!\w)"
+    rf"(?<!\S){_ROW} (?:(?!col|spalt|deriv|dériv|gradient|respect|coord|by |par )\S+ ){{0,7}}?{_JOINT}(?!\w)|(?<!\S){_ROW} (?:a|per|par|for each|for every|pour chaque|je|por) {_JOINT}(?!\w)"
     rf"|(?<!\S){_COLUMN} (?:a|per|par|for each|for every|pour chaque) {_TASK}|(?<!\S){_COLUMN} (?:(?!row|ligne|zeile)\S+ ){{0,2}}?(?:correspond\S*|belongs?|aux?|sont celles) (?:(?!row|ligne)\S+ ){{0,2}}?{_TASK}"
     rf"|gradients? (?:\S+ ){{0,4}}?(?:in|as|en|als) (?:its |the |ses |les )?{_COLUMN}|{_COLUMN} (?:are|sont) (?:the |les )?gradients"
     r"|derivatives? of the ¤(?:-?th)? coordinate (?:with respect to|by) the ¤|(?:dérivée) de la ¤(?:-?\S+)? coordonnée (?:\S+ ){0,3}?(?:à|par) (?:\S+ )?¤"
     r"|transpose of the usual jacobi|transposée de la jacobienne (?:usuelle|habituelle)|(?:transposed|denominator|gradient)[- ](?:layout|convention)|convention transposée"
 )
-_OF_ITS_INVERSE = re.compile(r"(?<!\S)(?:inver(?:se|ting|sion)|l' inverse|transpos\S*|pseudo\S*) (?:of |de |d' |la |the |le )*(?:matri(?:x|ce) )?¤")
+_OF_ITS_INVERSE = re.compile(
+    r"(?<!\S)(?:inver(?:se|ting|sion)|l' inverse|transpos\S*|pseudo\S*) (?:of |de |d' |la |the |le )*(?:matri(?:x|ce) )?¤"
+)
 _OF_JOINTS = r"(?:joint|actuator|motor|drive|articula|actionneur|moteur|gelenk|antrieb|leg|jambe)\S*"
 _OF_TOOL = r"(?:tool|platform|plate-?forme|hand|end|effector|gripper|outil|effecteur|pince|task|cartesian|cartésien\S*|twist|plattform|werkzeug|celle)"
 _FROM = r"(?:from|as (?:a )?functions? of|in terms of|en fonction|à partir|out of|given|aus)"

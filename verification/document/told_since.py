@@ -11,6 +11,7 @@ from math import inf
 from armproof.verification.document.hearing import MOST_CHARACTERS, formulas_of, with_axes, words_of
 from armproof.verification.document.locked_joints import LOCKED, MAY_LOCK, locks
 from armproof.verification.document.model import Display
+from armproof.verification.document.told_branches import MAY_TELL_BRANCH, ToldBranch, told_branches
 from armproof.verification.document.told_builds import (
     MAY_TELL_BUILD,
     OTHER_BUILD,
@@ -19,7 +20,6 @@ from armproof.verification.document.told_builds import (
     told_build,
     turned_round,
 )
-from armproof.verification.document.told_branches import MAY_TELL_BRANCH, ToldBranch, told_branches
 from armproof.verification.document.told_jacobians import (
     MAPS_OTHERWISE,
     MAY_TELL_JACOBIAN,

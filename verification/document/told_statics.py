@@ -33,13 +33,13 @@ _TORQUES = re.compile(
 )
 _LETTER = re.compile(r"(?:\\(?:vec|mathbf|boldsymbol|bm|mathrm|mathcal)\s*\{?\s*)*([FfWwHh])(?![A-Za-z])")
 
-_BLANK = re.compile(r"\\(?:,|;|:|!|\s|left|right|quad)|[\s{}()]|\\(?:mathbf|boldsymbol|bm|mathrm|vec|mathcal)(?![A-Za-z])")
+_BLANK = re.compile(
+    r"\\(?:,|;|:|!|\s|left|right|quad)|[\s{}()]|\\(?:mathbf|boldsymbol|bm|mathrm|vec|mathcal)(?![A-Za-z])"
+)
 _MOTION = r"(?:\\delta|\\dot|\\Delta|d)?(?:q|\\theta|x|X|p|r)(?:_\w+)?"
 _WORK_OF_TORQUES = rf"\\tau(?:_\w+)?\^(?:T|\\top|\\intercal)(?:{_MOTION})?"
 _WORK_OF_FORCE = rf"([FfWwHh])(?:_\w+)?\^(?:T|\\top|\\intercal)(?:J)?(?:{_MOTION})?"
-_BALANCE = re.compile(
-    rf"(?:{_WORK_OF_TORQUES}\+{_WORK_OF_FORCE}|{_WORK_OF_FORCE}\+{_WORK_OF_TORQUES})(?:{_MOTION})?=0"
-)
+_BALANCE = re.compile(rf"(?:{_WORK_OF_TORQUES}\+{_WORK_OF_FORCE}|{_WORK_OF_FORCE}\+{_WORK_OF_TORQUES})(?:{_MOTION})?=0")
 
 
 def acts_on_tool(words: str, formulas: Sequence[str]) -> Iterator[str]:

@@ -80,7 +80,9 @@ def holds_of_any_jacobian(chain: n.Chain, names: Names) -> bool:
 def holds_of_size(chain: n.Chain, names: Names, is_wide: bool) -> bool:
     """Whether a law of any Jacobian holds, and has a value, where J has more columns than rows, or else more rows than columns."""
     law = _law_of(chain, names)
-    return law is not None and all(law.holds(*size) is True for size in SIZES if size == ((2, 3) if is_wide else (3, 2)))
+    return law is not None and all(
+        law.holds(*size) is True for size in SIZES if size == ((2, 3) if is_wide else (3, 2))
+    )
 
 
 def is_of_motion_or_load(chain: n.Chain, names: Names) -> bool:
