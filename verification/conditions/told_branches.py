@@ -69,9 +69,9 @@ class ToldBranches:
     def _holds_where(self, outcome: Outcome, bounds: Sequence[Comparison]) -> int:
         """Return at how many configurations an equation holds, of all where comparisons do; 0 where it fails at one."""
         assert outcome.true is not None and outcome.printed is not None
+        sides, sampled = (outcome.true.node, outcome.printed.node), self.checker.sampled()
         with self.checker.exact.budget.paused():
             from armproof.verification.equations.sampled_relations import hold_everywhere, holds_where
-        sides, sampled = (outcome.true.node, outcome.printed.node), self.checker.sampled()
         if hold_everywhere(self.checker, sampled, bounds):
             return 0
         return holds_where(self.checker, sampled, sides, outcome.pair, bounds)
@@ -79,9 +79,9 @@ class ToldBranches:
     def _meets(self, outcome: Outcome, bounds: Sequence[Comparison]) -> bool:
         """Whether an equation holds at a configuration where comparisons do."""
         assert outcome.true is not None and outcome.printed is not None
+        sides, sampled = (outcome.true.node, outcome.printed.node), self.checker.sampled()
         with self.checker.exact.budget.paused():
             from armproof.verification.equations.sampled_relations import holds_anywhere
-        sides, sampled = (outcome.true.node, outcome.printed.node), self.checker.sampled()
         return holds_anywhere(self.checker, sampled, sides, outcome.pair, bounds)
 
 

@@ -11,7 +11,7 @@ from math import inf
 from armproof.verification.document.hearing import MOST_CHARACTERS, formulas_of, with_axes, words_of
 from armproof.verification.document.locked_joints import LOCKED, MAY_LOCK, locks
 from armproof.verification.document.model import Display
-from armproof.verification.document.told_branches import MAY_TELL_BRANCH, ToldBranch, told_branches
+from armproof.verification.document.told_branches import MAY_TELL_BRANCH, told_branches
 from armproof.verification.document.told_builds import (
     MAY_TELL_BUILD,
     OTHER_BUILD,
@@ -54,10 +54,7 @@ def told_since(
     text: str, displays: Sequence[Display], sentences: Sequence[tuple[int, str]], reach: Reach
 ) -> Iterator[Since]:
     """Yield what the sentences of a text say of displays behind them, each with its place."""
-    branches: list[tuple[int, float, ToldBranch]] = []
-    sizes: list[tuple[int, float, str]] = []
-    acting: list[tuple[int, int, float, str]] = []
-    holding = set[int]()  # sections
+    heard: list[_Heard] = []
     said = [(place, sentence) for place, sentence in sentences if sentence]
     begins = _lines(text, [place for place, _ in said])
     lines = [display.line for display in displays]
@@ -68,6 +65,7 @@ def told_since(
         words, formulas = words_of(plain), formulas_of(plain)
         line = begins[at]
         begin, end = reach(line)
+        heard.append(_Heard(words, formulas, line, begins[at + 1] if at + 1 < len(begins) else inf, begin, end))
         joints, since = turned_round(words, formulas)
         if joints and any(each < line for each in lines):  # what is said before all is of the arm as it is
             ends = {"from here": inf, "now": end}.get(since, min(end, line + _BESIDE))
@@ -78,28 +76,31 @@ def told_since(
         yield from (Since(each, begin, inf) for each in told_build(words, formulas))
         yield from (Since(each, line, end) for each in told_tasks(words, formulas))
         yield from (Since(each, begin, end) for each in relative_angles(words, formulas))
-        for told in told_jacobians(words, formulas):
-            if told == MAPS_OTHERWISE:
-                yield Since(told, begin, end)
-            else:
-                sizes.append((line, end, told))
-        behind = begins[at + 1] if at + 1 < len(begins) else inf
-        if tells_quantity(words):
-            yield Since(TOLD_QUANTITY, line, min(end, behind))
-        acting += ((line, begin, end, letter) for letter in acts_on_tool(words, formulas))
-        holding |= {begin} if holds_arm(words) else set()
-        found = told_branches(words, formulas)
-        branches += ((line, min(end, behind) if each.is_brief else end, each) for each in found)
         if locks(words, formulas):
             yield Since(LOCKED, line, end)
-    yield from _of_branches(branches)
-    for (line, end, told), (later, *_) in pairwise([*sizes, (inf,)]):
-        yield Since(told, line, min(end, later))
+        if tells_quantity(words):
+            yield Since(TOLD_QUANTITY, line, heard[-1].until)
+    yield from _of_branches(heard)
+    yield from _of_jacobians(heard)
     yield from _of_maps(displays, reach)
-    yield from (Since(f"{REACTION} {letter}", line, end) for line, begin, end, letter in acting if begin in holding)
-    for display in displays:
-        if (letter := force_of_balance(display.latex)) is not None:
-            yield Since(f"{REACTION} {letter}", display.line, reach(display.line)[1])
+    yield from _of_statics(heard, displays, reach)
+
+
+@dataclass(frozen=True)
+class _Heard:
+    """A sentence: its words and formulas, its line and that of the next one, and the lines of its section."""
+
+    words: str
+    formulas: Sequence[str]
+    line: int
+    next_line: float
+    begin: int
+    end: float
+
+    @property
+    def until(self) -> float:
+        """Up to where it is said of what it leads to alone."""
+        return min(self.end, self.next_line)
 
 
 def _lines(text: str, places: Sequence[int]) -> list[int]:
@@ -119,9 +120,36 @@ def _of_maps(displays: Sequence[Display], reach: Reach) -> Iterator[Since]:
             yield Since(MAPS_OTHERWISE, begin, end)
 
 
-def _of_branches(told: Sequence[tuple[int, float, ToldBranch]]) -> Iterator[Since]:
+def _of_branches(heard: Sequence[_Heard]) -> Iterator[Since]:
     """Yield which branches are told, each up to where its letter is told anew; what words alone tell up to where any is."""
-    for at, (line, end, branch) in enumerate(told):
-        later = (begin for begin, _, each in told[at + 1 :] if begin > line and branch.letter in ("", each.letter))
+    told = [(each, branch) for each in heard for branch in told_branches(each.words, each.formulas)]
+    for at, (sentence, branch) in enumerate(told):
+        later = (
+            each.line
+            for each, other in told[at + 1 :]
+            if each.line > sentence.line and branch.letter in ("", other.letter)
+        )
         if branch.bound or not branch.letter:  # of both signs nothing holds
-            yield Since(branch.as_meant(), line, min(end, next(later, inf)))
+            ends = sentence.until if branch.is_brief else sentence.end
+            yield Since(branch.as_meant(), sentence.line, min(ends, next(later, inf)))
+
+
+def _of_jacobians(heard: Sequence[_Heard]) -> Iterator[Since]:
+    """Yield that J maps otherwise, in all of a section, and which size it has, up to where another is told."""
+    told = [(each, said) for each in heard for said in told_jacobians(each.words, each.formulas)]
+    yield from (Since(said, each.begin, each.end) for each, said in told if said == MAPS_OTHERWISE)
+    sizes = [(each, said) for each, said in told if said != MAPS_OTHERWISE]
+    until = [*(each.line for each, _ in sizes[1:]), inf]
+    for (each, said), later in zip(sizes, until, strict=False):
+        yield Since(said, each.line, min(each.end, later))
+
+
+def _of_statics(heard: Sequence[_Heard], displays: Sequence[Display], reach: Reach) -> Iterator[Since]:
+    """Yield that a force acts on the tool where a section tells of what holds it, and behind a printed sum of both works."""
+    holding = {each.begin for each in heard if holds_arm(each.words)}
+    for each in (one for one in heard if one.begin in holding):
+        for letter in acts_on_tool(each.words, each.formulas):
+            yield Since(f"{REACTION} {letter}", each.line, each.end)
+    for display in displays:
+        if (force := force_of_balance(display.latex)) is not None:
+            yield Since(f"{REACTION} {force}", display.line, reach(display.line)[1])
