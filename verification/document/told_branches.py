@@ -54,17 +54,17 @@ _SIDE = r"(?:left|right|lefty|righty|gauche|droite?)"
 _POSTURE = r"(?:posture|elbow|shoulder|wrist|coude|épaule|poignet|arm (?:posture|configuration|solution))"
 _HANDED = r"(?:left|right)-(?:handed|arm) (?:\(\S+ )?(?:posture|configuration|solution|branch|arm|elbow|case)|(?:left|lefty|righty) (?:solution|configuration|branch)"
 _ROOT = re.compile(  # "the negative root", « la racine négative »
-    rf"(?<!\S)(?:{_SIGN_WORD}|minus|plus) (?:square )?(?:roots?|sign)|(?:racine|signe) (?:{_SIGN_WORD}|moins|plus)"
+    rf"(?<!\S)(?:{_SIGN_WORD}|minus|plus) (?:square )?(?:roots?|sign)(?! (?:comes|is due|arises|reflects|means|in|before|of)(?= ))|(?:racine|signe) (?:{_SIGN_WORD}|moins|plus)(?! (?:comes|is|arises|reflects|means|in|before|of|vient|provient|est|devant|dans|tient)(?= ))"
 )
 _MINUS = re.compile(rf"{_NEGATIVE}|minus|moins")
 _UNCLEAR = re.compile(  # which solution is meant, in words that no formula says
-    rf"(?<!\S)(?:{_WHICH} (?:square )?(?:roots?|sign|branch|determination)|(?:root|sign|branch|racine|signe|branche|solution|elbow|coude|épaule|poignet|shoulder|wrist)s? (?:is |est )?(?:{_WHICH}|moins)"
+    rf"(?<!\S)(?:{_WHICH} (?:branch|determination)|(?:branch|branche|solution|elbow|coude|épaule|poignet|shoulder|wrist)s? (?:is |est )?(?:{_WHICH}|moins)(?! (?:si|if|when|quand|lorsque|vers|to|up)(?= ))"
     rf"|(?:{_WHICH}|{_SIDE})[- ](?:elbow|shoulder|wrist|coude)|{_SIDE} {_POSTURE}|{_HANDED}|(?:coude|épaule|bras|poignet) (?:à )?{_SIDE}|{_SIDE}-(?:shoulder|elbow|arm)"
-    r"|(?:(?:no|non|without|the|wrist) )?(?:flip|flipped|non-flip|no-flip|retourné)(?= |\Z)"
+    r"|(?:no|non|with|without|wrist) flip|flipped (?:wrist|solution|posture|configuration)|(?:wrist|poignet) (?:is |est )?(?:flipped|retourné)(?= |\Z)"
     r"|(?:reach\w*|bend\w*|bent|lean\w*|fold\w*|tend\w*|atteint|penché\w*|replié\w*|tourné\w*) (?:\S+ ){0,2}?(?:backwards?|behind|back over|over (?:its|the) (?:head|back|shoulder)|en arrière|vers l' arrière)"
     r"|(?:behind|on the (?:other|opposite|far) side of) (?:the |its )?(?:robot|arm|base|shoulder|column|(?:first |vertical )?axis)|(?:derrière|de l' autre côté (?:de|du)) (?:le |la |l' |son )?(?:robot|bras|base|épaule|axe|colonne)) ?"
 )
-_BOTH = re.compile(rf"{_POSITIVE}\b.{{0,60}}?\b{_NEGATIVE}|{_NEGATIVE}\b.{{0,60}}?\b{_POSITIVE}|\bsigne? (?:of|de|du) ¤|\bsign of\b|\bsigne de\b|\b(?:either|both|les deux) sign", re.IGNORECASE)  # fmt: skip
+_BOTH = re.compile(rf"{_POSITIVE}\b.{{0,60}}?\b{_NEGATIVE}|{_NEGATIVE}\b.{{0,60}}?\b{_POSITIVE}|\b(?:left|gauche)\b.{{0,40}}?\b(?:right|droite?)\b|\b(?:right|droite?)\b.{{0,40}}?\b(?:left|gauche)\b|\bsigne? (?:of|de|du) ¤|\bsign of\b|\bsigne de\b|\b(?:either|both|les deux) sign", re.IGNORECASE)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -104,6 +104,8 @@ def told_branches(words: str, formulas: Sequence[str]) -> Iterator[ToldBranch]:
 def _of_signs(words: str, formulas: Sequence[str]) -> Iterator[ToldBranch]:
     """Yield the letters of which a sentence says that they are positive, or negative."""
     for found in _SAID_OF.finditer(words):
+        if _OF_DIRECTION.search(words[: found.start()]):
+            continue
         is_positive = (found["positive"] is not None) is not bool(_DENIES.search(found["verb"]))
         yield from _told(formulas[words[: found.start()].count("¤")], is_positive)
     for found in _SAID_BEFORE.finditer(words):

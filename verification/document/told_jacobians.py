@@ -52,7 +52,7 @@ _IS_TALL = re.compile(
     rf"(?<!\S){_FEWER} {_NEAR}{_LIKE_COLUMNS} {_THAN}{_LIKE_ROWS}(?!\w)|(?<!\S){_MORE} {_NEAR}{_LIKE_ROWS} {_THAN}{_LIKE_COLUMNS}(?!\w)"
 )
 _IS_SQUARE = re.compile(
-    r"(?<!\S)(?:square(?! roots?)|(?<!moindres )carrée?s?|quadratisch\w*|cuadrada|quadrata|non-redundant|nonredundant|not redundant|non redondante?|pas redondante?|as many|autant)(?= )"
+    r"(?<!\S)(?:(?:is|are|be) square(?! roots?| of)|square (?:matrix|matrices|jacobian\S*|¤|case)|carrées?|quadratisch\w*|cuadrada|quadrata|non-redundant|nonredundant|not redundant|non redondante?|pas redondante?|as many|autant)(?= )"
 )
 _REDUNDANT = re.compile(r"(?<!\S)(?:(?:kinematically )?redundant|redondante?s?|redundante?[nrs]?|ridondante)(?= )")
 _LETTERS = re.compile(r"([nm])\s*(>|<|=|\\gt|\\lt)\s*([nm])")
@@ -117,7 +117,7 @@ def maps_otherwise(latex: str) -> bool | None:
 def _is_otherwise(words: str, formulas: Sequence[str]) -> bool:
     """Whether a sentence says of J alone, and not of its inverse or transpose, that it maps otherwise."""
     is_of_j = any(map(_ALONE.fullmatch, formulas)) and not any(map(_TURNED.search, formulas))
-    is_of_j |= not any(map(_TURNED.search, formulas)) and _MATRIX.search(words) is not None
+    is_of_j |= not any(map(_TURNED.search, formulas)) and "jacobi" in words
     if not is_of_j or _OF_ITS_INVERSE.search(words):
         return False
     if _IS_TRANSPOSED.search(words) and not re.search(r"(?<!\S)(?:table|tableau|tabelle|tabla|tabella) ", words):

@@ -61,6 +61,14 @@ NOT_TOLD = [
     r"The tool pushes on the wall with the force $F$.",
     r"We put $D$ for the sum of these angles.",
     r"The two turns are measured from the vertical.",
+    "It is the transpose of the rotation matrix, and its rows are the axes of the joints.",
+    "For the inverse, square and add:",
+    "Le carré de la manipulabilité s'en déduit,",
+    "The minus sign in the formula is due to the down axis.",
+    "Le signe moins vient du sens horaire.",
+    "Half of the class forgot the flip and wrote",
+    "There are two solutions (left and right shoulder),",
+    "Le poids est dirigé vers les $z$ positifs.",
 ]
 PAGE = "# A page\n\n$$ a = 1 $$\n\n{}\n\n$$ b = 2 $$\n"
 KINDS = ("branch", "size of J", "J maps", "reaction", "of a quantity", "relative angle")
