@@ -21,6 +21,7 @@ from armproof.verification.check.noticed import settle_noticed
 from armproof.verification.check.parts import joined, unless_called_another, unless_of_another_arm
 from armproof.verification.check.points import Points
 from armproof.verification.check.table_values import values_of_tables
+from armproof.verification.check.told_quantities import settle_told_quantities
 from armproof.verification.diagnosis.accepted import with_accepted
 from armproof.verification.display.statements import Statements
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
@@ -219,6 +220,7 @@ class DocumentChecker:
             equations, tables = settle_data(self.inferred, equations, tables)
         if self._has_definitions(equations):  # what was refuted by an arm that nothing confirms may have used them
             equations = settle_noticed(settle_used(equations), self.displays.slips)
+            equations = settle_told_quantities(equations, self.document.displays, self.names.reader)
         index = None if self.arm is None else 0
         return DocumentResult(
             str(self.document.path),

@@ -9,11 +9,14 @@ from dataclasses import replace
 from armproof.models.errors import ArmproofError
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.conditions.other_meanings import OtherMeanings
+from armproof.verification.conditions.told_branches import ToldBranches
 from armproof.verification.conditions.told_directions import ToldDirections
 from armproof.verification.conditions.told_indices import unless_told_otherwise
+from armproof.verification.conditions.told_jacobians import unless_of_told_jacobian
 from armproof.verification.conditions.told_names import ToldNames
 from armproof.verification.conditions.told_notation import ATAN2, written_as_told
 from armproof.verification.conditions.told_otherwise import ToldOtherwise
+from armproof.verification.conditions.told_relative import unless_relative
 from armproof.verification.document import Display
 from armproof.verification.document.other_meanings import FRAME
 from armproof.verification.document.sentences import EVERYWHERE, not_known_in, quoted
@@ -38,6 +41,7 @@ class WordsAround:
         self.meanings = OtherMeanings(circumstances.checker, circumstances.given)
         self.directions = ToldDirections(circumstances.checker)
         self.otherwise = ToldOtherwise(circumstances.checker)
+        self.branches = ToldBranches(circumstances.checker)
         self.names = circumstances.names
         self.told = ToldNames(self.names, self._has_hand)
 
@@ -57,9 +61,12 @@ class WordsAround:
             outcome = self.meanings.of_quantity(self.meanings.judge(outcome, display.meant), display.meant)
             outcome = self.meanings.of_arm(outcome, display.meant)
             outcome = self.otherwise.judge(outcome, display.meant)
+            outcome = self.branches.judge(outcome, display.meant)
+            outcome = unless_of_told_jacobian(outcome, display, self.names)
         if display.meant and not display.erratum:
             outcome = self.told.judge(outcome, display.meant)
             outcome = self.meanings.in_order(outcome, display.meant)
+            outcome = unless_relative(outcome, display.meant, self.names)
         outcome = self.meanings.of_entries(outcome)
         if display.directions:
             outcome = self.directions.judge(outcome, display.directions)

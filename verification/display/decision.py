@@ -16,6 +16,7 @@ from armproof.verification.equations.any_jacobian import (
     is_step_along_gradient,
     names_its_columns,
     tells_jacobian,
+    weighs_forces,
 )
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.compositions import is_composition
@@ -110,7 +111,11 @@ class Decision:
         if not is_known or len(outcomes) > 1 or is_step_along_gradient(chain):
             return outcomes
         holds = partial(holds_of_any_jacobian, names=self.names)
-        slip = slip_of_law(chain, holds, turns=True) if not holds(with_inverses(chain)) else None
+        slip = (
+            slip_of_law(chain, holds, turns=True, is_meant=lambda each: not weighs_forces(each))
+            if not holds(with_inverses(chain))
+            else None
+        )
         return outcomes if slip is None else self._slip(Kind.SLIP_OF_ANY_JACOBIAN, slip, chain, outcomes, define)
 
     def _with_factors(self, chain: n.Chain, outcomes: list[Outcome], equation: int) -> list[Outcome]:

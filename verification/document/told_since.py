@@ -5,11 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import accumulate, pairwise
 from math import inf
 
 from armproof.verification.document.hearing import MOST_CHARACTERS, formulas_of, with_axes, words_of
 from armproof.verification.document.locked_joints import LOCKED, MAY_LOCK, locks
 from armproof.verification.document.model import Display
+from armproof.verification.document.told_branches import MAY_TELL_BRANCH, told_branches
 from armproof.verification.document.told_builds import (
     MAY_TELL_BUILD,
     OTHER_BUILD,
@@ -18,10 +20,21 @@ from armproof.verification.document.told_builds import (
     told_build,
     turned_round,
 )
+from armproof.verification.document.told_jacobians import (
+    MAPS_OTHERWISE,
+    MAY_TELL_JACOBIAN,
+    maps_otherwise,
+    told_jacobians,
+)
+from armproof.verification.document.told_notation import REACTION
+from armproof.verification.document.told_quantities import MAY_TELL_QUANTITY, TOLD_QUANTITY, tells_quantity
+from armproof.verification.document.told_relative import MAY_TELL_RELATIVE, relative_angles
+from armproof.verification.document.told_statics import MAY_TELL_BALANCE, acts_on_tool, force_of_balance, holds_arm
 from armproof.verification.document.told_tasks import MAY_TELL_TASK, told_tasks
 
 MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
-    f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}"
+    f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_TELL_BRANCH.pattern}|{MAY_TELL_JACOBIAN.pattern}|{MAY_TELL_BALANCE.pattern}"
+    f"|{MAY_TELL_QUANTITY.pattern}|{MAY_TELL_RELATIVE.pattern}"
 )
 _BESIDE = 12  # lines behind a sentence that may be said of what is near alone
 
@@ -41,14 +54,18 @@ def told_since(
     text: str, displays: Sequence[Display], sentences: Sequence[tuple[int, str]], reach: Reach
 ) -> Iterator[Since]:
     """Yield what the sentences of a text say of displays behind them, each with its place."""
-    for place, sentence in sentences:
+    heard: list[_Heard] = []
+    said = [(place, sentence) for place, sentence in sentences if sentence]
+    begins = _lines(text, [place for place, _ in said])
+    lines = [display.line for display in displays]
+    for at, (place, sentence) in enumerate(said):
         if len(sentence) > MOST_CHARACTERS or not MAY_SAY_SINCE.search(sentence.lower()):
             continue
         plain = with_axes(" ".join(sentence.split()))
         words, formulas = words_of(plain), formulas_of(plain)
-        line = text.count("\n", 0, place) + 1
+        line = begins[at]
         begin, end = reach(line)
-        lines = [display.line for display in displays]
+        heard.append(_Heard(words, formulas, line, begins[at + 1] if at + 1 < len(begins) else inf, begin, end))
         joints, since = turned_round(words, formulas)
         if joints and any(each < line for each in lines):  # what is said before all is of the arm as it is
             ends = {"from here": inf, "now": end}.get(since, min(end, line + _BESIDE))
@@ -58,5 +75,81 @@ def told_since(
             yield Since(OTHER_BUILD, line, end if table is None else min(end, text.count("\n", 0, table) + 1))
         yield from (Since(each, begin, inf) for each in told_build(words, formulas))
         yield from (Since(each, line, end) for each in told_tasks(words, formulas))
+        yield from (Since(each, begin, end) for each in relative_angles(words, formulas))
         if locks(words, formulas):
             yield Since(LOCKED, line, end)
+        if tells_quantity(words):
+            yield Since(TOLD_QUANTITY, line, heard[-1].until)
+    yield from _of_branches(heard)
+    yield from _of_jacobians(heard)
+    yield from _of_maps(displays, reach)
+    yield from _of_statics(heard, displays, reach)
+
+
+@dataclass(frozen=True)
+class _Heard:
+    """A sentence: its words and formulas, its line and that of the next one, and the lines of its section."""
+
+    words: str
+    formulas: Sequence[str]
+    line: int
+    next_line: float
+    begin: int
+    end: float
+
+    @property
+    def until(self) -> float:
+        """Up to where it is said of what it leads to alone."""
+        return min(self.end, self.next_line)
+
+
+def _lines(text: str, places: Sequence[int]) -> list[int]:
+    """Return the lines of places in a text, which are in order: each is counted from the one before."""
+    steps = (text.count("\n", start, stop) for start, stop in pairwise((0, *places)))
+    return [1 + count for count in accumulate(steps)]
+
+
+def _of_maps(displays: Sequence[Display], reach: Reach) -> Iterator[Since]:
+    """Yield that J maps otherwise where the first display of a section that says what it maps says so."""
+    heard = set[int]()
+    for display in displays:
+        begin, end = reach(display.line)
+        says = None if begin in heard else maps_otherwise(display.latex)
+        heard |= set() if says is None else {begin}
+        if says:
+            yield Since(MAPS_OTHERWISE, begin, end)
+
+
+def _of_branches(heard: Sequence[_Heard]) -> Iterator[Since]:
+    """Yield which branches are told, each up to where its letter is told anew; what words alone tell up to where any is."""
+    told = [(each, branch) for each in heard for branch in told_branches(each.words, each.formulas)]
+    for at, (sentence, branch) in enumerate(told):
+        later = (
+            each.line
+            for each, other in told[at + 1 :]
+            if each.line > sentence.line and branch.letter in ("", other.letter)
+        )
+        if branch.bound or not branch.letter:  # of both signs nothing holds
+            ends = sentence.until if branch.is_brief else sentence.end
+            yield Since(branch.as_meant(), sentence.line, min(ends, next(later, inf)))
+
+
+def _of_jacobians(heard: Sequence[_Heard]) -> Iterator[Since]:
+    """Yield that J maps otherwise, in all of a section, and which size it has, up to where another is told."""
+    told = [(each, said) for each in heard for said in told_jacobians(each.words, each.formulas)]
+    yield from (Since(said, each.begin, each.end) for each, said in told if said == MAPS_OTHERWISE)
+    sizes = [(each, said) for each, said in told if said != MAPS_OTHERWISE]
+    until = [*(each.line for each, _ in sizes[1:]), inf]
+    for (each, said), later in zip(sizes, until, strict=False):
+        yield Since(said, each.line, min(each.end, later))
+
+
+def _of_statics(heard: Sequence[_Heard], displays: Sequence[Display], reach: Reach) -> Iterator[Since]:
+    """Yield that a force acts on the tool where a section tells of what holds it, and behind a printed sum of both works."""
+    holding = {each.begin for each in heard if holds_arm(each.words)}
+    for each in (one for one in heard if one.begin in holding):
+        for letter in acts_on_tool(each.words, each.formulas):
+            yield Since(f"{REACTION} {letter}", each.line, each.end)
+    for display in displays:
+        if (force := force_of_balance(display.latex)) is not None:
+            yield Since(f"{REACTION} {force}", display.line, reach(display.line)[1])

@@ -70,15 +70,52 @@ def is_step_along_gradient(chain: n.Chain) -> bool:
 
 def holds_of_any_jacobian(chain: n.Chain, names: Names) -> bool:
     """Whether a chain of = about a Jacobian, joint rates, velocities, forces and torques holds whatever these are."""
-    if len(chain.members) < 2 or set(chain.relations) != {"="} or not _may_be_of_jacobian(chain):
+    law = _law_of(chain, names)
+    if law is None:
         return False
+    square, *oblong = [law.holds(*size) for size in SIZES]
+    return square is True and False not in oblong and (True in oblong or _has_inverse(law.members))
+
+
+def holds_of_size(chain: n.Chain, names: Names, is_wide: bool) -> bool:
+    """Whether a law of any Jacobian holds, and has a value, where J has more columns than rows, or else more rows than columns."""
+    law = _law_of(chain, names)
+    return law is not None and all(
+        law.holds(*size) is True for size in SIZES if size == ((2, 3) if is_wide else (3, 2))
+    )
+
+
+def is_of_motion_or_load(chain: n.Chain, names: Names) -> bool:
+    """Whether rates, velocities, forces or torques stand in a law of any Jacobian, which says what J maps."""
+    law = _law_of(chain, names)
+    return law is not None and not {RATES, VELOCITY, FORCE, TORQUE}.isdisjoint(law.kinds)
+
+
+@dataclass(frozen=True)
+class _Law:
+    """What a chain says of Jacobians: its members in the usual names, the kinds of what stands there, and letters of damping."""
+
+    members: Sequence[n.Node]
+    names: Names
+    kinds: frozenset[str]
+    damping: Collection[str]
+
+    def holds(self, rows: int, columns: int) -> bool | None:
+        """Whether it holds of Jacobians of a size; None where a member has no value then."""
+        return _Size(rows, columns, self.names, self.kinds, self.damping).holds(self.members)
+
+
+def _law_of(chain: n.Chain, names: Names) -> _Law | None:
+    """Return what may be a law of any Jacobian; None of what says more."""
+    if len(chain.members) < 2 or set(chain.relations) != {"="} or not _may_be_of_jacobian(chain):
+        return None
     if any(isinstance(b, n.Matrix) and len(b.cells) == 1 for member in chain.members for b in n.walk(member)):
-        return False  # the one component that a bracket holds is no vector
+        return None  # the one component that a bracket holds is no vector
     if any(n.is_rank(b) for member in chain.members for b in n.walk(member)) and any(map(n.is_number, chain.members)):
-        return False  # all of these sizes have the rank 2
+        return None  # all of these sizes have the rank 2
     of_two = names.reader.spelling.of_two
     if of_two and any(each.base == "J" and each.sub in of_two for member in chain.members for each in n.names(member)):
-        return False  # of ω, and of another velocity: nobody knows which
+        return None  # of ω, and of another velocity: nobody knows which
     spoken: set[tuple[str, str]] = set()
     chain = _with_jacobians(_of_one_frame(chain), names)
     members = [_usual(member, spoken) for member in chain.members]
@@ -87,14 +124,19 @@ def holds_of_any_jacobian(chain: n.Chain, names: Names) -> bool:
         isinstance(alone := bare(member), n.Name) and alone.dots == 0 and _kind_of(alone) == VELOCITY
         for member in chain.members
     ):
-        return False  # v = J \dot q says what v is
+        return None  # v = J \dot q says what v is
     others = {each.key for member in members for each in n.names(member)} - set(kinds)
     is_about = not {JACOBIAN, OF_JACOBIAN}.isdisjoint(kinds) or {RATES, VELOCITY, FORCE, TORQUE} <= set(kinds)
     damping = others - {"I"}
     if not is_about or len(set(kinds)) < len(kinds) or any(key.partition("_")[0] not in _DAMPING for key in damping):
-        return False  # what is said of two velocities holds of them alone
-    square, *oblong = [_Size(*size, names, frozenset(kinds), damping).holds(members) for size in SIZES]
-    return square is True and False not in oblong and (True in oblong or _has_inverse(members))
+        return None  # what is said of two velocities holds of them alone
+    return _Law(members, names, frozenset(kinds), damping)
+
+
+def weighs_forces(node: n.Sum) -> bool:
+    """Whether torques and forces stand in one sum: its sign tells which acts on which, and is a convention."""
+    kinds = {_kind_of(each) for each in n.names(node)}
+    return {FORCE, TORQUE} <= kinds
 
 
 def names_its_columns(chain: n.Chain, names: Names) -> bool:

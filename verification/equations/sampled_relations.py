@@ -80,6 +80,18 @@ def holds_where(
     return count if count >= ENOUGH else 0
 
 
+def holds_anywhere(
+    checker: ChainChecker,
+    sampled: SampledAlgebra,
+    sides: Sides,
+    exact: Pair | None,
+    where: Sequence[Comparison],
+) -> bool:
+    """Whether an equation holds at a configuration where comparisons do, whatever the lengths."""
+    found = [*_right_where(checker, sampled, sides, exact, where)]
+    return bool(found) and all(each is not None and each.any() for each in found)
+
+
 def fails_everywhere(checker: ChainChecker, sampled: SampledAlgebra, sides: Sides, exact: Pair | None) -> bool:
     """Whether an equation fails at each of many configurations, whatever the lengths."""
     found = [*_right_where(checker, sampled, sides, exact, [])]

@@ -1,0 +1,167 @@
+r"""What sentences tell of J: its size, "J has six rows and seven columns", and that it maps otherwise than usual, "the rows of $J$ are those of the joints", "$J$ denotes the inverse Jacobian".
+
+A law of any Jacobian is then asked of that size alone; where J maps otherwise, the usual laws of rates and torques are others.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+SIZE = "size of J"  # with how its rows compare to its columns
+WIDE, TALL, SQUARE = (f"{SIZE} {relation}" for relation in "<>=")
+MAPS_OTHERWISE = "J maps otherwise"
+
+MAY_TELL_JACOBIAN = re.compile(  # what no such sentence lacks, in small letters
+    r"jacobi|matri|\bj\b|\$\s*\\?j|redund|redond|ridond|joint|axes|degrees|articulation|liaison|dof|ddl|gelenk|articulaci|giunti|column|colonne|spalten"
+)
+_TIMES = re.compile(r"(?<![\d.])(\d)\s*(?:\\times|\\cdot|×|x|-?by-?|par)\s*(\d)(?![\d.])")
+_NUMBER = "one|two|three|four|five|six|seven|eight|nine|ten|une|un|deux|trois|quatre|cinq|sept|huit|neuf|dix|zwei|drei|vier|fünf|sechs|sieben|acht|dos|tres|cuatro|cinco|seis|siete|ocho|due|tre|quattro|cinque|sei|sette|otto"
+_VALUES = {
+    word: number
+    for number, words in enumerate(
+        [
+            "one une un", "two deux zwei dos due", "three trois drei tres tre", "four quatre vier cuatro quattro",
+            "five cinq fünf cinco cinque", "six sechs seis sei", "seven sept sieben siete sette",
+            "eight huit acht ocho otto", "nine neuf", "ten dix",
+        ],
+        start=1,
+    )
+    for word in words.split()
+}  # fmt: skip
+_COUNT = rf"(?<![\w.])(?P<count>\d{{1,2}}|{_NUMBER})"
+_JOINT = r"(?:joints?|axes|axis|motors?|actuators?|degrees? of freedom|dofs?|articulations?|liaisons?|pivots?|degrés? de liberté|ddl|moteurs?|actionneurs?|gelenke?n?|achsen|freiheitsgrade?|articulaciones|ejes|grados de libertad|giunti|assi|gradi di libertà)"
+_TASK = r"(?:coordinates?|dimensions?|dimensional|components?|task variables?|coordonnées?|composantes?|koordinaten|dimensionen|coordenadas?|coordinate)"
+_ROW = r"(?:rows?|lignes?|zeilen?|filas?|righe)"
+_COLUMN = r"(?:columns?|colonnes?|spalten?|columnas?|colonne)"
+_OF = {
+    "joints": re.compile(rf"{_COUNT}[ -](?:(?:revolute|actuated|independent|active|rotoid\w*) )?{_JOINT}(?!\w)"),
+    "task": re.compile(rf"{_COUNT}[ -]{_TASK}(?!\w)"),
+    "rows": re.compile(rf"{_COUNT} {_ROW}(?!\w)"),
+    "columns": re.compile(rf"{_COUNT} {_COLUMN}(?!\w)"),
+}  # fmt: skip
+_MORE = r"(?:more|greater|plus|mehr|más|più)"
+_FEWER = r"(?:fewer|less|moins|weniger|menos|meno)"
+_LIKE_COLUMNS, _LIKE_ROWS = rf"(?:{_JOINT}|{_COLUMN})", rf"(?:{_TASK}|{_ROW}|tâche|task|aufgabe)"
+_NEAR = r"(?:d' |de |of |the |\S+ ){0,2}?"
+_THAN = r"(?:\S+ ){0,3}?(?:than|que|als|qu'|di|che) (?:\S+ ){0,5}?"
+_IS_WIDE = re.compile(
+    rf"(?<!\S){_MORE} {_NEAR}{_LIKE_COLUMNS} {_THAN}{_LIKE_ROWS}(?!\w)|(?<!\S){_FEWER} {_NEAR}{_LIKE_ROWS} {_THAN}{_LIKE_COLUMNS}(?!\w)"
+)
+_IS_TALL = re.compile(
+    rf"(?<!\S){_FEWER} {_NEAR}{_LIKE_COLUMNS} {_THAN}{_LIKE_ROWS}(?!\w)|(?<!\S){_MORE} {_NEAR}{_LIKE_ROWS} {_THAN}{_LIKE_COLUMNS}(?!\w)"
+)
+_IS_SQUARE = re.compile(
+    r"(?<!\S)(?:(?:is|are|be) square(?! roots?| of)|square (?:matrix|matrices|jacobian\S*|¤|case)|carrées?|quadratisch\w*|cuadrada|quadrata|non-redundant|nonredundant|not redundant|non redondante?|pas redondante?|as many|autant)(?= )"
+)
+_REDUNDANT = re.compile(r"(?<!\S)(?:(?:kinematically )?redundant|redondante?s?|redundante?[nrs]?|ridondante)(?= )")
+_LETTERS = re.compile(r"([nm])\s*(>|<|=|\\gt|\\lt)\s*([nm])")
+_MOST_OF_TASK = 6  # coordinates of a pose: seven joints are more
+_MATRIX = re.compile(r"(?<!\S)(?:jacobian?s?|jacobienn?e?s?|jacobi\S*|matri(?:x|ces|ce|z))(?= )")
+
+_PLAIN = re.compile(
+    r"\\(?:,|;|:|!|\s|quad|left|right|(?:mathbf|boldsymbol|bm|mathrm|vec|underline)(?![A-Za-z]))|[\s{}]|\((?:q|\\theta|t)\)"
+)
+_RATES, _TOOL = r"\\dot(?:q|\\theta|\\Theta)", r"(?:\\dot[xXpPr](?:_\w+)?|[vV](?:_\w+)?|\\xi|\\nu)"
+_ALONE = re.compile(r"J")
+_TURNED = re.compile(r"J\^(?:-1|\+|\\dagger|T|\\top|-T)")
+_MAP = re.compile(rf"{_RATES}=J{_TOOL}|{_TOOL}=J\^(?:T|\\top|\\intercal|\\mathsfT){_RATES}")
+_USUAL_MAP = re.compile(rf"{_TOOL}=J{_RATES}")
+_ENTRY = re.compile(r"J_?ij=\\[dt]?frac\\partial\w+_j\\partial\S+_i|J_?ij=\\partial\w+_j/\\partial\S+_i")
+_IS_INVERSE = re.compile(
+    r"¤ (?:(?:here|always|now|then|thus|ici|alors|\S+ly) )?(?:denotes|is|means|designates|stands for|désigne|est|représente|bezeichnet|ist|designa|es|indica|è) (?:always |here |ici |hier )?(?:the |la |l' |die |el |il )?(?:so-called )?(?:inverse (?:kinematic )?jacobi\S*|jacobi\S* (?:inverse|inversa)|inverse of the (?:usual )?jacobi\S*)"
+    r"|(?<!\S)(?:inverse jacobi\S*|jacobi\S* (?:inverse|inversa))(?: matrix)? (?P<named>¤)"
+)
+_IS_TRANSPOSED = re.compile(
+    rf"(?<!\S){_ROW} (?:(?!col|spalt|deriv|dériv|gradient|respect|coord|by |par )\S+ ){{0,7}}?{_JOINT}(?!\w)|(?<!\S){_ROW} (?:a|per|par|for each|for every|pour chaque|je|por) {_JOINT}(?!\w)"
+    rf"|(?<!\S){_COLUMN} (?:a|per|par|for each|for every|pour chaque) {_TASK}|(?<!\S){_COLUMN} (?:(?!row|ligne|zeile)\S+ ){{0,2}}?(?:correspond\S*|belongs?|aux?|sont celles) (?:(?!row|ligne)\S+ ){{0,2}}?{_TASK}"
+    rf"|gradients? (?:\S+ ){{0,4}}?(?:in|as|en|als) (?:its |the |ses |les )?{_COLUMN}|{_COLUMN} (?:are|sont) (?:the |les )?gradients"
+    r"|derivatives? of the ¤(?:-?th)? coordinate (?:with respect to|by) the ¤|(?:dérivée) de la ¤(?:-?\S+)? coordonnée (?:\S+ ){0,3}?(?:à|par) (?:\S+ )?¤"
+    r"|transpose of the usual jacobi|transposée de la jacobienne (?:usuelle|habituelle)|(?:transposed|denominator|gradient)[- ](?:layout|convention)|convention transposée"
+)
+_OF_ITS_INVERSE = re.compile(
+    r"(?<!\S)(?:inver(?:se|ting|sion)|l' inverse|transpos\S*|pseudo\S*) (?:of |de |d' |la |the |le )*(?:matri(?:x|ce) )?¤"
+)
+_OF_JOINTS = r"(?:joint|actuator|motor|drive|articula|actionneur|moteur|gelenk|antrieb|leg|jambe)\S*"
+_OF_TOOL = r"(?:tool|platform|plate-?forme|hand|end|effector|gripper|outil|effecteur|pince|task|cartesian|cartésien\S*|twist|plattform|werkzeug|celle)"
+_FROM = r"(?:from|as (?:a )?functions? of|in terms of|en fonction|à partir|out of|given|aus)"
+_GIVES = r"(?:gives?|maps?|takes?|sends?|transforms?|yields?|converts?|computes?|donne|fournit|transforme|convertit|envoie|liefert|bildet)"
+_MAPS_BACK = re.compile(
+    rf"¤ (?:\S+ ){{0,6}}?{_GIVES} (?:(?!{_OF_TOOL} )\S+ ){{0,6}}?{_OF_JOINTS} (?:\S+ ){{0,3}}?{_FROM} (?:\S+ ){{0,6}}?{_OF_TOOL}(?!\w)"
+    rf"|¤ (?:\S+ ){{0,6}}?{_GIVES} (?:(?!{_OF_JOINTS} )\S+ ){{0,6}}?{_OF_TOOL} (?:(?!{_OF_JOINTS} )\S+ ){{0,5}}?(?:to|into|onto|in|en|vers|auf) (?:\S+ ){{0,4}}?{_OF_JOINTS}(?!\w)"
+)
+
+
+def told_jacobians(words: str, formulas: Sequence[str]) -> Iterator[str]:
+    """Yield the size of J that a sentence tells, and whether J maps otherwise there."""
+    small, plain = words.lower(), [plain_formula(each) for each in formulas]
+    if (size := _size(small, plain, formulas)) is not None:
+        yield size
+    if any(_MAP.fullmatch(each) or _ENTRY.search(each) for each in plain) or _is_otherwise(small, plain):
+        yield MAPS_OTHERWISE
+
+
+def plain_formula(latex: str) -> str:
+    """Return a formula without blanks, braces, fonts and the arguments of J(q)."""
+    return _PLAIN.sub("", latex.strip().rstrip(".,;"))
+
+
+def maps_otherwise(latex: str) -> bool | None:
+    r"""Return whether a display says that J maps otherwise than usual, \dot q = J \dot x; None where it says no such thing."""
+    plain = plain_formula(latex)
+    if _MAP.fullmatch(plain):
+        return True
+    return False if _USUAL_MAP.fullmatch(plain) else None
+
+
+def _is_otherwise(words: str, formulas: Sequence[str]) -> bool:
+    """Whether a sentence says of J alone, and not of its inverse or transpose, that it maps otherwise."""
+    is_of_j = any(map(_ALONE.fullmatch, formulas)) and not any(map(_TURNED.search, formulas))
+    is_of_j |= not any(map(_TURNED.search, formulas)) and "jacobi" in words
+    if not is_of_j or _OF_ITS_INVERSE.search(words):
+        return False
+    if _IS_TRANSPOSED.search(words) and not re.search(r"(?<!\S)(?:table|tableau|tabelle|tabla|tabella) ", words):
+        return True
+    found = _IS_INVERSE.search(words) or _MAPS_BACK.search(words)
+    at = words[: found.start()].count("¤") if found is not None else 0
+    return found is not None and at < len(formulas) and _ALONE.fullmatch(formulas[at]) is not None
+
+
+def _size(words: str, plain: Sequence[str], formulas: Sequence[str]) -> str | None:
+    """Return how the rows of J compare to its columns."""
+    if _IS_SQUARE.search(words):
+        return SQUARE
+    is_of_j = _MATRIX.search(words) is not None or any(each.startswith("J") for each in plain)
+    sizes = [found for each in (*formulas, words) if (found := _TIMES.search(each)) is not None] if is_of_j else []
+    if sizes:
+        return _compared(*map(int, sizes[-1].groups()))
+    for each in plain:
+        if found := _LETTERS.fullmatch(each):
+            left, relation, right = found.groups()
+            turned = {">": "<", "<": ">", "\\gt": "<", "\\lt": ">"}.get(relation, "=")  # n joints, m coordinates
+            return f"{SIZE} {turned}" if (left, right) == ("n", "m") else _turned(f"{SIZE} {turned}")
+    if _IS_WIDE.search(words):
+        return WIDE
+    if _IS_TALL.search(words):
+        return TALL
+    count = {kind: _count(found["count"]) for kind, each in _OF.items() if (found := each.search(words)) is not None}
+    count = {kind: number for kind, number in count.items() if number > 1}  # one row for each coordinate
+    joints = count.get("columns") or count.get("joints")
+    rows = count.get("rows") or count.get("task")
+    if joints is not None and rows is not None:
+        return _compared(rows, joints)
+    if joints is not None and joints > _MOST_OF_TASK:
+        return WIDE
+    return WIDE if _REDUNDANT.search(words) else None
+
+
+def _count(text: str) -> int:
+    return int(text) if text.isdigit() else _VALUES[text]
+
+
+def _compared(rows: int, columns: int) -> str:
+    return SQUARE if rows == columns else WIDE if rows < columns else TALL
+
+
+def _turned(size: str) -> str:
+    return {WIDE: TALL, TALL: WIDE}.get(size, size)

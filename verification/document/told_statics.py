@@ -1,0 +1,62 @@
+r"""What is said of the balance of an arm: "$f$ acts on the tool from outside", "the torques which the drives must deliver so that the arm stays at rest", \tau^T δq + F^T δx = 0.
+
+Torques that hold a force on the tool are -J^T F; J^T F are those with which the tool exerts F. A sentence, or two of a section, that
+tell of a force on the tool and of torques that hold it, and a sum of both virtual works that is printed as zero, tell the first.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+MAY_TELL_BALANCE = re.compile(  # what no such sentence lacks, in small letters
+    r"act|exert|push|press|pull|appl|weigh|load|felt|extern|outside|exerc|pouss|appu|agi|subi|appliq|poids|charge|effort|balanc|equilib|équilib|resist|résist|oppos|counter|hold|keep|rest|still|maint|mainten|bouge|immobil|compens|support"
+)
+_TOOL = r"(?:tool|tip|hand|gripper|end[ -]?effector|effector|flange|fingers?|arm|robot|manipulator|outil|main|pince|effecteur|organe terminal|bras|robot|préhenseur|extrémité)"
+_TO = r"(?:the |its |an? |l' |le |la |son |sa |un |une )?(?:robot' s |last |\S+' s )?"
+_FORCE = r"(?:force|wrench|load|weight|push|pull|effort|torseur|poids|charge|poussée|moment|¤)"
+_ACTS_ON = re.compile(
+    rf"(?<!\S)(?:acts?|acting|exert(?:s|ed)?|push(?:es|ed|ing)?|press(?:es|ed|ing)?|impos(?:es|ed)|weighs?|pulls?|bears|agit|agissant|s' exerce(?:nt)?|exercée?s?|exerce(?:nt)?|appuie|pousse(?:nt)?|tire) (?:(?!by the )\S+ ){{0,4}}?(?:on|upon|against|sur|contre|à) {_TO}{_TOOL}(?!\w)"
+    rf"|(?<!\S)(?:push(?:es|ed|ing)?|press(?:es|ed|ing)?|pulls?|loads?|pousse(?:nt)?|tire(?:nt)? sur) {_TO}{_TOOL} (?:with|by|along|down|up|avec|de|vers)"
+    rf"|(?<!\S)(?:{_FORCE} (?:\S+ ){{0,3}}?(?:felt|suffered|received|subie?|ressentie?) (?:by|at|par)|(?:from outside|de l' extérieur)(?= )|(?:external|extérieure?|externe) {_FORCE}|{_FORCE} (?:extérieure?|externe|from outside))"
+    rf"|(?<!\S)(?:load|weight|poids|charge) (?:\S+ ){{0,5}}?(?:pulls?|hangs?|tire|pend|acts?|agit)(?= )"
+)
+_HOLDS = re.compile(
+    r"(?<!\S)(?:balance[sd]?|balancing|equilibrat\S*|resist(?:s|ing)?|opposes?|oppose to|counteract\S*|counterbalance\S*|compensat\S*|withstand|support(?:s|ing)?|(?:s'y |s' y |s' )?oppos\S*|résist\S*|équilibr(?:e|ent|er|ant)|compens\S*|maint(?:ient|iennent|enir)|supporter"
+    r"|(?:hold|keep|holds|keeps|holding|keeping) (?:\S+ ){0,5}?(?:still|at rest|in place|immobile|in equilibrium|steady|position|pose|load|force|it|arm|robot)|(?:stays?|remains?|is|be) (?:\S+ )?(?:at rest|still|in equilibrium|motionless|immobile)|(?:does|do) not move|ne (?:bouge|bougent) pas|reste(?:nt)? immobile|au repos|en équilibre)(?!\w)"
+)
+_IN_EQUILIBRIUM = re.compile(
+    r"(?<!\S)(?:(?:at|in|for|static) (?:\S+ )?equilibrium|equilibrium (?:needs|requires|demands|asks|gives|then|of)|(?:à|en) (?:l' )?équilibre|l' équilibre (?:exige|demande|impose|donne|s' écrit))(?!\w)"
+)
+_TORQUES = re.compile(
+    r"(?<!\S)(?:torques?|motors?|drives?|actuators?|joints?|controller|couples?|moteurs?|actionneurs?|\\tau|articulaires?)(?!\w)"
+)
+_LETTER = re.compile(r"(?:\\(?:vec|mathbf|boldsymbol|bm|mathrm|mathcal)\s*\{?\s*)*([FfWwHh])(?![A-Za-z])")
+
+_BLANK = re.compile(
+    r"\\(?:,|;|:|!|\s|left|right|quad)|[\s{}()]|\\(?:mathbf|boldsymbol|bm|mathrm|vec|mathcal)(?![A-Za-z])"
+)
+_MOTION = r"(?:\\delta|\\dot|\\Delta|d)?(?:q|\\theta|x|X|p|r)(?:_\w+)?"
+_WORK_OF_TORQUES = rf"\\tau(?:_\w+)?\^(?:T|\\top|\\intercal)(?:{_MOTION})?"
+_WORK_OF_FORCE = rf"([FfWwHh])(?:_\w+)?\^(?:T|\\top|\\intercal)(?:J)?(?:{_MOTION})?"
+_BALANCE = re.compile(rf"(?:{_WORK_OF_TORQUES}\+{_WORK_OF_FORCE}|{_WORK_OF_FORCE}\+{_WORK_OF_TORQUES})(?:{_MOTION})?=0")
+
+
+def acts_on_tool(words: str, formulas: Sequence[str]) -> Iterator[str]:
+    """Yield the letters of the force of which a sentence says that it acts on the tool; an empty one where it gives it none."""
+    if _ACTS_ON.search(words.lower()):
+        found = dict.fromkeys(each[1] for formula in formulas if (each := _LETTER.match(formula.strip())) is not None)
+        yield from found or ("",)
+
+
+def holds_arm(words: str) -> bool:
+    """Whether a sentence tells of torques, or of motors, that hold the arm against a force."""
+    small = words.lower()
+    is_of_torques = _HOLDS.search(small) is not None and _TORQUES.search(small) is not None
+    return is_of_torques or _IN_EQUILIBRIUM.search(small) is not None
+
+
+def force_of_balance(latex: str) -> str | None:
+    r"""Return the letter of the force in \tau^T δq + F^T δx = 0; None of another equation."""
+    found = _BALANCE.fullmatch(_BLANK.sub("", latex.strip().rstrip(".,;")))
+    return None if found is None else found[1] or found[2]
