@@ -20,7 +20,7 @@ from armproof.verification.document.front_matter import read_any_text, suffix_of
 from armproof.verification.document.heading import encloses
 from armproof.verification.document.hearing import words_of
 from armproof.verification.document.index_directions import MAY_INDEX, told_indices
-from armproof.verification.document.listings import assignments, with_listings
+from armproof.verification.document.listings import assigned_in, assignments, with_listings
 from armproof.verification.document.markdown import read_markdown_file
 from armproof.verification.document.model import CODE, INLINE, Called, Display, Document, Listing
 from armproof.verification.document.moving_on import OF_MOTION
@@ -219,8 +219,9 @@ def _with_what_is_above(display: Display, latex: str) -> Display:
 def _listings(document: Document) -> Iterator[Listing]:
     """Yield the values in the code of a document, each with its heading."""
     for display in document.displays:
-        if display.opening == CODE and (values := assignments(display.latex)):
-            yield Listing(display.line, values, display.section)
+        if display.opening == CODE and (assigned := assigned_in(display.latex)):
+            values = assignments(display.latex)
+            yield Listing(display.line, values, display.section, cell=display.cell, assigned=assigned)
 
 
 def _called(document: Document) -> Iterator[Called]:

@@ -31,13 +31,20 @@ class Piece:
 class Listing:
     """Equations that give joints and lengths numbers: of a piece of code, or at the ends of what is worked out.
 
-    `off`: how far from what they are rounded from the latter may be.
+    `off`: how far from what they are rounded from the latter may be. `assigned`: all to which the code gives something.
     """
 
     line: int
     values: tuple[str, ...]
     section: str = ""
     off: float | None = None
+    cell: int | None = None
+    assigned: frozenset[str] = frozenset()
+
+    @property
+    def place(self) -> tuple[int, int]:
+        """Its cell, 0 where there are none, and its line."""
+        return self.cell or 0, self.line
 
 
 @dataclass(frozen=True)

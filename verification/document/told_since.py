@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from math import inf
 
+from armproof.verification.document.changed_arms import MAY_CHANGE_ARM, changes_arm
 from armproof.verification.document.hearing import MOST_CHARACTERS, formulas_of, with_axes, words_of
 from armproof.verification.document.locked_joints import LOCKED, MAY_LOCK, locks
 from armproof.verification.document.model import Display
@@ -21,9 +22,11 @@ from armproof.verification.document.told_builds import (
 from armproof.verification.document.told_tasks import MAY_TELL_TASK, told_tasks
 
 MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
-    f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}"
+    f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_CHANGE_ARM.pattern}"
 )
 _BESIDE = 12  # lines behind a sentence that may be said of what is near alone
+_PLAIN = re.compile(r"[{}\s]|\\(?:left|right|quad|qquad|begin|end|operatorname|mathrm|text)(?![A-Za-z])")
+_LETTER = re.compile(r"(?P<base>\\[A-Za-z]+|[A-Za-z])(?:_\w+)?")
 
 Reach = Callable[[int], tuple[int, float]]
 
@@ -54,9 +57,22 @@ def told_since(
             ends = {"from here": inf, "now": end}.get(since, min(end, line + _BESIDE))
             yield from (Since(each, line, ends) for each in joints)
         if is_of_other_machine(words) and any(begin <= each < line for each in lines):
-            table = next_table(text, place)
-            yield Since(OTHER_BUILD, line, end if table is None else min(end, text.count("\n", 0, table) + 1))
+            yield Since(OTHER_BUILD, line, min(end, _before_table(text, place)))
+        if changes_arm(words, formulas, above := _letters_above(displays, line)) and above:
+            yield Since(OTHER_BUILD, line, min(end, _before_table(text, place)))
         yield from (Since(each, begin, inf) for each in told_build(words, formulas))
         yield from (Since(each, line, end) for each in told_tasks(words, formulas))
         if locks(words, formulas):
             yield Since(LOCKED, line, end)
+
+
+def _before_table(text: str, place: int) -> float:
+    """Return the line of the next table of an arm, which is another one's."""
+    table = next_table(text, place)
+    return inf if table is None else text.count("\n", 0, table) + 1
+
+
+def _letters_above(displays: Sequence[Display], line: int) -> set[str]:
+    """Return the letters, each with its index and its base, of the displays above a line."""
+    above = (_PLAIN.sub("", each.latex) for each in displays if each.line < line)
+    return {name for latex in above for found in _LETTER.finditer(latex) for name in (found[0], found["base"])}
