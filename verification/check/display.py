@@ -17,6 +17,7 @@ from armproof.verification.conditions.told_names import unless_rate_of_valueless
 from armproof.verification.display.statements import Statements
 from armproof.verification.display.taken_arm import OfTakenArm, names_in
 from armproof.verification.document import Display
+from armproof.verification.document.joint_limits import LIMITED
 from armproof.verification.document.other_meanings import OMEGA_FIRST
 from armproof.verification.document.sentences import WOULD_BE
 from armproof.verification.equations.foreign_index import unless_written_elsewhere
@@ -103,6 +104,7 @@ class DisplayChecker:
             return replace(record, findings=(say(Kind.NEVER_ENDS, opening=display.opening),))
         self.names.state.enter(display.section)
         self.names.state.listed = display.listed
+        self.names.state.limits_joints = LIMITED in display.meant
         self.names.state.omega_is_first = OMEGA_FIRST in display.meant
         self.checker.rows.take_task(display.meant)
         self.ring.forget_signs()

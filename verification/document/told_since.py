@@ -9,6 +9,13 @@ from math import inf
 
 from armproof.verification.document.changed_arms import MAY_CHANGE_ARM, changes_arm
 from armproof.verification.document.hearing import MOST_CHARACTERS, formulas_of, with_axes, words_of
+from armproof.verification.document.joint_limits import (
+    LIMITED,
+    MAY_LIMIT,
+    bounds_joint,
+    columns_of_limits,
+    limits_joints,
+)
 from armproof.verification.document.locked_joints import LOCKED, MAY_LOCK, locks
 from armproof.verification.document.model import Display
 from armproof.verification.document.told_builds import (
@@ -22,7 +29,7 @@ from armproof.verification.document.told_builds import (
 from armproof.verification.document.told_tasks import MAY_TELL_TASK, told_tasks
 
 MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
-    f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_CHANGE_ARM.pattern}"
+    f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_CHANGE_ARM.pattern}|{MAY_LIMIT.pattern}"
 )
 _BESIDE = 12  # lines behind a sentence that may be said of what is near alone
 _PLAIN = re.compile(r"[{}\s]|\\(?:left|right|quad|qquad|begin|end|operatorname|mathrm|text)(?![A-Za-z])")
@@ -44,6 +51,9 @@ def told_since(
     text: str, displays: Sequence[Display], sentences: Sequence[tuple[int, str]], reach: Reach
 ) -> Iterator[Since]:
     """Yield what the sentences of a text say of displays behind them, each with its place."""
+    yield from (Since(LIMITED, text.count("\n", 0, place) + 1, inf) for place in columns_of_limits(text))
+    bounding = (display.line for display in displays if bounds_joint(display.latex))
+    yield from (Since(LIMITED, line, reach(line)[1]) for line in bounding)
     for place, sentence in sentences:
         if len(sentence) > MOST_CHARACTERS or not MAY_SAY_SINCE.search(sentence.lower()):
             continue
@@ -62,6 +72,8 @@ def told_since(
             yield Since(OTHER_BUILD, line, min(end, _before_table(text, place)))
         yield from (Since(each, begin, inf) for each in told_build(words, formulas))
         yield from (Since(each, line, end) for each in told_tasks(words, formulas))
+        if limits_joints(words, formulas):
+            yield Since(LIMITED, line, end if any(map(bounds_joint, formulas)) else inf)
         if locks(words, formulas):
             yield Since(LOCKED, line, end)
 
