@@ -14,7 +14,9 @@ from armproof.verification.conditions.told_indices import unless_told_otherwise
 from armproof.verification.conditions.told_names import ToldNames
 from armproof.verification.conditions.told_notation import ATAN2, written_as_told
 from armproof.verification.conditions.told_otherwise import ToldOtherwise
+from armproof.verification.conditions.to_first_order import holds_to_first_order
 from armproof.verification.document import Display
+from armproof.verification.document.first_order import FIRST_ORDER
 from armproof.verification.document.other_meanings import FRAME
 from armproof.verification.document.sentences import EVERYWHERE, not_known_in, quoted
 from armproof.verification.document.subjects import WRIST
@@ -56,6 +58,8 @@ class WordsAround:
             outcome = self.meanings.of_quantity(self.meanings.judge(outcome, display.meant), display.meant)
             outcome = self.meanings.of_arm(outcome, display.meant)
             outcome = self.otherwise.judge(outcome, display.meant)
+        if FIRST_ORDER in display.meant and not display.erratum and holds_to_first_order(outcome, self.names):
+            outcome = outcome.left_open(say(Kind.TO_FIRST_ORDER))
         if display.meant and not display.erratum:
             outcome = self.told.judge(outcome, display.meant)
             outcome = self.meanings.in_order(outcome, display.meant)

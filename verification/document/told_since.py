@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from math import inf
 
 from armproof.verification.document.changed_arms import MAY_CHANGE_ARM, changes_arm
+from armproof.verification.document.first_order import FIRST_ORDER, MAY_BE_FIRST_ORDER, is_to_first_order
 from armproof.verification.document.hearing import MOST_CHARACTERS, formulas_of, with_axes, words_of
 from armproof.verification.document.joint_limits import (
     LIMITED,
@@ -29,7 +30,7 @@ from armproof.verification.document.told_builds import (
 from armproof.verification.document.told_tasks import MAY_TELL_TASK, told_tasks
 
 MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
-    f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_CHANGE_ARM.pattern}|{MAY_LIMIT.pattern}"
+    f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_CHANGE_ARM.pattern}|{MAY_LIMIT.pattern}|{MAY_BE_FIRST_ORDER.pattern}"
 )
 _BESIDE = 12  # lines behind a sentence that may be said of what is near alone
 _PLAIN = re.compile(r"[{}\s]|\\(?:left|right|quad|qquad|begin|end|operatorname|mathrm|text)(?![A-Za-z])")
@@ -74,6 +75,8 @@ def told_since(
         yield from (Since(each, line, end) for each in told_tasks(words, formulas))
         if limits_joints(words, formulas):
             yield Since(LIMITED, line, end if any(map(bounds_joint, formulas)) else inf)
+        if is_to_first_order(words):
+            yield Since(FIRST_ORDER, line, end)
         if locks(words, formulas):
             yield Since(LOCKED, line, end)
 
