@@ -358,6 +358,7 @@ class Kind(MessageKind):
     FRAME_NOT_TOLD = "frame_not_told", "holds only if `{name}` is of frame {frame}, and nothing tells that it is not of the tool, {tool}: bind it in the front matter (quantities)"
     OUT_OF_RANGE = "out_of_range", "the text says that joints do not turn all round: what is left out may lie beyond their range"
     TO_FIRST_ORDER = "to_first_order", "it differs by what is of second order, and the text speaks of the first"
+    WITHIN_HALF_A_TURN = "within_half_a_turn", "it holds where no joint is beyond half a turn; half an angle is not the same a turn on"
     UNDER_MORE = "under_more", "it does not follow at every configuration; it may where joints are at rest, or with what else is said before it"
     NOT_COVERED = "not_covered", "the {side} side leaves out ${families}$"
     DOES_NOT_FOLLOW = "does_not_follow", "the {holds} side holds and the {fails} does not at the configuration given"
