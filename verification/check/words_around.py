@@ -9,12 +9,12 @@ from dataclasses import replace
 from armproof.models.errors import ArmproofError
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.conditions.other_meanings import OtherMeanings
+from armproof.verification.conditions.to_first_order import holds_to_first_order
 from armproof.verification.conditions.told_directions import ToldDirections
 from armproof.verification.conditions.told_indices import unless_told_otherwise
 from armproof.verification.conditions.told_names import ToldNames
 from armproof.verification.conditions.told_notation import ATAN2, written_as_told
 from armproof.verification.conditions.told_otherwise import ToldOtherwise
-from armproof.verification.conditions.to_first_order import holds_to_first_order
 from armproof.verification.document import Display
 from armproof.verification.document.first_order import FIRST_ORDER
 from armproof.verification.document.other_meanings import FRAME

@@ -6,7 +6,9 @@ import re
 
 FIRST_ORDER = "first order"
 
-MAY_BE_FIRST_ORDER = re.compile(r"order|ordre|ordnung|orden|ordem|ordin|small|petit|klein|pequeñ|piccol|pequen|infinit|line|liné")
+MAY_BE_FIRST_ORDER = re.compile(
+    r"order|ordre|ordnung|orden|ordem|ordin|small|petit|klein|pequeñ|piccol|pequen|infinit|line|liné"
+)
 _TO_FIRST_ORDER = re.compile(
     r"(?<!\S)(?:first[ -]order|(?:au|du) premier ordre|à l' ordre (?:un|1|¤)|(?:in |von )?erster ordnung|(?:de |a )?primer orden|(?:al )?primo ordine|primeira ordem"
     r"|(?:second|higher)[ -]order (?:terms?|quantities)|terms? of (?:second|higher) order|(?:termes?|infiniment petits) d(?:u|' un) (?:second|deuxième) ordre|terme zweiter ordnung"

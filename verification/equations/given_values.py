@@ -84,7 +84,9 @@ class GivenValues:
         lengths = [m for m in chain.members if isinstance(m, n.Name) and self._variable(m) in {*self.lengths}]
         others = [member for member in chain.members if member not in lengths]
         held = [name for member in others for name in n.names(member) if _is_letter(name)]
-        unbound = all(not self.members.evaluate(name).known and self.names.known_symbol(name.key) is None for name in held)
+        unbound = all(
+            not self.members.evaluate(name).known and self.names.known_symbol(name.key) is None for name in held
+        )
         return lengths if len(lengths) > 1 and held and unbound and all(any(n.names(m)) for m in others) else []
 
     def _is_course(self, chain: n.Chain) -> bool:

@@ -52,9 +52,15 @@ def as_added_up(compare: Callable[..., Outcome], before: Member, outcome: Outcom
     That holds beside what is true, so that its numbers are rounded right, and the sum is off by no more than they.
     """
     printed = outcome.printed
-    if printed is None or not isinstance(bare(before.node), n.Sum) or not all(map(is_number, (before.node, printed.node))):
+    if (
+        printed is None
+        or not isinstance(bare(before.node), n.Sum)
+        or not all(map(is_number, (before.node, printed.node)))
+    ):
         return outcome
-    if not all(isinstance(bare(node), n.Number) for node in (*(term for _, term in _terms(bare(before.node))), printed.node)):
+    if not all(
+        isinstance(bare(node), n.Number) for node in (*(term for _, term in _terms(bare(before.node))), printed.node)
+    ):
         return outcome
     again = compare(before, printed, outcome.equation, False)
     if again.verdict is not Verdict.PROVED:

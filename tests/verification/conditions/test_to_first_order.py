@@ -10,7 +10,11 @@ from armproof.verification.document.hearing import words_of
 from armproof.verification.verdict import Verdict
 
 PAGE = "# Wrist\n\n%s\n\n$$ R_x(\\alpha) = \\begin{bmatrix} 1 & 0 & 0 \\\\ 0 & c_\\alpha & -s_\\alpha \\\\ 0 & s_\\alpha & c_\\alpha \\end{bmatrix} $$\n\nNow\n\n$$ R_y(\\beta) = \\begin{bmatrix} 1 & 0 & %s \\\\ 0 & 1 & 0 \\\\ -\\beta & 0 & 1 \\end{bmatrix} $$\n"
-SAID = ["We write all to first order in the three angles.", "On développe au premier ordre.", "The errors are small angles."]
+SAID = [
+    "We write all to first order in the three angles.",
+    "On développe au premier ordre.",
+    "The errors are small angles.",
+]
 
 
 @pytest.mark.parametrize("said", SAID)

@@ -25,9 +25,7 @@ NOT_LIMITING = [
     "In the limit of small angles",
     "The inverse does not turn out well.",
 ]
-ARM = (
-    "$$ x = l_1 c_1 + l_2 c_{12}, \\quad y = l_1 s_1 + l_2 s_{12} $$\n\n$$ \\det J = l_1 l_2 s_2 $$\n\n%s\n\n$$ \\det J = 0 \\iff \\theta_2 = %s $$\n"
-)
+ARM = "$$ x = l_1 c_1 + l_2 c_{12}, \\quad y = l_1 s_1 + l_2 s_{12} $$\n\n$$ \\det J = l_1 l_2 s_2 $$\n\n%s\n\n$$ \\det J = 0 \\iff \\theta_2 = %s $$\n"
 TABLE = "| i | a | alpha | d | theta | %s |\n|---|---|---|---|---|---|\n| 1 | $l_1$ | 0 | 0 | $\\theta_1$ | 170° |\n| 2 | $l_2$ | 0 | 0 | $\\theta_2$ | 150° |\n\n$$ \\det J = l_1 l_2 s_2 $$\n\n$$ \\det J = 0 \\iff \\theta_2 = %s $$\n"
 
 
