@@ -18,7 +18,7 @@ from armproof.verification.conditions.told_otherwise import ToldOtherwise
 from armproof.verification.document import Display
 from armproof.verification.document.first_order import FIRST_ORDER
 from armproof.verification.document.other_meanings import FRAME
-from armproof.verification.document.sentences import EVERYWHERE, not_known_in, quoted
+from armproof.verification.document.sentences import EVERYWHERE, SAME_POINT, not_known_in, quoted
 from armproof.verification.document.subjects import WRIST
 from armproof.verification.equations.argument_order import as_told
 from armproof.verification.equations.outcome import Outcome
@@ -48,7 +48,11 @@ class WordsAround:
             outcome = self.circumstances.judge_behind(outcome, display.said_next)
         if display.supposed:
             outcome = replace(outcome.unless_refuted(say(Kind.IS_SUPPOSED)), as_usual=None)
-        if display.of_other_point or (display.meant and self._is_of_other_frame(display)):
+        is_elsewhere = display.of_other_point or (bool(display.meant) and self._is_of_other_frame(display))
+        is_elsewhere |= any(f"{SAME_POINT} {line}" in display.meant for line in self.names.state.elsewhere)
+        if is_elsewhere or (outcome.as_usual is not None and outcome.as_usual.of_another):
+            self.names.state.elsewhere.add(display.line)
+        if is_elsewhere:
             outcome = self._unless_of_the_tool(outcome)
         if display.in_other_frame and outcome.verdict in DECIDED and any(map(self._is_in_base, _names_in(outcome))):
             outcome = outcome.left_open(say(Kind.OF_OTHER_POINT))

@@ -43,6 +43,7 @@ from armproof.verification.document.sentences import (
     OTHER_FRAME,
     OTHER_POINT,
     PROSE,
+    SAME_POINT,
     STRANGE,
     STRANGE_ABOVE,
     SUPPOSED,
@@ -177,6 +178,9 @@ def _with_what_is_said(document: Document) -> Document:
             goes_on = not has_words and bool(displays) and _is_of_same_text(displays[-1], display)
             led = _inherited(led) if goes_on else _of_next(between[-1], display)
             one = _with_what_is_before(display, between[-1], led, display.section in marked)
+            if SAME_POINT in one.meant:
+                before = displays[-1].line if displays and _is_of_same_text(displays[-1], display) else 0
+                one = replace(one, meant=(*one.meant, f"{SAME_POINT} {before}"))
             displays.append(replace(one, goes_on=goes_on))
             between.append([])
             has_words = display.erratum  # what leads to what is quoted leads to nothing else
