@@ -69,7 +69,10 @@ def told_since(
             yield from (Since(each, line, ends) for each in joints)
         if is_of_other_machine(words) and any(begin <= each < line for each in lines):
             yield Since(OTHER_BUILD, line, min(end, _before_table(text, place)))
-        if changes_arm(words, formulas, above := _letters_above(displays, line)) and above:
+        above = (
+            set() if sentence.startswith("(") else _letters_above(displays, line)
+        )  # what is told aside changes nothing
+        if above and changes_arm(words, formulas, above):
             yield Since(OTHER_BUILD, line, min(end, _before_table(text, place)))
         yield from (Since(each, begin, inf) for each in told_build(words, formulas))
         yield from (Since(each, line, end) for each in told_tasks(words, formulas))

@@ -81,13 +81,17 @@ class GivenValues:
 
     def _related_lengths(self, chain: n.Chain) -> list[n.Node]:
         """Return the lengths that stand alone in a chain, where each other member is made of letters without a meaning: l_1 = l_2 = L/2."""
+        if self.names.arm is None:
+            return []
         lengths = [m for m in chain.members if isinstance(m, n.Name) and self._variable(m) in {*self.lengths}]
+        if len(lengths) < 2:
+            return []
         others = [member for member in chain.members if member not in lengths]
         held = [name for member in others for name in n.names(member) if _is_letter(name)]
         unbound = all(
             not self.members.evaluate(name).known and self.names.known_symbol(name.key) is None for name in held
         )
-        return lengths if len(lengths) > 1 and held and unbound and all(any(n.names(m)) for m in others) else []
+        return lengths if held and unbound and all(any(n.names(m)) for m in others) else []
 
     def _is_course(self, chain: n.Chain) -> bool:
         """θ_1 = 2 t, θ_1 = 2 θ_2 = 4 t: how joints move in time."""
