@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from armproof.models.errors import ArmproofError
@@ -20,6 +20,7 @@ from armproof.verification.document.first_order import FIRST_ORDER
 from armproof.verification.document.other_meanings import FRAME
 from armproof.verification.document.sentences import EVERYWHERE, SAME_POINT, not_known_in, quoted
 from armproof.verification.document.subjects import WRIST
+from armproof.verification.document.told_constraints import CONSTRAINED, NEGATIVE
 from armproof.verification.equations.argument_order import as_told
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Kind, say
@@ -28,6 +29,7 @@ from armproof.verification.latex.nodes import bare_key
 from armproof.verification.naming.conventions import is_usual
 from armproof.verification.verdict import DECIDED, HOLDS, Verdict
 
+_OF_A_SIGN = ("sqrt", "acos", "asin", "atan")
 PLANAR_WITH_HAND = 3  # joints: two place the wrist, the last turns the hand
 
 
@@ -64,6 +66,8 @@ class WordsAround:
             outcome = self.otherwise.judge(outcome, display.meant)
         if FIRST_ORDER in display.meant and not display.erratum and holds_to_first_order(outcome, self.names):
             outcome = outcome.left_open(say(Kind.TO_FIRST_ORDER))
+        if not display.erratum and _is_told_otherwise(outcome, display.meant):
+            outcome = outcome.left_open(say(Kind.IS_SUPPOSED))
         if display.meant and not display.erratum:
             outcome = self.told.judge(outcome, display.meant)
             outcome = self.meanings.in_order(outcome, display.meant)
@@ -143,6 +147,23 @@ class WordsAround:
     def _is_joint(self, node: n.Node) -> bool:
         key = bare_key(node)
         return key is not None and self.names.known_symbol(key) in self.names.joints
+
+
+def _is_told_otherwise(outcome: Outcome, meant: Sequence[str]) -> bool:
+    """Whether rates are refuted of a tool that the text constrains, or the sign of a root or an arc function is not the one that it tells."""
+    if CONSTRAINED in meant and outcome.verdict is Verdict.REFUTED and any(map(n.has_rates, outcome.nodes)):
+        return True
+    if NEGATIVE not in meant or outcome.verdict not in (*HOLDS, Verdict.REFUTED):
+        return False
+    rooted = [each for each in outcome.nodes if any(n.is_call(b, *_OF_A_SIGN) for b in n.walk(each))]
+    if outcome.verdict is Verdict.REFUTED:
+        rooted = [each for each in rooted if any(isinstance(b, n.Sum) and _takes_off(b) for b in n.walk(each))]
+    return bool(rooted)
+
+
+def _takes_off(node: n.Sum) -> bool:
+    """Whether a sum takes a root or an arc function off: −√(1 − c²)."""
+    return any(sign == "-" and n.is_call(n.bare(term), *_OF_A_SIGN) for sign, term in node.terms)
 
 
 def _names_in(outcome: Outcome) -> Iterator[n.Name]:

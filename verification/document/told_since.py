@@ -27,10 +27,17 @@ from armproof.verification.document.told_builds import (
     told_build,
     turned_round,
 )
+from armproof.verification.document.told_constraints import (
+    CONSTRAINED,
+    MAY_CONSTRAIN,
+    NEGATIVE,
+    constrains_tool,
+    is_negative,
+)
 from armproof.verification.document.told_tasks import MAY_TELL_TASK, told_tasks
 
 MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
-    f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_CHANGE_ARM.pattern}|{MAY_LIMIT.pattern}|{MAY_BE_FIRST_ORDER.pattern}"
+    f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_CHANGE_ARM.pattern}|{MAY_LIMIT.pattern}|{MAY_BE_FIRST_ORDER.pattern}|{MAY_CONSTRAIN.pattern}"
 )
 _BESIDE = 12  # lines behind a sentence that may be said of what is near alone
 _PLAIN = re.compile(r"[{}\s]|\\(?:left|right|quad|qquad|begin|end|operatorname|mathrm|text)(?![A-Za-z])")
@@ -80,6 +87,10 @@ def told_since(
             yield Since(LIMITED, line, end if any(map(bounds_joint, formulas)) else inf)
         if is_to_first_order(words):
             yield Since(FIRST_ORDER, line, end)
+        if constrains_tool(words, formulas):
+            yield Since(CONSTRAINED, line, end)
+        if is_negative(words, formulas):
+            yield Since(NEGATIVE, line, end)
         if locks(words, formulas):
             yield Since(LOCKED, line, end)
 

@@ -83,7 +83,9 @@ class GivenValues:
         """Return the lengths that stand alone in a chain, where each other member is made of letters without a meaning: l_1 = l_2 = L/2."""
         if self.names.arm is None:
             return []
-        lengths = [m for m in chain.members if isinstance(m, n.Name) and self._variable(m) in {*self.lengths}]
+        lengths: list[n.Node] = [
+            m for m in chain.members if isinstance(m, n.Name) and self._variable(m) in {*self.lengths}
+        ]
         if len(lengths) < 2:
             return []
         others = [member for member in chain.members if member not in lengths]
