@@ -52,7 +52,7 @@ class Implications:
         if judged[0].verdict is Verdict.REFUTED and (own := self._printed_once()) is not None:
             return judged[0].left_open(say(Kind.RESTS_ON_DOUBT, name=own[0], line=own[1])), {}
         if judged[0].verdict is Verdict.REFUTED and self._may_be_out_of_range(implication, equation):
-            return judged[0].left_open(say(Kind.OUT_OF_RANGE)), {}
+            return judged[0].left_open(say(Kind.BEYOND_STOPS)), {}
         again = partial(self._judged, implication, steps, equation, links)
         doubt = self.checker.rows.others(implication.chains, [judged[0]], lambda: [(again() or judged)[0]])
         if judged[0].verdict in DECIDED:

@@ -356,7 +356,7 @@ class Kind(MessageKind):
     HAS_VALUE_WHERE = "has_value_where", "the formula has a value where ${divisor}$ is not zero"
     PREMISE_DIFFERS = "premise_differs", "it follows, but what it follows from does not hold of the arm"
     FRAME_NOT_TOLD = "frame_not_told", "holds only if `{name}` is of frame {frame}, and nothing tells that it is not of the tool, {tool}: bind it in the front matter (quantities)"
-    OUT_OF_RANGE = "out_of_range", "the text says that joints do not turn all round: what is left out may lie beyond their range"
+    BEYOND_STOPS = "beyond_stops", "the text says that joints do not turn all round: what is left out may lie beyond their range"
     TO_FIRST_ORDER = "to_first_order", "it differs by what is of second order, and the text speaks of the first"
     WITHIN_HALF_A_TURN = "within_half_a_turn", "it holds where no joint is beyond half a turn; half an angle is not the same a turn on"
     UNDER_MORE = "under_more", "it does not follow at every configuration; it may where joints are at rest, or with what else is said before it"
