@@ -19,6 +19,7 @@ from armproof.verification.conditions.told_names import unless_rate_of_valueless
 from armproof.verification.display.statements import Statements
 from armproof.verification.display.taken_arm import OfTakenArm, names_in
 from armproof.verification.document import Display
+from armproof.verification.document.joint_limits import LIMITED
 from armproof.verification.document.other_meanings import OMEGA_FIRST
 from armproof.verification.document.sentences import WOULD_BE
 from armproof.verification.document.told_notation import ORDINATE_FIRST
@@ -110,6 +111,7 @@ class DisplayChecker:
         self.names.state.listed = display.listed
         if self.names.arm is None and (told := values_in_text(self.statements.claims.displays, display)) is not None:
             self.names.state.listed = (*display.listed, told)
+        self.names.state.limits_joints = LIMITED in display.meant
         self.names.state.omega_is_first = OMEGA_FIRST in display.meant
         self.checker.rows.take_task(display.meant)
         self.ring.forget_signs()

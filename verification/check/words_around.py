@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.conditions.other_meanings import OtherMeanings
 from armproof.verification.conditions.told_branches import ToldBranches
+from armproof.verification.conditions.to_first_order import holds_to_first_order
 from armproof.verification.conditions.told_directions import ToldDirections
 from armproof.verification.conditions.told_indices import unless_told_otherwise
 from armproof.verification.conditions.told_jacobians import unless_of_told_jacobian
@@ -18,9 +19,11 @@ from armproof.verification.conditions.told_notation import ATAN2, written_as_tol
 from armproof.verification.conditions.told_otherwise import ToldOtherwise
 from armproof.verification.conditions.told_relative import unless_relative
 from armproof.verification.document import Display
+from armproof.verification.document.first_order import FIRST_ORDER
 from armproof.verification.document.other_meanings import FRAME
-from armproof.verification.document.sentences import EVERYWHERE, not_known_in, quoted
+from armproof.verification.document.sentences import EVERYWHERE, SAME_POINT, not_known_in, quoted
 from armproof.verification.document.subjects import WRIST
+from armproof.verification.document.told_constraints import CONSTRAINED, NEGATIVE
 from armproof.verification.equations.argument_order import as_told
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Kind, say
@@ -30,6 +33,7 @@ from armproof.verification.naming.conventions import is_usual
 from armproof.verification.verdict import DECIDED, HOLDS, Verdict
 
 _OF_ANGLES = ("cos", "sin", "tan")
+_OF_A_SIGN = ("sqrt", "acos", "asin", "atan")
 PLANAR_WITH_HAND = 3  # joints: two place the wrist, the last turns the hand
 
 
@@ -51,7 +55,11 @@ class WordsAround:
             outcome = self.circumstances.judge_behind(outcome, display.said_next)
         if display.supposed:
             outcome = replace(outcome.unless_refuted(say(Kind.IS_SUPPOSED)), as_usual=None)
-        if display.of_other_point or (display.meant and self._is_of_other_frame(display)):
+        is_elsewhere = display.of_other_point or (bool(display.meant) and self._is_of_other_frame(display))
+        is_elsewhere |= any(f"{SAME_POINT} {line}" in display.meant for line in self.names.state.elsewhere)
+        if is_elsewhere or (outcome.as_usual is not None and outcome.as_usual.of_another):
+            self.names.state.elsewhere.add(display.line)
+        if is_elsewhere:
             outcome = self._unless_of_the_tool(outcome)
         if display.in_other_frame and outcome.verdict in DECIDED and any(map(self._is_in_base, _names_in(outcome))):
             outcome = outcome.left_open(say(Kind.OF_OTHER_POINT))
@@ -63,6 +71,10 @@ class WordsAround:
             outcome = self.otherwise.judge(outcome, display.meant)
             outcome = self.branches.judge(outcome, display.meant)
             outcome = unless_of_told_jacobian(outcome, display, self.names)
+        if FIRST_ORDER in display.meant and not display.erratum and holds_to_first_order(outcome, self.names):
+            outcome = outcome.left_open(say(Kind.TO_FIRST_ORDER))
+        if not display.erratum and _is_told_otherwise(outcome, display.meant):
+            outcome = outcome.left_open(say(Kind.IS_SUPPOSED))
         if display.meant and not display.erratum:
             outcome = self.told.judge(outcome, display.meant)
             outcome = self.meanings.in_order(outcome, display.meant)
@@ -151,6 +163,23 @@ class WordsAround:
             node = node.arguments[0]  # cos θ_3 = …
         key = bare_key(node)
         return key is not None and self.names.known_symbol(key) in self.names.joints
+
+
+def _is_told_otherwise(outcome: Outcome, meant: Sequence[str]) -> bool:
+    """Whether rates are refuted of a tool that the text constrains, or the sign of a root or an arc function is not the one that it tells."""
+    if CONSTRAINED in meant and outcome.verdict is Verdict.REFUTED and any(map(n.has_rates, outcome.nodes)):
+        return True
+    if NEGATIVE not in meant or outcome.verdict not in (*HOLDS, Verdict.REFUTED):
+        return False
+    rooted = [each for each in outcome.nodes if any(n.is_call(b, *_OF_A_SIGN) for b in n.walk(each))]
+    if outcome.verdict is Verdict.REFUTED:
+        rooted = [each for each in rooted if any(isinstance(b, n.Sum) and _takes_off(b) for b in n.walk(each))]
+    return bool(rooted)
+
+
+def _takes_off(node: n.Sum) -> bool:
+    """Whether a sum takes a root or an arc function off: −√(1 − c²)."""
+    return any(sign == "-" and n.is_call(n.bare(term), *_OF_A_SIGN) for sign, term in node.terms)
 
 
 def _names_in(outcome: Outcome) -> Iterator[n.Name]:

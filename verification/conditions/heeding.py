@@ -184,7 +184,8 @@ class Heeding:
     def _move_on(self, said: str, heard: _Heard) -> None:
         """The arm has moved, or grown: values given before are no longer its own, and numbers behind are of a posture that nobody can tell."""
         state = self.names.state
-        if not (state.configuration or state.given_last or state.told.standing):
+        has_lengths = said == RESIZED and bool(state.told_lengths)
+        if not (state.configuration or state.given_last or state.told.standing or has_lengths):
             return
         heard.in_words = True
         state.given_last = {}

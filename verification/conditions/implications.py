@@ -51,6 +51,8 @@ class Implications:
             return judged[0].left_open(say(Kind.NO_ARM_TO_COMPARE)), {}
         if judged[0].verdict is Verdict.REFUTED and (own := self._printed_once()) is not None:
             return judged[0].left_open(say(Kind.RESTS_ON_DOUBT, name=own[0], line=own[1])), {}
+        if judged[0].verdict is Verdict.REFUTED and self._may_be_out_of_range(implication, equation):
+            return judged[0].left_open(say(Kind.BEYOND_STOPS)), {}
         again = partial(self._judged, implication, steps, equation, links)
         doubt = self.checker.rows.others(implication.chains, [judged[0]], lambda: [(again() or judged)[0]])
         if judged[0].verdict in DECIDED:
@@ -102,6 +104,15 @@ class Implications:
             for chain in side
             if side is asked or implication.arrow == "⇔"
         )
+
+    def _may_be_out_of_range(self, implication: Implication, equation: int) -> bool:
+        """Whether joints are said to have stops, and one side follows from the other: what it leaves out may lie beyond them."""
+        if not self.names.state.limits_joints or implication.kind == "if":
+            return False
+        with self.ring.budget.paused():
+            from armproof.verification.conditions.judgement import check_implication
+        ways = (replace(implication, kind=kind) for kind in ("⇒", "⇐"))
+        return any(check_implication(self.checker, each, equation)[0].verdict is Verdict.PROVED for each in ways)
 
     def _printed_once(self) -> Key | None:
         """Return the Jacobian that a document without an arm prints, and of which nothing holds yet: it may hold the slip."""

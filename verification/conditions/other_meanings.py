@@ -19,6 +19,7 @@ from armproof.verification.document.other_meanings import (
     BEHIND,
     EQUAL,
     JACOBIAN,
+    MAY_BE_PASSIVE,
     OMEGA_FIRST,
     ORDER,
     OUTWARDS,
@@ -91,8 +92,9 @@ class OtherMeanings:
     def _turned_otherwise(self, outcome: Outcome, meant: Sequence[str]) -> str | None:
         """Return a rotation that is written out where the text has passive ones, or a T_{ij} where i is the frame that j sees; None without one."""
         below = [each for node in outcome.nodes for each in n.walk(node)]
-        if PASSIVE in meant and any(isinstance(each, n.Matrix) for each in below):
-            calls = (each.head for each in below if n.is_call(each, "Rot", "Rot3"))
+        may_be = MAY_BE_PASSIVE in meant and outcome.verdict is Verdict.REFUTED
+        if (PASSIVE in meant or may_be) and any(isinstance(each, n.Matrix) for each in below):
+            calls = (each.head for each in below if n.is_call(each, "Rot", "Rot3", "Trans"))
             names = (each.key for each in below if isinstance(each, n.Name) and each.base == "R")
             return next(iter((*calls, *names)), None)
         pairs = (each for each in below if isinstance(each, n.Name) and each.base in "TAHR" and not each.pre_sup)

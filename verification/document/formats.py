@@ -27,7 +27,7 @@ from armproof.verification.document.heading import encloses
 from armproof.verification.document.hearing import words_of
 from armproof.verification.document.index_directions import MAY_INDEX, told_indices
 from armproof.verification.document.left_sides import MAY_LEAD, with_left_sides
-from armproof.verification.document.listings import assignments, with_listings
+from armproof.verification.document.listings import assigned_in, assignments, with_listings
 from armproof.verification.document.markdown import read_markdown_file
 from armproof.verification.document.model import CODE, INLINE, Called, Display, Document, Listing
 from armproof.verification.document.moving_on import OF_MOTION
@@ -51,6 +51,7 @@ from armproof.verification.document.sentences import (
     OTHER_FRAME,
     OTHER_POINT,
     PROSE,
+    SAME_POINT,
     STRANGE,
     STRANGE_ABOVE,
     SUPPOSED,
@@ -187,6 +188,9 @@ def _with_what_is_said(document: Document) -> Document:
             goes_on = not has_words and bool(displays) and _is_of_same_text(displays[-1], display)
             led = _inherited(led) if goes_on else _of_next(between[-1], display)
             one = _with_what_is_before(display, between[-1], led, display.section in marked)
+            if SAME_POINT in one.meant:
+                before = displays[-1].line if displays and _is_of_same_text(displays[-1], display) else 0
+                one = replace(one, meant=(*one.meant, f"{SAME_POINT} {before}"))
             displays.append(replace(one, goes_on=goes_on))
             between.append([])
             has_words = display.erratum  # what leads to what is quoted leads to nothing else
@@ -230,8 +234,9 @@ def _with_what_is_above(display: Display, latex: str) -> Display:
 def _listings(document: Document) -> Iterator[Listing]:
     """Yield the values in the code of a document, each with its heading."""
     for display in document.displays:
-        if display.opening == CODE and (values := assignments(display.latex)):
-            yield Listing(display.line, values, display.section)
+        if display.opening == CODE and (assigned := assigned_in(display.latex)):
+            values = assignments(display.latex)
+            yield Listing(display.line, values, display.section, cell=display.cell, assigned=assigned)
 
 
 def _called(document: Document) -> Iterator[Called]:

@@ -12,12 +12,15 @@ from math import pi
 
 from armproof.verification.document.heading import encloses
 from armproof.verification.document.model import Display, Listing
+from armproof.verification.document.moving_on import RESIZED
 
 _LETTERS = {"theta": r"\theta", "th": r"\theta", "alpha": r"\alpha", "beta": r"\beta", "phi": r"\phi"}
 _LETTERS |= {letter: letter for letter in "adhlLqr"}
 _ASSIGNED = re.compile(
     rf"(?<![\w.\[(])({'|'.join(sorted(_LETTERS, key=len, reverse=True))})_?(\d{{1,2}})\s*=(?!=)\s*(.+)"
 )
+_NAMED = re.compile(rf"(?<![\w.])({'|'.join(sorted(_LETTERS, key=len, reverse=True))})_?(\d{{1,2}})(?!\w)")
+_GIVES = re.compile(r"(?P<names>[^=()<>!\[\]]*?)\s*(?:[-+*/]|\*\*|//)?=(?!=)")  # l1, l2 = …; l2 *= 2
 _COMMENT = re.compile(r"[#%].*|//.*")
 _PREFIX = re.compile(r"(?<![\w.])(?:numpy|np|math|sympy|sp)\.")
 _DEGREES = re.compile(r"(?<!\w)(?:deg2rad|radians)\(")
@@ -41,12 +44,26 @@ def assignments(code: str) -> tuple[str, ...]:
     return tuple(f"{name} = {values.pop()}" for name, values in found.items() if len(values) == 1)
 
 
+def assigned_in(code: str) -> frozenset[str]:
+    """Return the joints and lengths to which code gives anything, a number or not, as LaTeX."""
+    given = (found for each in _statements(code) if (found := _GIVES.match(each)) is not None)
+    return frozenset(_in_letters(each) for found in given for each in _NAMED.finditer(found["names"]))
+
+
 def _assigned(code: str) -> Iterator[tuple[str, str]]:
+    for statement in _statements(code):
+        found = _ASSIGNED.fullmatch(statement)
+        if found and (value := _in_latex(found[3])) is not None:
+            yield _in_letters(found), value
+
+
+def _statements(code: str) -> Iterator[str]:
     for line in code.split("\n"):
-        for statement in _COMMENT.sub("", line).split(";"):
-            found = _ASSIGNED.fullmatch(statement.strip().rstrip(","))
-            if found and (value := _in_latex(found[3])) is not None:
-                yield f"{_LETTERS[found[1]]}_{{{found[2]}}}", value
+        yield from (each.strip().rstrip(",") for each in _COMMENT.sub("", line).split(";"))
+
+
+def _in_letters(found: re.Match[str]) -> str:
+    return f"{_LETTERS[found[1]]}_{{{found[2]}}}"
 
 
 def _in_latex(value: str) -> str | None:
@@ -90,13 +107,32 @@ def with_listings(displays: Iterable[Display], code: Sequence[Listing]) -> Itera
     """Yield displays with the values that code under their headings gives, the nearest first, and what is worked out above."""
     worked: dict[str, str] = {}
     for display in displays:
-        own = [each for each in code if encloses(each.section, display.section)]
+        if RESIZED in display.said:  # code above is of other lengths
+            code = [each for each in code if each.place >= _place(display)]
+        own = _as_it_runs([each for each in code if encloses(each.section, display.section)], _place(display))
         near = sorted(own, key=lambda each: (each.section != display.section, abs(each.line - display.line)))[:NEAREST]
         ends = tuple(f"{name} = {value}" for name, value in worked.items())
         above = [Listing(display.line, ends, off=max(map(_off, worked.values())))] if worked else []
         yield replace(display, listed=(*near, *above)) if near or above else display
         if (found := worked_value(display.latex)) is not None:
             worked[found[0]] = found[1]
+
+
+def _place(display: Display) -> tuple[int, int]:
+    return display.cell or 0, display.line
+
+
+def _as_it_runs(code: Sequence[Listing], place: tuple[int, int]) -> list[Listing]:
+    """Return pieces of code, those above a place as one: what one of them gives anew has the value before no longer."""
+    above = [each for each in code if each.place < place]
+    rest = [each for each in code if each.place >= place]
+    values: dict[str, str] = {}
+    for each in above:
+        values = {name: value for name, value in values.items() if name not in each.assigned}
+        values |= dict(value.split(" = ", 1) for value in each.values)
+    told = tuple(f"{name} = {value}" for name, value in values.items())
+    last = next((each for each in reversed(above) if each.values), None)
+    return [*([replace(last, values=told)] if last is not None and told else []), *(e for e in rest if e.values)]
 
 
 def _off(value: str) -> float:

@@ -32,6 +32,7 @@ class Listing:
     """Equations that give joints and lengths numbers: of a piece of code, or at the ends of what is worked out.
 
     `off`: how far from what they are rounded from the latter may be. `in_text`: the text of the section gives them.
+    `assigned`: all to which the code gives something.
     """
 
     line: int
@@ -39,6 +40,13 @@ class Listing:
     section: str = ""
     off: float | None = None
     in_text: bool = False
+    cell: int | None = None
+    assigned: frozenset[str] = frozenset()
+
+    @property
+    def place(self) -> tuple[int, int]:
+        """Its cell, 0 where there are none, and its line."""
+        return self.cell or 0, self.line
 
 
 @dataclass(frozen=True)

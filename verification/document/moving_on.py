@@ -20,8 +20,32 @@ _is = WordLists("""
 PART joint joints elbow~ shoulder~ wrist~ forearm~ arm arms robot~ manipulator~ mechanism~ link links bar bars rod rods segment~ motor motors angle angles length lengths articulation~ liaison~ coude~ épaule~ poignet~ avant-bras bras manipulateur~ barre~ moteur~ longueur~ axe axes gelenk~ ellbogen~ ellenbogen~ schulter~ handgelenk~ unterarm~ oberarm~ roboter~ glied~ stab stäbe winkel~ länge~ achse~ articulaci~ codo~ hombro~ muñeca~ brazo~ eslab~ barra~ ángulo~ longitud~ ejes giunt~ gomito~ spalla~ polso braccio bracci motore motori angol~ lunghezz~ asta aste junta~ articulaç~ cotovelo~ ombro~ punho~ braço~ elo elos ângulo~ comprimento~
 CHANGE turns turned turning rotate rotates rotated rotating swing~ swung move moves moved moving bends bending fold folds folding unfold~ straighten~ stretching extends extending retract~ lift lifts lifted lifting raises raised raising lowers lowered lowering releas~ unlock~ frees freed switch~ reversed reverses reversing flips flipped flipping mirrored doubl~ halv~ tripl~ twice increas~ decreas~ grow grows grew shrink~ shrunk lengthen~ shorten~ longer shorter replac~ exchang~ swap~ changes changed changing opposite backwards runs starts stops passes passing tourne tournent tourné tournée tournés tournées tournant tourner pivote pivotent pivoté pivotée pivotant pivoter déplace déplacent déplacé déplacée déplaçant bouge~ plie plient pliant plier plié pliée replie replient dépli~ étend~ étendu libère libèrent libéré libérée libérons libérer débloqu~ relâch~ retourné~ retourne double doublent doublé doublés doublées doublant doubler doublons triplé~ augment~ diminu~ allong~ raccourc~ remplac~ échang~ change changent changé changés changeant opposé~ lève relève baisse abaisse démarre~ marche inversé~ gedreht dreht drehen bewegt bewegen schwenk~ geschwenkt beugt beugen gebeugt gelöst verdoppel~ halbier~ verläng~ verkürz~ vergrößer~ verkleiner~ ersetz~ umgekehrt ändert ändern geändert wechselt entgegengesetzt~ gira giran girado girada girados girando girar mueve mueven movido movida mover dobla doblan doblado doblada doblando duplic~ aument~ invierte~ cambia cambian cambiado cambiando libera liberan liberado opuest~ alarga~ acorta~ ruota ruotano ruotato ruotata ruotando ruotare muove muovono mosso mossa piega piegano piegato piegando raddoppi~ dimezz~ inverte~ invertit~ cambiato cambiano allung~ accorci~ oppost~ giram girados movem movido dobra dobram dobrado dobrando muda mudam mudou mudado alonga~ encurta~ opost~
 LENGTH link links bar bars rod rods segment~ length lengths longueur~ barre~ glied~ stab stäbe länge~ eslab~ barra~ longitud~ lunghezz~ asta aste bracci elo elos comprimento~
+LIMB forearm~ avant-bras unterarm~ oberarm~ antebrazo avambraccio antebraço upper bras
 SIZE doubl~ halv~ tripl~ twice longer shorter lengthen~ shorten~ replac~ exchang~ swap~ grow grows shrink~ remplac~ échang~ allong~ raccourc~ longs longues courts courtes verdoppel~ halbier~ verläng~ verkürz~ ersetz~ duplic~ alarga~ acorta~ reemplaz~ raddoppi~ dimezz~ allung~ accorci~ sostitui~ dobra~ alonga~ encurta~ substitu~
 """).holds
+_NUMBER = r"(?:\d+(?:[.,]\d+)?|one|two|three|four|five|six|eight|ten|twenty|half a|un|une|deux|trois|quatre|cinq|six|huit|dix|vingt|eine?n?|zwei|drei|vier|fünf|acht|zehn|uno|una|dos|tres|cuatro|cinco|diez|due|tre|quattro|cinque|dieci|dois|duas|três|quatro|dez)"
+_UNIT = r"(?:mm|cm|dm|m|meters?|metres?|inch(?:es)?|feet|foot|(?:centi|milli|déci)?mètres?|(?:zenti|milli)?metern?|(?:centi|mili)?metros?|(?:centi|milli)?metri|(?:centi|milli|deci)met(?:er|re)s?)"
+_SIZED = re.compile(rf"(?<!\S){_NUMBER} {_UNIT} |(?<!\S)\d+(?:[.,]\d+)?{_UNIT} ")
+_LINK = (
+    r"(?:(?:links?|bars?|rods?|segments?|forearm|upper arm|limbs?|bras|avant-bras|barres?|corps|glied(?:er)?|stäbe?|unterarm|oberarm|arme?|eslabon(?:es)?|eslabón|barras?|brazo|antebrazo|asta|aste|bracci?o?|avambraccio|elos?|braço|antebraço|l' avant-bras)"
+    r"|(?:lengths?|longueurs?|längen?|longitud(?:es)?|lunghezz[ae]|comprimentos?)|(?:arms?|robots?|manipulators?|manipulateurs?|roboter)(?:' s)?)"
+)
+_COMPARED = re.compile(  # how large something is, told by something else that is so large
+    r"(?<!\S)(?:(?:as|equally) (?:long|large|big|short)|of (?:equal|the same) (?:length|size)|(?:the )?same (?:length|size)|(?:de |la |des )?mêmes? (?:longueurs?|tailles?)|(?:aussi|plus|moins) (?:longs?|longues?|courte?s?|grande?s?|petite?s?)"
+    r"|(?:half|double|twice|thrice|\S+ times) (?:that|this|the|its|their|as|larger|bigger|longer|smaller|shorter)|(?:smaller|larger|bigger|shorter|longer) (?:sibling|brother|sister|version|copy|model|arm|robot|one|variant|link|bar|forearm|segment)s?"
+    r"|(?:\S+ fois) (?:plus|moins|la|sa|leur)|(?:gleich|ebenso|halb|doppelt|\S+mal) so? ?(?:lang|groß|kurz)|(?:größer|kleiner|länger|kürzer)e?[rns]?|(?:más|mais|più) (?:grandes?|larg[oa]s?|cort[oa]s?|pequeñ[oa]s?|lungh?[oaie]|cort[oaie]|grandi|piccol[oaie]|comprid[oa]s?)|scaled|enlarged|reduced in size|agrandie?s?|réduite?s?) "
+)
+_LONG = re.compile(
+    rf"(?<!\S)(?:lengths?|long|longueurs?|measures?|mesure(?:nt)?|längen?|misst|messen|longitud(?:es)?|miden?|lunghezz[ae]|comprimentos?) (?:(?:of|is|are|now|only|both|equal|to|de|plus|que|désormais|maintenant|von|ist|sind|jetzt|nur|es|son|è|sono|di) )*{_NUMBER} "
+)
+_IN_DIGITS = re.compile(  # $0.5$, $50\,\mathrm{cm}$
+    r"\$\s*(\d+(?:(?:[.,]|\{,\})\d+)?)\s*(?:(?:\\[,;: ]|~)\s*)*(?:\\(?:mathrm|text|rm)\s*\{?\s*([a-z]+)\s*\}?)?\s*\$"
+)
+_OF_LINK = re.compile(rf"(?<!\S){_LINK} ")
+_OF_REACH = re.compile(  # what has a size and is no link
+    r"(?<!\S)(?:workspace|work space|torques?|forces?|speeds?|velocit\S+|errors?|angles?|radius|circle|distance|reach|manipulability|determinants?|espace|couples?|efforts?|vitesses?|erreurs?|rayon|cercle|portée|déterminant|arbeitsraum|momente?|fehler|winkel|radius|kreis) "
+)
+_GIVES_LENGTH = re.compile(r"(?<![A-Za-z\\])[dlarL](?:_|\b)[^=]*=")
 _LATER = re.compile(
     r"(?<!\S)(?:(?:seconds?|minutes?|moments?|while|bit|steps?) later|halfway(?! between)|midway(?! between)|(?:after|at the end of) (?:the|this|that) (?:motion|movement|move|turn)|(?:secondes?|minutes?|instants?) plus tard"
     r"|à mi-(?:chemin|course)|(?:après|à la fin de|au bout de) (?:le|la|ce|cette) (?:mouvement|rotation)|à la fin du mouvement|(?:sekunden?|minuten?|schritte?) später|nach der bewegung|auf halbem weg"
@@ -52,8 +76,20 @@ def said_of_motion(text: str) -> Iterator[str]:
     last = max((place for place, own in enumerate(gives) if own), default=-1)
     if any(heard):
         yield MOVED_BEHIND if any(heard[last + 1 :]) and last >= 0 else MOVED
-    if any(RESIZED in each for each in heard):
+    if any(RESIZED in each for each in heard) or any(map(_resizes, sentences)):
         yield RESIZED
+
+
+def _resizes(sentence: str) -> bool:
+    """Whether a sentence says in words how large links are, or the arm, by a number or by what is so large: "Both links are two metres long."."""
+    if any(map(_GIVES_LENGTH.search, _formulas(sentence))):
+        return False
+    words = words_of(_IN_DIGITS.sub(r"\1 \2", sentence)).lower()
+    if words.endswith("? ") or not _OF_LINK.search(words) or _OF_REACH.search(words):
+        return False
+    of_links = any(_is(each, "LENGTH") or _is(each, "LIMB") for each in words.split())
+    is_sized = _SIZED.search(words) or _LONG.search(words)
+    return bool((of_links and is_sized) or _COMPARED.search(words))
 
 
 def _formulas(sentence: str) -> Iterator[str]:

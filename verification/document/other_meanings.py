@@ -36,7 +36,7 @@ from armproof.verification.document.told_tasks import told_tasks
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
     r"horizontal|negati[vf]|négati[vf]|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
-    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|transpos|invers|masse?\b|gravit|bar[iy]c|schwerp|acc[eé]l|beschl|jacobi|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from|convention|mirror|miroir|spiegel|espejo|repli|gefalt|plegad|ripieg|eingeklappt|\border\b|\bordre\b|reihenfolge|\borden\b|\bordine\b|q\}*\s*=|\\omega_|passiv|pasiv|equal (?:bar|link|length|segment|arm)|[ée]gaux|[ée]gales|gleiche|iguales|uguali|left and right|inches|feet|pouces|zoll|pulgadas|pollici"
+    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|transpos|invers|masse?\b|gravit|bar[iy]c|schwerp|acc[eé]l|beschl|jacobi|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from|convention|mirror|miroir|spiegel|espejo|repli|gefalt|plegad|ripieg|eingeklappt|\border\b|\bordre\b|reihenfolge|\borden\b|\bordine\b|q\}*\s*=|\\omega_|passiv|pasiv|\brows?\b|lignes?\b|zeile|filas?\b|righ?[ae]\b|linha|\bold\b|\bformer\b|ancien|\balten\b|coord|compon|compos|equal (?:bar|link|length|segment|arm)|[ée]gaux|[ée]gales|gleiche|iguales|uguali|left and right|inches|feet|pouces|zoll|pulgadas|pollici"
 )
 MAY_ASK = re.compile(
     r"following|suivant|folgend|siguiente|seguent|seguinte|true|vrai|richtig|wahr|verdader|vero|verdadeir"
@@ -129,6 +129,7 @@ OMEGA_FIRST = "omega first"  # a Jacobian, or a twist, whose first rows are thos
 ALL, BEHIND = "all", "behind"  # the angles of all joints; those that turn about the direction of one before
 UPRIGHT = "upright"  # an angle from the vertical: what it moves stands up at 0
 PASSIVE = "passive"  # R that turns axes
+MAY_BE_PASSIVE = "may be passive"  # R that may lead from the coordinates in one basis to those in the other
 OUTWARDS = "outwards"  # T_{ij} whose first index is the frame that the second sees
 ASKED = "asked"  # what the reader is to call true or false
 EQUAL = "equal"  # lengths that are, where two letters have two lengths elsewhere
@@ -409,8 +410,10 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
     yield from _orders(formulas, words)
     if hears("OF_COLUMNS", words) is not None:
         yield " ".join((COLUMNS, *(each.strip() for each in formulas if re.fullmatch(r"\s*J_\{?\d\}?\s*", each))))
-    if says("PASSIVE", words):
+    if says("PASSIVE", words) or hears("TURNS_AXES", words) or says("ROW_VECTORS", words):
         yield PASSIVE
+    elif says("OF_TWO_BASES", words):
+        yield MAY_BE_PASSIVE
     pairs = filter(None, map(_OF_TWO_FRAMES.fullmatch, formulas))
     if says("SEEN_FROM", words) and any(_are_indices(each, formulas) for each in pairs):
         yield OUTWARDS

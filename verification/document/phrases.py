@@ -547,8 +547,28 @@ first column belongs to ¤
 PASSIVE = """
 passive/pasiva/passiva/passiven/passives/passivas rotation/rotations/transformation/transformations/matrix/drehung/drehungen/drehmatrix/rotation/rotations
 rotation/rotations/rotación/rotaciones/rotazione/rotazioni/rotação/rotações passive/passives/pasiva/pasivas/passiva/passivas
+counted/measured/reckoned/taken/positive % clockwise
+clockwise % positive/counted
+compté~/mesuré~/positi~/orienté~ % sens horaire
+compté~/mesuré~/positi~ % sens des aiguilles
+gemessen/gezählt/positiv % im uhrzeigersinn
+im uhrzeigersinn % gemessen/gezählt/positiv
+sentido horario % positiv~
+positiv~/medid~ % sentido horario
+old/former % to % new axes/basis/base/frame/coordinates/ones
+ancienne/anciens/anciennes/ancien % nouvelle/nouveaux/nouveau/nouvelles base/repère/axes/coordonnées
+alten % neuen basis/achsen/koordinaten/system
+"""
+OF_TWO_BASES = """
+coordinates/components ¤ in/with ¤ and ¤ in/with ¤
+coordonnées/composantes ¤ dans ¤ et ¤ dans ¤
+koordinaten ¤ in ¤ und ¤ in ¤
+"""
+TURNS_AXES = """
 turns/rotates/turning/rotating (only) the (coordinate) axes/frame (,) (and) not/rather
 axes are/being turned/rotated (,) (and) not
+tourne/tournent (seulement) les axes (,) (et) non
+dreht die achsen (,) (und) nicht
 """
 ROW_VECTORS = """
 points/vectors/positions/coordinates are/as/is (written/taken/treated) (as) (row) rows/row-vectors

@@ -63,6 +63,7 @@ OTHER_FRAME = r"\text{in another frame}"  # what is none of anything in the base
 STRANGE_ABOVE, STRANGE = r"\text{strange above}", r"\text{strange}"
 PROSE = r"\text{prose}"  # that there are words between two displays: without them what leads to one leads to the next
 MEANT = r"\text{meant}"  # of which link it is, which quantity, or what is done to it; that follows
+SAME_POINT = "same point"  # of the point that the display above is of: "Its velocity is"
 EVERYWHERE = "everywhere"  # what is said of every configuration
 WOULD_BE = "would be"  # of another case than that at hand: it says there what a letter is
 ABOVE = r"\text{above}"  # before a place or a quantity that is said of the display above
@@ -84,6 +85,13 @@ _GENERAL = re.compile(
     re.IGNORECASE,
 )
 _COMPARES = re.compile(r"[=≠<>≈]|\\(?:neq?|not|[lg]eq?|setminus)(?![A-Za-z])")
+_OF_THE_SAME = re.compile(
+    r"\W*(?:(?:and|so|then|thus|hence|so that|et|donc|alors|und|y|e) )?(?:its|their|sa|son|ses|seine?|ihre?|su|sus|(?:la |il |le )?su[aoe]i?|(?:a |o )?seus?) \S",
+    re.IGNORECASE,
+)
+_NAMES_TOOL = re.compile(
+    r"(?<!\S)(?:tool|tip|end[ -]effector|gripper|hand|outil|l' outil|effecteur|l' effecteur|pince|werkzeugs?|greifers?|herramienta|efector|utensile|pinza) "
+)
 _WORD = re.compile(r"[^\W\d_]+")
 _ALTERNATIVES = re.compile(  # $s_3 = 0$ or; a blank is of one part alone, or a list of twenty formulas has a million ways to be none
     r"(?:\s*+(?>\$[^$]+\$|\\\(.+?\\\)|:math:`[^`]+`)(?:\s*+,)?+(?:\s*+(?:oder|or|ou|o|and|und|et|y))?+)+\s*\Z"
@@ -192,6 +200,8 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
         heard.append(MEANT + EVERYWHERE)
     if is_of_other_place(words) or (hears("OF_THE_ONE_BEFORE", words) and is_of_other_place(words_before)):
         heard.append(OTHER_POINT)
+    if _OF_THE_SAME.match(words) and not any(_NAMES_TOOL.search(each.lower()) for each in (words, words_before)):
+        heard.append(MEANT + SAME_POINT)
     if says("OTHER_FRAME", without_tool_frame(words)):
         heard.append(OTHER_FRAME)
     is_label = words.count(" ") <= _MOST_OF_LABEL

@@ -51,6 +51,7 @@ FROM from du von dal del do
 TO to into au vers nach zum al ao
 TURNS turns turn rotates rotate moves move tourne pivote déplace dreht bewegt gira mueve ruota muove roda
 MOVES moves move sits lies travels has have stands rests déplace trouve bewegt befindet liegt hat mueve encuentra está trova muove encontra move-se
+CIRCLES runs stays remains describes follows reste restent décrit suit demeure bleibt beschreibt läuft permanece describe rimane descrive resta
 FIXED fixed attached mounted fixée fixé montée monté attachée attaché befestigt montiert fijada fijado montada montado fissata fissato montata
 TRANSPOSED transpose~ inverse inversed inverted pseudo-inverse~ pseudoinverse~ negative transposée~ opposé~ transponierte~ inverse~ inversa trasposta traspuesta~ transpuesta~ transposta pseudoinversa
 SCALED scaled normali~ weighted dimensionless normiert~ normé~ pondéré~ escalad~ ponderad~
@@ -73,6 +74,7 @@ _OF_TOOL_FRAME = re.compile(  # what a tool's frame does anyway: "The hand frame
     r"(?<!\S)(?:the |le |la )?(?:(?:hand|tool|gripper|end-effector|effector|tip|wrist|last)(?:' s)? (?:frame|axes)|(?:repère|référentiel) (?:de |du |lié à )?(?:la |l' )?(?:outil|pince|main|effecteur)) (?:turns|moves|rotates|travels|tourne|bouge|se déplace) (?=with |along with |avec )",
     re.IGNORECASE,
 )
+_FAR = 7  # words up to the verb of a sentence: "The joint between the two links runs on"
 _ENDS = frozenset(",:.;!?")
 
 
@@ -201,6 +203,8 @@ def _moves(said: Sequence[str]) -> bool:
         if is_other and any(
             _is(each, "TURNS") or (_is(each, "MOVES") and place == 0) for each in said[place + 1 : place + 4]
         ):
+            return True
+        if is_other and place == 0 and any(_is(each, "CIRCLES") for each in said[1:_FAR]):
             return True
     return False
 

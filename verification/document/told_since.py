@@ -8,7 +8,16 @@ from dataclasses import dataclass
 from itertools import accumulate, pairwise
 from math import inf
 
+from armproof.verification.document.changed_arms import MAY_CHANGE_ARM, changes_arm
+from armproof.verification.document.first_order import FIRST_ORDER, MAY_BE_FIRST_ORDER, is_to_first_order
 from armproof.verification.document.hearing import MOST_CHARACTERS, formulas_of, with_axes, words_of
+from armproof.verification.document.joint_limits import (
+    LIMITED,
+    MAY_LIMIT,
+    bounds_joint,
+    columns_of_limits,
+    limits_joints,
+)
 from armproof.verification.document.locked_joints import LOCKED, MAY_LOCK, locks
 from armproof.verification.document.model import Display
 from armproof.verification.document.told_branches import MAY_TELL_BRANCH, told_branches
@@ -19,6 +28,13 @@ from armproof.verification.document.told_builds import (
     next_table,
     told_build,
     turned_round,
+)
+from armproof.verification.document.told_constraints import (
+    CONSTRAINED,
+    MAY_CONSTRAIN,
+    NEGATIVE,
+    constrains_tool,
+    is_negative,
 )
 from armproof.verification.document.told_jacobians import (
     MAPS_OTHERWISE,
@@ -35,8 +51,11 @@ from armproof.verification.document.told_tasks import MAY_TELL_TASK, told_tasks
 MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
     f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_TELL_BRANCH.pattern}|{MAY_TELL_JACOBIAN.pattern}|{MAY_TELL_BALANCE.pattern}"
     f"|{MAY_TELL_QUANTITY.pattern}|{MAY_TELL_RELATIVE.pattern}"
+    f"|{MAY_CHANGE_ARM.pattern}|{MAY_LIMIT.pattern}|{MAY_BE_FIRST_ORDER.pattern}|{MAY_CONSTRAIN.pattern}"
 )
 _BESIDE = 12  # lines behind a sentence that may be said of what is near alone
+_PLAIN = re.compile(r"[{}\s]|\\(?:left|right|quad|qquad|begin|end|operatorname|mathrm|text)(?![A-Za-z])")
+_LETTER = re.compile(r"(?P<base>\\[A-Za-z]+|[A-Za-z])(?:_\w+)?")
 
 Reach = Callable[[int], tuple[int, float]]
 
@@ -54,6 +73,9 @@ def told_since(
     text: str, displays: Sequence[Display], sentences: Sequence[tuple[int, str]], reach: Reach
 ) -> Iterator[Since]:
     """Yield what the sentences of a text say of displays behind them, each with its place."""
+    yield from (Since(LIMITED, text.count("\n", 0, place) + 1, inf) for place in columns_of_limits(text))
+    bounding = (display.line for display in displays if bounds_joint(display.latex))
+    yield from (Since(LIMITED, line, reach(line)[1]) for line in bounding)
     heard: list[_Heard] = []
     said = [(place, sentence) for place, sentence in sentences if sentence]
     begins = _lines(text, [place for place, _ in said])
@@ -71,11 +93,22 @@ def told_since(
             ends = {"from here": inf, "now": end}.get(since, min(end, line + _BESIDE))
             yield from (Since(each, line, ends) for each in joints)
         if is_of_other_machine(words) and any(begin <= each < line for each in lines):
-            table = next_table(text, place)
-            yield Since(OTHER_BUILD, line, end if table is None else min(end, text.count("\n", 0, table) + 1))
+            yield Since(OTHER_BUILD, line, min(end, _before_table(text, place)))
+        may_change = MAY_CHANGE_ARM.search(words.lower()) and not sentence.startswith("(")  # aside it changes nothing
+        above = _letters_above(displays, line) if may_change else set()
+        if above and changes_arm(words, formulas, above):
+            yield Since(OTHER_BUILD, line, min(end, _before_table(text, place)))
         yield from (Since(each, begin, inf) for each in told_build(words, formulas))
         yield from (Since(each, line, end) for each in told_tasks(words, formulas))
         yield from (Since(each, begin, end) for each in relative_angles(words, formulas))
+        if limits_joints(words, formulas):
+            yield Since(LIMITED, line, end if any(map(bounds_joint, formulas)) else inf)
+        if is_to_first_order(words):
+            yield Since(FIRST_ORDER, line, end)
+        if constrains_tool(words, formulas):
+            yield Since(CONSTRAINED, line, end)
+        if is_negative(words, formulas):
+            yield Since(NEGATIVE, line, end)
         if locks(words, formulas):
             yield Since(LOCKED, line, end)
         if tells_quantity(words):
@@ -153,3 +186,15 @@ def _of_statics(heard: Sequence[_Heard], displays: Sequence[Display], reach: Rea
     for display in displays:
         if (force := force_of_balance(display.latex)) is not None:
             yield Since(f"{REACTION} {force}", display.line, reach(display.line)[1])
+
+
+def _before_table(text: str, place: int) -> float:
+    """Return the line of the next table of an arm, which is another one's."""
+    table = next_table(text, place)
+    return inf if table is None else text.count("\n", 0, table) + 1
+
+
+def _letters_above(displays: Sequence[Display], line: int) -> set[str]:
+    """Return the letters, each with its index and its base, of the displays above a line."""
+    above = (_PLAIN.sub("", each.latex) for each in displays if each.line < line)
+    return {name for latex in above for found in _LETTER.finditer(latex) for name in (found[0], found["base"])}

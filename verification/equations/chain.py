@@ -65,6 +65,7 @@ from armproof.verification.equations.signed_distances import named_with_sign
 from armproof.verification.equations.skew import unless_skewed
 from armproof.verification.equations.table_angles import TableAngles
 from armproof.verification.equations.torques import Torques
+from armproof.verification.equations.worked_numbers import as_added_up
 from armproof.verification.errors import NotSampled, UnboundName
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, say
@@ -263,6 +264,8 @@ class ChainChecker:
             equation = now.first + max(0, index - 1)
             if member.known and member is not true:
                 compared = self.equality.compare(true, member, equation, now.branches)
+                if index and compared.verdict is Verdict.REFUTED and outcomes and outcomes[-1].verdict in HOLDS:
+                    compared = as_added_up(self.equality.compare, now.members[index - 1], compared)
                 outcomes.append(self.rows.kept(compared) if now.define and now.of_jacobian else compared)
                 if now.define:
                     self.rows.heed_column(compared)

@@ -56,10 +56,10 @@ class GivenValues:
         return not set(self.values_of(chain) or ()).isdisjoint(self.joints)
 
     def is_condition(self, chain: n.Chain) -> bool:
-        """Whether joints, lengths or rates are said to be related: θ_1 = θ_2, θ_2 = −2 θ_1, l_1 = 2 l_2, l_1 = l_2 = l."""
+        """Whether joints, lengths or rates are said to be related: θ_1 = θ_2, θ_2 = −2 θ_1, l_1 = 2 l_2, l_1 = l_2 = l, l_1 = l_2 = L/2."""
         if self._is_course(chain):
             return True
-        related = self.related(chain)
+        related = self.related(chain) or self._related_lengths(chain)
         if len(related) < 2 or set(chain.relations) != {"="} or self._is_defined(chain.members[0]):
             return False
         named = [below for member in related for below in n.walk(member) if _is_letter(below)]
@@ -78,6 +78,22 @@ class GivenValues:
         sums = [each for each in chain.members if self._is_linear(each) and self._is_of_variables(each)]
         alone = all(isinstance(each, n.Name) and not each.dots for each in chain.members if each not in sums)
         return sums if alone and not any(self.members.evaluate(m).known for m in chain.members if m not in sums) else []
+
+    def _related_lengths(self, chain: n.Chain) -> list[n.Node]:
+        """Return the lengths that stand alone in a chain, where each other member is made of letters without a meaning: l_1 = l_2 = L/2."""
+        if self.names.arm is None:
+            return []
+        lengths: list[n.Node] = [
+            m for m in chain.members if isinstance(m, n.Name) and self._variable(m) in {*self.lengths}
+        ]
+        if len(lengths) < 2:
+            return []
+        others = [member for member in chain.members if member not in lengths]
+        held = [name for member in others for name in n.names(member) if _is_letter(name)]
+        unbound = all(
+            not self.members.evaluate(name).known and self.names.known_symbol(name.key) is None for name in held
+        )
+        return lengths if held and unbound and all(any(n.names(m)) for m in others) else []
 
     def _is_course(self, chain: n.Chain) -> bool:
         """θ_1 = 2 t, θ_1 = 2 θ_2 = 4 t: how joints move in time."""

@@ -177,6 +177,12 @@ def with_lengths(sampled: SampledAlgebra, stated: Mapping[str, float], unit: flo
     yield sampled.with_lengths({**dict.fromkeys(lengths, 0.5 * unit), **fixed})
 
 
+def within_half_a_turn(sampled: SampledAlgebra, joints: Iterable[str]) -> SampledAlgebra:
+    """Return samples at which joints have the angle of (−π, π] that they have but for whole turns."""
+    turned = {joint: sampled.symbol(joint) for joint in joints}
+    return sampled.at({joint: q - 2 * np.pi * np.round(q / (2 * np.pi)) for joint, q in turned.items()})
+
+
 def vanishes_for_lengths(
     sampled: SampledAlgebra, stated: Mapping[str, float], scalar: Scalar, values: Mapping[str, Scalar]
 ) -> bool:

@@ -222,11 +222,29 @@ class SecondRoute:
         ):
             outcome.verdict, outcome.wrong, outcome.findings = Verdict.UNCHECKED, [], (say(Kind.FOR_SOME_LENGTHS),)
             return
+        if self._holds_within_half_a_turn(outcome, branches):
+            outcome.verdict, outcome.wrong, outcome.findings = Verdict.UNCHECKED, [], (say(Kind.WITHIN_HALF_A_TURN),)
+            return
         if slides := self._positive_alone(outcome, branches):
             outcome.verdict, outcome.wrong = Verdict.UNCHECKED, []
             outcome.findings = (say(Kind.POSITIVE_ALONE, letters=", ".join(slides)),)
             return
         outcome.verdict, outcome.wrong, outcome.sampled_only, outcome.findings = Verdict.REFUTED, wrong, True, ()
+
+    def _holds_within_half_a_turn(self, outcome: Outcome, branches: bool) -> bool:
+        """Whether an equation of half an angle holds where no joint is beyond half a turn, for all lengths: θ_2/2 is not the same a turn on."""
+        if not any(map(_holds_part_of_angle, outcome.nodes)):
+            return False
+        own = self.sampled()
+        with self.exact.budget.paused():
+            from armproof.verification.equations.sampled_errors import with_lengths, within_half_a_turn
+
+        turning = [symbol for symbol, joint in self.names.joints.items() if joint.kind != "prismatic"]
+        for sampled in (own, *with_lengths(own, self.names.state.stated)):
+            errors = self.sampled_errors(outcome, branches, within_half_a_turn(sampled, turning))
+            if errors is None or errors.samples < FEWEST or errors.wrong(TOLERANCE):
+                return False
+        return True
 
     def _positive_alone(self, outcome: Outcome, branches: bool) -> list[str]:
         """Return the sliding joints if an equation holds where they are extended: √(x² + y²) = d_3."""
@@ -384,6 +402,16 @@ class SecondRoute:
 
         nodes = outcome.true.node, outcome.printed.node
         return errors_between(self.names, sampled, *nodes, outcome.pair, branches, only)
+
+
+def _holds_part_of_angle(node: n.Node) -> bool:
+    """Whether a part of something stands in a tree: θ_2/2, ½ θ_2."""
+    for below in n.walk(node):
+        if isinstance(below, n.Quotient) and isinstance(bare(below.denominator), n.Number) and any(n.names(below)):
+            return True
+        if isinstance(below, n.Product) and any(isinstance(bare(each), n.Quotient) for each in below.factors):
+            return True
+    return False
 
 
 def _is_of_both_sides(node: n.Node, by: n.Node) -> bool:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.decimals import fewest_decimals, roundings
 from armproof.verification.equations.outcome import Outcome
-from armproof.verification.equations.sides import Members
+from armproof.verification.equations.sides import Member, Members
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.blocks import written_rows
 from armproof.verification.findings import Kind, say
@@ -44,6 +44,29 @@ def holds_as_worked(members: Members, outcome: Outcome) -> bool:
     )
     outcome.samples, outcome.max_error = 1, max(filter(None, errors), default=0.0)
     return True
+
+
+def as_added_up(compare: Callable[..., Outcome], before: Member, outcome: Outcome) -> Outcome:
+    """Return what is refuted as right where it is the sum of rounded numbers that stands before it: 0.2294 + 0.2954 = 0.5248.
+
+    That holds beside what is true, so that its numbers are rounded right, and the sum is off by no more than they.
+    """
+    printed = outcome.printed
+    if (
+        printed is None
+        or not isinstance(bare(before.node), n.Sum)
+        or not all(map(is_number, (before.node, printed.node)))
+    ):
+        return outcome
+    if not all(
+        isinstance(bare(node), n.Number) for node in (*(term for _, term in _terms(bare(before.node))), printed.node)
+    ):
+        return outcome
+    again = compare(before, printed, outcome.equation, False)
+    if again.verdict is not Verdict.PROVED:
+        return outcome
+    decimals = fewest_decimals((printed.node,))
+    return replace(again, verdict=Verdict.CONFIRMED, findings=(say(Kind.TO_DECIMALS, decimals=decimals),), samples=1)
 
 
 def without_unit(sides: Sequence[n.Node]) -> list[n.Node]:

@@ -417,6 +417,8 @@ class _Scanner:
     def on_number(self, value: str, start: int, end: int) -> tuple[list[Token], int]:
         if self.previous == "FRAC" and len(value) > 1 and value.isdigit():  # \frac12 is one half
             return [self.token("NUMBER", value[k], start + k, start + k + 1) for k in (0, 1)], start + 2
+        if self.before == "FRAC" and self.previous == "LETTER" and len(value) > 1 and value[0].isdigit():
+            return [self.token("NUMBER", value[0], start, start + 1)], start + 1  # \frac r23 is 3 halves of r
         if (period := _PERIOD.match(self.text, start)) and self.previous != "FRAC":
             return self._periodic(period), period.end()
         comma = _DECIMAL_COMMA.match(self.text, end)
@@ -717,7 +719,7 @@ class _Scanner:
             return [self.token("FUNC", "atan2", start, two.end())], two.end()
         is_above = self.previous == "FRAC"
         letter = self.token("LETTER", base, start, end)
-        digits = re.compile(r"\d+(?!\.?\d)").match(self.text, end) if base != "pi" else None
+        digits = re.compile(r"\d+(?!\.?\d)").match(self.text, end) if base != "pi" and not is_argument else None
         if digits is None:
             return [letter], end
         if is_above:  # \\frac a2 is a half of a

@@ -244,6 +244,8 @@ class DocumentState:
         configuration: joint variables, rates and lengths → the value that a display gave them.
         listed: the values that code gives under the heading at hand, and those that are worked out above.
         omega_is_first: whether the text says that a Jacobian of six rows begins with those of ω.
+        elsewhere: the lines of displays that are of another point than the tool, or may be.
+        limits_joints: whether the text says that joints do not turn all round.
         task_rows: the rows of J of the task that the text tells, none where it is not known which they are, None without a task.
         told: what the text between displays says: no display is judged there, but what holds there is not refuted.
         told_lengths: lengths → the value that the text between displays gave them last.
@@ -296,6 +298,8 @@ class DocumentState:
     held: set[tuple[str, int]] = field(default_factory=set)
     listed: tuple[Listing, ...] = ()
     omega_is_first: bool = False
+    elsewhere: set[int] = field(default_factory=set)
+    limits_joints: bool = False
     task_rows: tuple[int, ...] | None = None
     compares_lengths: bool = False
     comparisons: list[n.Chain] = field(default_factory=list)

@@ -6,8 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from armproof import verify_text
 from armproof.verification.document import parse_document
 from armproof.verification.document.moving_on import MOVED, MOVED_BEHIND, RESIZED, said_of_motion
+from armproof.verification.verdict import Verdict
 
 HEARD = [
     ("The elbow now turns by a quarter turn.", [MOVED]),
@@ -23,7 +25,18 @@ HEARD = [
     ("It turns out that the arm is singular.", []),
     ("At these angles of the joints the Jacobian is", []),
     ("How fast does the arm move?", []),
-    ("Both links have the length 1.", []),
+    ("Both links have the length 1.", [RESIZED]),
+    ("Now both links are two metres long.", [RESIZED]),
+    (r"Both links measure $50\,\mathrm{cm}$.", [RESIZED]),
+    ("Le second segment ne mesure plus que 50 cm.", [RESIZED]),
+    ("A smaller sibling of this arm has segments of 30 cm and 20 cm.", [RESIZED]),
+    ("The arm of section B has a forearm as long as its upper arm.", [RESIZED]),
+    ("Le robot réel est dix fois plus grand que la maquette.", [RESIZED]),
+    ("The links have lengths $l_1$ and $l_2$.", []),
+    ("The links have the same length, $l_1 = l_2 = 1$.", []),
+    ("The robot's workspace is larger.", []),
+    ("The arm stands 0.5 m from the wall.", []),
+    ("What if the links were 2 m long?", []),
 ]
 
 
@@ -45,3 +58,20 @@ def test_which_quantity_a_sentence_names_is_said_of_the_first_display_alone() ->
         Path("x.md"), "The transpose of the Jacobian is\n\n$$ a = 1 $$\n\n$$ b = 2 $$\n"
     ).displays
     assert first.meant and not second.meant
+
+
+SIZES = "Let $l_1 = 1$ m and $l_2 = 0.5$ m.\n\n$$ x = l_1 c_1 + l_2 c_{12}, \\quad y = l_1 s_1 + l_2 s_{12} $$\n\n%s For $\\theta_1 = 0$ and $\\theta_2 = 90^\\circ$ we get\n\n$$ \\det J = %s $$\n"
+
+
+@pytest.mark.parametrize(
+    ("said", "verdict"),
+    [
+        ("", Verdict.CONFIRMED),
+        ("The links turn in one plane.", Verdict.CONFIRMED),
+        ("Now both links are two metres long.", Verdict.UNCHECKED),
+        ("The large robot has links of twice that size.", Verdict.UNCHECKED),
+        ("L'avant-bras ne mesure plus que 20 cm.", Verdict.UNCHECKED),
+    ],
+)
+def test_numbers_behind_are_of_no_lengths_that_stood_before(said: str, verdict: Verdict) -> None:
+    assert verify_text(SIZES % (said, "0.5")).equations[-1].verdict is verdict

@@ -72,6 +72,8 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "counts_anew": lambda state: setattr(state, "counts_anew", True),
     "counts_anew_in": lambda state: setattr(state, "counts_anew_in", "A title"),
     "without_value": lambda state: state.without_value.update(W=(3, "A title")),
+    "elsewhere": lambda state: state.elsewhere.add(3),
+    "limits_joints": lambda state: setattr(state, "limits_joints", True),
     "task_rows": lambda state: setattr(state, "task_rows", (2, 6)),
     "balanced": lambda state: state.balanced.update({("tau", ""): None}),
     "beyond": lambda state: state.beyond.update(E=("2", "T_E")),

@@ -1,0 +1,86 @@
+r"""Sentences after which an arm is another one: "The robot is put on a table of height $H$.", "All lengths are multiplied by $k$.", "With a pen of length $e$ in the gripper".
+
+What they make of it is not computed: what is written behind them is left open.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator, Sequence
+
+from armproof.verification.document.word_lists import WordLists
+
+MAY_CHANGE_ARM = re.compile(  # what no such sentence lacks, in small letters
+    r"robot|\barms?\b|manipul|\bbase\b|\bbras\b|roboter|\bit\b|\bil\b|link|bar\b|bars\b|length|forearm|segment|longueur|barre|länge|glied|unterarm|longitud|brazo|lunghezz|bracci|tool|outil|pen\b|stylo|screw|tube|long\b"
+)
+_is = WordLists("""
+ARM robot robots arm manipulator base bras manipulateur roboter roboterarm brazo manipulador braccio manipolatore braço robô machine mechanism mécanisme it il elle er lo
+MOUNTED lift~ raise~ put puts place~ placing set stand~ hang~ hung suspend~ mount~ bolt~ fix~ screwed carried rides carries move~ moving shift~ displace~ tilt~ turned soulev~ posé posée posons pose place~ placé placée monte~ monté~ accroch~ fixe~ fixé~ déplac~ surélev~ rehauss~ inclin~ gehoben gestellt gesetzt montiert aufgehängt hängt verschoben befestigt gekippt levantad~ coloca~ colgad~ cuelga montad~ desplaza~ sollevat~ mess~ appes~ montat~ spostat~ levantado pendurad~ desloca~
+SUPPORT platform table pedestal cart carriage ceiling wall stand plinth trolley truck vehicle rail gantry column bench box turntable slope ramp plateforme plate-forme socle piédestal chariot plafond mur estrade rampe établi support colonne véhicule portique sockel tisch decke wand wagen podest schiene säule plattform mesa techo pared plataforma pedestal carro tavolo soffitto parete piattaforma piedistallo carrello mesa teto parede carrinho upside-down upside
+LINKS link links bar bars rod rods segment~ length lengths longueur~ barre barres forearm upper-arm glieder stäbe längen unterarm oberarm avant-bras bras longitudes eslabones barras antebrazo lunghezze aste bracci avambraccio comprimentos elos antebraço arm~ robot~
+SCALED multipl~ scaled doubl~ halved halve tripl~ quadrupl~ multiplie~ divise~ divided dédoubl~ réduit~ agrandi~ enlarg~ verdoppel~ halbier~ vervielf~ multiplizier~ duplica~ raddoppi~ moltiplica~ dobra~ twice double half lengthen~ shorten~ longer shorter rallong~ allong~ raccourci~ verläng~ verkürz~ alarga~ acorta~ allung~ accorci~ alonga~ encurta~ prolong~
+ALL all both every each toutes tous les chaque alle beide jede todas todos ambas tutte tutti ambedue
+HELD pen pencil screwdriver tube extension probe drill torch brush nozzle tool rod stick finger needle marker gripper hand spike pointer blade knife adapter spacer pipe stylo crayon tournevis rallonge sonde perceuse torche pinceau buse outil tige doigt aiguille feutre pince lame couteau adaptateur tuyau perche stift bleistift schraubendreher schraubenzieher verlängerung rohr bohrer pinsel düse werkzeug stab finger nadel greifer adapter lápiz destornillador tubo extensión sonda broca antorcha pincel herramienta penna matita cacciavite prolunga sonda trapano pennello utensile caneta chave extensão ferramenta
+NO_LENGTH angle angles side sides membres seiten equation~ équation~ gleichung~ speed~ velocit~ vitesse~ geschwindigkeit~ torque~ couple couples force~ drehmoment~ rate rates area~ row rows column~ vector~ velocidad~ coppie winkel~ term terms square~ carré~
+THE the this that dh la le der die das el los il lo o our its
+MIGHT can could may might often usually typically generally peut peuvent souvent kann können oft puede pueden può possono pode podem
+""").holds
+_LENGTH_LETTER = re.compile(
+    r"\s*(?:\\(?:mathrm|mathit|text)\s*\{\s*)?(?:\\(?:varepsilon|epsilon|ell|lambda|delta|Delta|kappa|eta|rho)|[a-zA-Z])(?:\s*_\s*(?:\{[^{}]*\}|\w))?\s*\}?\s*"
+)
+_BY = frozenset("by of de d' um von por di height hauteur höhe altura altezza".split())
+_OF_LENGTH = re.compile(
+    r"(?<!\S)(?:(?:of|with|whose|the|de|d' une|der|mit der|von der|con|di|da|la|a|is|has|and) )*(?:length|height|longueur|hauteur|länge|höhe|longitud|altura|lunghezza|altezza|comprimento) (?:of |is |de |est |von |ist |es |di |è |é )?¤ |¤ (?:long|lang|de long|de longueur|largo|lungo) "
+)
+_OF_ROWS = ("table", "column")  # "the table" is that of the rows
+_NEAR = 8  # words between what is held and how long it is
+
+
+def changes_arm(words: str, formulas: Sequence[str], letters_above: Collection[str]) -> bool:
+    """Whether a sentence makes an arm another one than its displays above have it, whose letters are given."""
+    said = words.lower().replace("upper arm", "upper-arm").replace("upside down", "upside-down").split()
+    if said[-1:] == ["?"] or any(_is(each, "MIGHT") for each in said):
+        return False
+    new = [bool(_LENGTH_LETTER.fullmatch(each)) and _plain(each) not in letters_above for each in formulas]
+    return _is_elsewhere(said, new) or _is_scaled(said, new) or any(_holds(words.lower(), said, new))
+
+
+def _plain(latex: str) -> str:
+    return re.sub(r"[{}\s]", "", latex)
+
+
+def _is_elsewhere(said: Sequence[str], new: Sequence[bool]) -> bool:
+    """Whether a robot is put on something, or moved by a length of its own: "lifted by the height $H$"."""
+    if not any(_is(each, "ARM") for each in said) or not any(_is(each, "MOUNTED") for each in said):
+        return False
+    is_on = any(
+        _is(each, "SUPPORT") and not (each in _OF_ROWS and any(_is(e, "THE") for e in said[max(0, place - 2) : place]))
+        for place, each in enumerate(said)
+    )
+    return is_on or any(_by_new(said, new))
+
+
+def _by_new(said: Sequence[str], new: Sequence[bool]) -> Iterator[bool]:
+    """Yield of each formula whether it is a new length by which something is moved or grows."""
+    at = [place for place, each in enumerate(said) if each == "¤"]
+    for place, is_new in zip(at, new, strict=False):
+        yield is_new and any(each in _BY for each in said[max(0, place - 2) : place])
+
+
+def _is_scaled(said: Sequence[str], new: Sequence[bool]) -> bool:
+    """Whether all lengths are multiplied, or a link grows by a length of its own."""
+    for place, word in enumerate(said):
+        near = said[max(0, place - 6) : place + 7]
+        if _is(word, "SCALED") and any(_is(each, "LINKS") for each in near):
+            is_of_all = any(_is(each, "ALL") for each in near) and not any(_is(each, "NO_LENGTH") for each in near)
+            return is_of_all or any(_by_new(said, new))
+    return False
+
+
+def _holds(words: str, said: Sequence[str], new: Sequence[bool]) -> Iterator[bool]:
+    """Yield of each length that is told whether something is held that has it, and that no display above knows."""
+    for found in _OF_LENGTH.finditer(words):
+        number = words.count("¤", 0, found.end()) - 1
+        place = len(words[: found.start()].split())
+        near = said[max(0, place - _NEAR) : place]
+        yield number < len(new) and new[number] and any(_is(each, "HELD") for each in near)
