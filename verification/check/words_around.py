@@ -9,8 +9,8 @@ from dataclasses import replace
 from armproof.models.errors import ArmproofError
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.conditions.other_meanings import OtherMeanings
-from armproof.verification.conditions.told_branches import ToldBranches
 from armproof.verification.conditions.to_first_order import holds_to_first_order
+from armproof.verification.conditions.told_branches import ToldBranches
 from armproof.verification.conditions.told_directions import ToldDirections
 from armproof.verification.conditions.told_indices import unless_told_otherwise
 from armproof.verification.conditions.told_jacobians import unless_of_told_jacobian

@@ -717,13 +717,11 @@ class _Scanner:
             and (two[1] == "" or self._has_two(two.end()))
         ):
             return [self.token("FUNC", "atan2", start, two.end())], two.end()
-        is_above = self.previous == "FRAC"
+        is_argument = self.previous == "FRAC"  # \frac\theta2 is a half of θ
         letter = self.token("LETTER", base, start, end)
         digits = re.compile(r"\d+(?!\.?\d)").match(self.text, end) if base != "pi" and not is_argument else None
         if digits is None:
             return [letter], end
-        if is_above:  # \\frac a2 is a half of a
-            return [letter, self.token("NUMBER", self.text[end], end, end + 1)], end + 1
         return [letter, self.token("SUB", digits.group(), end, digits.end())], digits.end()
 
     def _has_two(self, position: int) -> bool:
