@@ -166,15 +166,13 @@ class WordsAround:
 
 
 def _is_told_otherwise(outcome: Outcome, meant: Sequence[str]) -> bool:
-    """Whether rates are refuted of a tool that the text constrains, or the sign of a root or an arc function is not the one that it tells."""
-    if CONSTRAINED in meant and outcome.verdict is Verdict.REFUTED and any(map(n.has_rates, outcome.nodes)):
-        return True
-    if NEGATIVE not in meant or outcome.verdict not in (*HOLDS, Verdict.REFUTED):
+    """Whether what is refuted are rates of a tool that the text constrains, or the negative root of what it says to be negative."""
+    if outcome.verdict is not Verdict.REFUTED:
         return False
-    rooted = [each for each in outcome.nodes if any(n.is_call(b, *_OF_A_SIGN) for b in n.walk(each))]
-    if outcome.verdict is Verdict.REFUTED:
-        rooted = [each for each in rooted if any(isinstance(b, n.Sum) and _takes_off(b) for b in n.walk(each))]
-    return bool(rooted)
+    if CONSTRAINED in meant and any(map(n.has_rates, outcome.nodes)):
+        return True
+    sums = (each for node in outcome.nodes for each in n.walk(node) if isinstance(each, n.Sum))
+    return NEGATIVE in meant and any(map(_takes_off, sums))
 
 
 def _takes_off(node: n.Sum) -> bool:

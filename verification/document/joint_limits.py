@@ -27,6 +27,9 @@ _BOUND = re.compile(
     rf"(?:\||\\lvert|\\left\|)\s*{_JOINT}\s*(?:\||\\rvert|\\right\|)\s*(?:\\leq?(?:slant)?(?![A-Za-z])|≤|<)|(?:\\leq?(?:slant)?(?![A-Za-z])|≤|<)\s*{_JOINT}\s*(?:\\leq?(?:slant)?(?![A-Za-z])|≤|<)"
     rf"|{_JOINT}\s*(?:\\in(?![A-Za-z])|∈)\s*(?:\\left\s*)?[\[(\]]"
 )
+_CLAIMS = re.compile(
+    r"\\(?:iff|implies|impliedby|text|mathrm|(?:Long)?(?:left)?rightarrow)(?![A-Za-z])|[⇒⇔]", re.IGNORECASE
+)
 _ALL_ROUND = re.compile(
     rf"\s*(?:{_FULL}\s*(?:\\leq?|≤|<)\s*{_JOINT}\s*(?:\\leq?|≤|<)\s*{_FULL}|{_JOINT}\s*(?:\\in|∈)\s*(?:\\left\s*)?[\[(\]]\s*{_FULL}\s*[,;]\s*{_FULL}\s*(?:\\right\s*)?[\])\[]|(?:\||\\lvert)\s*{_JOINT}\s*(?:\||\\rvert)\s*(?:\\leq?|≤|<)\s*(?:\\pi|π|180\S*))\s*"
 )
@@ -45,7 +48,9 @@ def limits_joints(words: str, formulas: Sequence[str]) -> bool:
 
 
 def bounds_joint(latex: str) -> bool:
-    """Whether a formula bounds a joint by less than all the way round."""
+    """Whether a formula bounds a joint by less than all the way round, and says no more: det J > 0 ⇔ 0 < θ_2 < π tells of no stop."""
+    if _CLAIMS.search(latex):
+        return False
     return _BOUND.search(latex) is not None and not (_ALL_ROUND.fullmatch(latex) and not _is_one_side(latex))
 
 
