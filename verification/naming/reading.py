@@ -173,7 +173,7 @@ def _moments(texts: Iterable[str]) -> frozenset[str]:
 def _normals(said: str) -> str:
     """Return the letters of the columns of the tool's rotation: those of a row, x_x & y_x & z_x, else in the order in which s_x and n_x come first."""
     row = _ROW_OF_NORMALS.search(said)
-    if row is not None and len({*row.groups()}) == len(NORMALS):
+    if row is not None and len(own := {*row.groups()}) == len(NORMALS) and (own <= {*"noas"} or own.isdisjoint("noas")):
         return "".join(row.groups())
     found = "".join(dict.fromkeys(_NORMAL.findall(said)))
     return f"{found.replace('a', '')}a" if set(found) in ({"s", "n"}, {"s", "n", "a"}) else NORMALS
