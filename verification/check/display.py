@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.calculus import symbols_in
-from armproof.verification.algebra.ring import Scalar
 from armproof.verification.check.limits import SECONDS_TO_DECIDE, SECONDS_TO_EXPLAIN
 from armproof.verification.check.slips import Slips
 from armproof.verification.check.told_values import values_in_text
@@ -194,9 +193,7 @@ class DisplayChecker:
         point = point_of(next(iter(usual.meanings.values())))
         keys = {key for each in outcomes if each.verdict in HOLDS for key in self._keys_in(each) & state.conventional}
         beside = {state.inferred[key] for key in keys & state.inferred.keys() if point_of(state.inferred[key]) == point}
-        cells = [*zip(pair.true.cells, pair.printed.cells, strict=False)]
-        apart = [a - b for a, b in cells if isinstance(a, Scalar) and isinstance(b, Scalar)]
-        moves = symbols_in(apart) & self.names.joints.keys()
+        moves = symbols_in(pair.differences()) & self.names.joints.keys()
         return usual if point is not None and len(beside) > 1 and moves else None
 
     def _told(

@@ -15,11 +15,7 @@ def holds_to_first_order(outcome: Outcome, names: Names) -> bool:
     pair = outcome.pair
     if outcome.verdict is not Verdict.REFUTED or pair is None or pair.true.shape != pair.printed.shape:
         return False
-    apart = [
-        a - b
-        for a, b in zip(pair.true.cells, pair.printed.cells, strict=True)
-        if isinstance(a, Scalar) and isinstance(b, Scalar)
-    ]
+    apart = pair.differences()
     return len(apart) == len(pair.true.cells) and all(_is_of_second_order(each, names) for each in apart)
 
 

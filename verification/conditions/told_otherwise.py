@@ -76,11 +76,7 @@ class ToldOtherwise:
         pair = outcome.pair
         if pair is None:
             return any(map(n.has_rates, outcome.nodes))
-        apart = [
-            (a - b).normal()
-            for a, b in zip(pair.true.cells, pair.printed.cells, strict=False)
-            if isinstance(a, Scalar) and isinstance(b, Scalar)
-        ]
+        apart = [each.normal() for each in pair.differences()]
         rates = {each for each in symbols_in(apart) if " " in each}
         if not rates or pair.true.shape != pair.printed.shape:
             return bool(rates)

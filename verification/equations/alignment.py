@@ -32,6 +32,11 @@ class Pair:
         """Yield each place (from 0) with the true entry and the printed one."""
         return zip(self.true.places, self.true.cells, self.printed.cells, strict=True)
 
+    def differences(self) -> list[Scalar]:
+        """Return by how much the entries differ, of those that are exact."""
+        cells = zip(self.true.cells, self.printed.cells, strict=False)
+        return [a - b for a, b in cells if isinstance(a, Scalar) and isinstance(b, Scalar)]
+
 
 MOST_TERMS, TIMES_AS_MANY = 200, 10  # a slip makes no sum of hundreds of terms out of one of a few
 ROTATION = say(Kind.ROTATION_ALONE)
