@@ -196,7 +196,7 @@ def call_value(evaluator: Evaluating, node: n.Call) -> Value:
         return matrix.determinant()
     if function in ("norm", "frobenius"):
         return _norm(evaluator, node)
-    if function == "det" and (squares := _square_factors(evaluator, node.arguments[0])):
+    if function == "det" and (squares := _square_factors(evaluator, node.arguments[0])) is not None:
         return squares[0].determinant() * squares[1].determinant()
     if function in _MATRIX_CALLS:
         value = evaluator.evaluate(node.arguments[0])
@@ -217,14 +217,16 @@ def call_value(evaluator: Evaluating, node: n.Call) -> Value:
     return _scalar_function(evaluator, function, arguments)
 
 
-def _square_factors(evaluator: Evaluating, node: n.Node) -> list[Matrix]:
-    """Return the factors of a product whose determinant is that of theirs, as of J Jᵀ: square matrices, all of one size."""
+def _square_factors(evaluator: Evaluating, node: n.Node) -> tuple[Matrix, Matrix] | None:
+    """Return the factors of a product whose determinant is that of theirs, as of J Jᵀ: two square matrices of one size."""
     product = bare(node)
     if not isinstance(product, n.Product) or len(product.factors) != 2:
-        return []
-    values = [evaluator.evaluate(each) for each in product.factors]
-    shapes = {each.shape if isinstance(each, Matrix) else (0, 1) for each in values}
-    return values if len(shapes) == 1 and len({*shapes.pop()}) == 1 else []
+        return None
+    first = evaluator.evaluate(product.factors[0])
+    if not isinstance(first, Matrix) or first.shape[0] != first.shape[1]:
+        return None  # and the second one is evaluated with the product
+    second = evaluator.evaluate(product.factors[1])
+    return (first, second) if isinstance(second, Matrix) and second.shape == first.shape else None
 
 
 def _may_be_entry(arguments: Sequence[n.Node]) -> bool:
