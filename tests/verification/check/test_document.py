@@ -149,9 +149,9 @@ def test_a_connective_may_stand_at_either_end(check: Check) -> None:
 
 
 def of_each_pair(forms: Sequence[str]) -> Iterator[tuple[str, str, str]]:
-    """Yield each form with each pair of atoms in a sweep; else each pair in one of the forms, and each form with each atom."""
+    """Yield each form with each pair of atoms in a sweep; else each form with each atom at each of its places."""
     for (k, form), (i, a), (j, b) in itertools.product(enumerate(forms), enumerate(ATOMS), enumerate(ATOMS)):
-        if SWEEP or (i + j + k) % len(forms) == 0:
+        if SWEEP or (i + j + k) % (2 * len(forms)) == 0:
             yield form, a, b
 
 
