@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 import signal
+import time
 from collections import defaultdict
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, ExitStack
@@ -20,7 +21,7 @@ from xdist.remote import Producer
 from xdist.scheduler import LoadFileScheduling
 from xdist.workermanage import WorkerController
 
-from tests.laws import PART, SWEEP, is_in_part
+from tests.laws import PART, SWEEP, UNTIL, is_in_part
 
 if TYPE_CHECKING:
     from tests.clusters import Running
@@ -212,6 +213,13 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> "Browser":
 def missing(what: str) -> None:
     """Skip a test that needs what is not installed; `.ci/run` installs it, and there it fails."""
     (pytest.fail if os.environ.get("CI") else pytest.skip)(what)
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup() -> None:
+    """Leave out what a slow machine has no time for: the summary counts it."""
+    if time.time() > UNTIL:
+        pytest.skip("of the rest, no more was begun when the time was over")
 
 
 @pytest.hookimpl(trylast=True)  # behind the test's own fixtures

@@ -1,11 +1,14 @@
 """How much of a law is tried: some in `make test`, the rest in `make test-rest`, all in `make sweep`; the same at every run."""
 
 import os
+from math import inf
 
 from hypothesis import settings
 
 SWEEP = bool(os.environ.get("ARMPROOF_SWEEP"))
 PART = "" if SWEEP else os.environ.get("ARMPROOF_PART", "")  # "some", "rest", or both where pytest is called by hand
+# Seconds of the clock, behind which nothing of the rest is begun.
+UNTIL = float(os.environ.get("ARMPROOF_REST_UNTIL", "inf")) if PART == "rest" else inf
 
 
 def examples(count: int) -> settings:

@@ -1,5 +1,6 @@
 """What waits for the sweep, parameters that name another document or arm; and which cases `make test` leaves to the rest."""
 
+import time
 from types import SimpleNamespace
 from typing import Any
 from unittest.mock import Mock
@@ -15,6 +16,7 @@ from tests.conftest import (
     TOGETHER,
     of_part,
     pytest_runtest_protocol,
+    pytest_runtest_setup,
     waits_for_the_sweep,
 )
 
@@ -111,3 +113,10 @@ def test_a_worker_tells_the_call_and_every_phase_that_does_not_pass(
     assert pytest_runtest_protocol(item, None) and sent == told
     del config.workerinput  # in a process of its own pytest tells it all
     assert pytest_runtest_protocol(item, None) is None and sent == told
+
+
+def test_nothing_is_begun_when_the_time_is_over(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest_runtest_setup()
+    monkeypatch.setattr("tests.conftest.UNTIL", time.time() - 1)
+    with pytest.raises(pytest.skip.Exception, match="the time was over"):
+        pytest_runtest_setup()
