@@ -53,6 +53,7 @@ def tell_words_that_change(statements: list[n.Statement], outcomes: list[Outcome
         or denies_within(text)
         or _PREDICATE.match(text)
         or text.strip(" .,()") in ("exists", "only", "seulement")
+        or "?" in text
         or _is_strange(text)
         or _OF_EQUATION.search(text)
     ]

@@ -17,6 +17,11 @@ _PARTICIPLES = ("ing", "ando", "endo", "ant", "ed")  # "changing the frame" is n
 _NONE = frozenset(
     "no aucun aucune kein keine keinen keiner ningún ninguna nessun nessuna nessuno nenhum nenhuma".split()
 )
+_NOBODY = frozenset("nobody personne niemand nadie nessuno ninguém".split())
+_BARE = frozenset(
+    "this that it these c' ceci cela ça das dies es sie esto eso está ciò questo è isto isso".split()
+)  # what is of the display, without a noun
+_SHORT = 9  # words of a sentence that says little else
 _OTHERS = frozenset(
     "another other different opposite autre autres andere anderer anderes otro otra altro altra".split()
 )
@@ -32,7 +37,12 @@ _PROGRAMS = frozenset(
 _PROVIDED = frozenset(
     "provided providing as_long_as so_long_as pourvu à_condition tant_que sofern vorausgesetzt solange siempre_que purché finché desde_que contanto".split()
 )  # what begins a condition, and says nothing of other cases
+_IF_AND_ONLY_IF = frozenset(
+    "if_and_only_if iff si_et_seulement_si genau_dann dann_und_nur_dann si_y_solo_si sí_y_solo_si se_e_solo_se se_e_somente_se se_e_só_se".split()
+)
 _AND = frozenset("and et und y e ed sowie & plus".split())
+_THE = frozenset("the l' la le der die den das el il lo o a".split())
+_NEAR = 2  # words between which two are of one noun
 _FEW = 3  # words of a clause in which its subject stands
 _LEADS = frozenset(
     ["claim", "have", "use", "that", "think", "good"]
@@ -50,8 +60,22 @@ def denies_what_is_above(words: str) -> bool:
         return False
     if len(found[0].words) == 1 and found[0].begins("not"):
         return True  # "No, …"
+    if len(found) == 1 and words.endswith((". ", "! ")) and _judges_in_other_words(found[0]):
+        return True
     may_limit = goes_on(words) and not _is_consequence(words, found[0])
     return (may_limit and any(map(_is_exclusive, found))) or any(map(_denies_above, found))
+
+
+def _judges_in_other_words(clause: Clause) -> bool:
+    """Whether little but a pronoun is said of a display, in words of no kind that is known: "This is a lie", "Not even close".
+
+    What such words say is not understood, and may be that it is wrong.
+    """
+    said = [kinds - {"language", "article", "query", "of"} for kinds in clause.kinds[1:]]
+    if len(clause.words) > _SHORT or any(said):
+        return False
+    is_of_this = clause.words[0] in _BARE and len(said) > 1
+    return is_of_this or (clause.begins("not") and len(said) in (1, _NEAR))
 
 
 def finds_fault_with_another(words: str) -> bool:
@@ -68,10 +92,23 @@ def finds_fault_with_another(words: str) -> bool:
 
 def _is_fault_of_another(clause: Clause) -> bool:
     is_of_program = not _PROGRAMS.isdisjoint(clause.words[:_FEW])
-    is_common = clause.has("old") and clause.has("error", "fault") and clause.begins("article", "old")
-    is_of_people = clause.subject == "person" and not clause.has("claim")
+    is_common = clause.begins("article", "old") and _is_common_fault(clause)
+    is_of_people = clause.subject == "person" and not (clause.has("claim") or _ends_with_its_fault(clause))
     is_of_another = is_of_program or is_common or is_of_people
     return finds_fault_in(clause) and (_is_of_a_deed(clause) or (is_of_another and not clause.has("this", "display")))
+
+
+def _is_common_fault(clause: Clause) -> bool:
+    """Whether a fault is called a common one: "A common mistake is", and not "The index of the last term is wrong", "a typical error."."""
+    place = min(clause.at("error"), clause.at("fault"))
+    return not clause.ends("error", "fault") and any(
+        "old" in each for each in clause.kinds[max(0, place - _NEAR) : place]
+    )
+
+
+def _ends_with_its_fault(clause: Clause) -> bool:
+    """Whether people find a fault that is known of: "The attentive reader will have spotted the mistake"."""
+    return len(clause.words) > 1 and clause.ends("error", "fault") and clause.words[-2] in _THE
 
 
 def _is_of_a_deed(clause: Clause) -> bool:
@@ -203,6 +240,8 @@ def _is_denied(clause: Clause) -> bool:
     """Whether "not" in a clause denies the display: all it can say of that, but what is neither right nor wrong."""
     if clause.has("good") or (clause.at("not") <= 1 and clause.has("use") and clause.ends("this", "display")):
         return True  # "Do not use this formula"
+    if clause.words[0] in _NOBODY and clause.ends("this", "display"):
+        return True  # "Nobody can prove this"
     if clause.has("neutral") or clause.begins("there") or (clause.has("use") and not clause.has("must")):
         return False
     if clause.begins("not") and clause.has("if"):
@@ -263,7 +302,7 @@ def _denies_below(clause: Clause) -> bool:
 
 def _is_not_so(clause: Clause) -> bool:
     """Whether "not" in the clause that leads to a display denies that, and not something of the arm."""
-    is_order = clause.subject == "" and clause.at("not") <= 1 and clause.has("use", "claim")
+    is_order = clause.subject == "" and clause.at("not") <= _NEAR and clause.has("use", "claim")
     if is_order or clause.ends(*_LEADS) or (clause.ends("query") and not clause.is_led_to):
         return True
     if clause.has("neutral") or (clause.begins("not") and clause.subject in ("part", "letter")):
@@ -284,4 +323,6 @@ def _is_exclusive(clause: Clause) -> bool:
     """Whether a clause says that something holds in a case only: a display that holds in all is denied, but for one that is so "provided" something holds."""
     if not _PROVIDED.isdisjoint(clause.words[:1]):
         return False
+    if not _IF_AND_ONLY_IF.isdisjoint(clause.words[:1]):
+        return True
     return clause.has("only") and (clause.has("if", "of") or clause.begins("only")) and not clause.has("neutral")

@@ -853,4 +853,5 @@ posición orientación vector matriz primera segunda fila columna submatriz braz
 posizione orientamento vettore matrice riga colonna braccio conhecida conhecido dado dados ombro punho altura distância raio rotação translação cadeia passo posição orientação vetor linha coluna braço
 y o el los las una con para por donde si entonces es son todo todos todas entero enteros codo arriba abajo articulación articulaciones eslabón caso casos solución ángulo valor
 e per con dove se allora è sono tutti intero gomito alto basso giunto caso soluzione ou com onde então são inteiro cotovelo cima baixo junta
+exact exacte exactly exactement exakt expected attendu erwartet well bien oben
 """

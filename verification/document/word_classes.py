@@ -19,6 +19,7 @@ The classes are closed, function words and few stems, and no list of sentences.
     erratum, article, first       begin what is of no display here; what is of a noun of its own; the first of several
     instead, avoid                "instead of this", "avoid writing"
     given, counted, neutral       what is known, what is added up, what denies nothing when denied
+    topic                         what a display may be called, or its quantity, without a judgement
 """
 
 ENGLISH = """
@@ -49,7 +50,7 @@ fault wrong~ false~ incorrect~ mistake~ mistaken typo typos misprint~ blunder~ f
   mistyped miscopied misread~ miscount~ overlook~ faulty inaccurate~ fallac~ misconception~ bogus spurious inconsistent inconsistenc~ incompatible
   unjustified untenable meaningless absurd corrupt~ slipped tempt~ trap traps careless~ too_many too_few once_too twice doubtful unsure unverified
   needs_a_correction to-do todo fixme should_have_been should_read should_be_read must_read fails_the fail_the failed_the bug bugs buggy rules_out ruled_out slip_of_the_pen slips_of_the_pen by_mistake by_accident accidentally inadvertently not_so the_opposite_is the_contrary_is no_sense
-  sign_error far_from_true far_from_right far_from_correct senseless nonsensical errs erred uncertain retract~ abandon~ mixed_up mixes_up mixing_up
+  sign_error far_from_true far_from_right far_from_correct senseless nonsensical errs erred uncertain retract~ take_this_back take_that_back take_it_back abandon~ mixed_up mixes_up mixing_up
   oversight is_off are_off had_to_take lost_an_angle lost_a_sign lost_a_term lost_a_factor not_verified under_no_circumstances
 good right correct~ true valid hold holds exact exactly accurate~ apply applies applicable agree agrees match matches fit fits works acceptable
   satisf~ usable appropriate what_we_want the_case so
@@ -111,6 +112,9 @@ pronoun it they
 where where wherever
 have have had has
 article the a an
+topic position~ location~ origin~ velocit~ speed~ acceleration~ force~ torque~ matri~ determinant~ jacobian~ kinematic~ dynamic~ product~ vector~
+  orientation~ rotation~ translation~ pose~ transform~ singularit~ rank invers~ transpos~ projection~ law rule theorem~ definition~ convention~ notation~
+  configuration~ circle~ triangle~ model~ system~ distance~ derivati~ gradient~ function~ minimi~ maximi~ norm height radius reach output input next step
 """
 
 FRENCH = """
@@ -131,7 +135,7 @@ if si quand lorsque lorsqu' dès dès_que une_fois tant_que pendant pourvu à_co
 of pour dans à au aux en avec sans sous près autour avant après hors pendant sur le_long chez vers loin au_voisinage juste_avant juste_après
 general tout toute tous toutes chaque quelconque~ quel_que quelle_que quels_que quelles_que toujours partout général générale générales
 error erreur erreurs
-fault faux fausse fausses faussement erron~ incorrect~ inexact~ faute~ coquille~ manque~ oubli~ échang~ interverti~ permut~ confond~ confus~ contredi~
+fault n'_importe_quoi faux fausse fausses faussement erron~ incorrect~ inexact~ faute~ coquille~ manque~ oubli~ échang~ interverti~ permut~ confond~ confus~ contredi~
   contradiction~ réfut~ rejet~ refus~ invalid~ absurd~ retir~ démenti~ périmé~ tort mauvais mauvaise~ impossible incohéren~ incompatible~ aberrant~
   bévue~ piège~ gardez-vous gardera garder_d' tenté~ en_trop par_erreur par_accident par_mégarde le_contraire_est erreur_de_signe loin_d'_être contresens douteu~
   infirm~ mégarde inadvertance abandonn~ faudrait aurait_fallu
@@ -185,6 +189,9 @@ pronoun il elle ils elles
 where où
 have a ont avait avaient portait
 article le la les l' un une
+topic position~ origine~ vitesse~ accélération~ force~ couple~ matri~ déterminant~ jacobien~ cinémati~ dynami~ produit~ vecteur~ orientation~
+  rotation~ translation~ pose transformation~ singularité~ rang inverse~ transposé~ projection~ loi règle théorème~ définition~ convention~ notation~
+  configuration~ cercle~ triangle~ modèle~ système~ distance~ dérivé~ gradient~ fonction~ norme hauteur rayon portée but étape suite
 """
 
 GERMAN = """
@@ -257,6 +264,9 @@ pronoun es
 where wo
 have hat haben hatte hatten
 article der die das ein eine
+topic position~ lage ursprung~ geschwindigkeit~ beschleunigung~ kraft kräfte drehmoment~ matri~ determinante~ jacobi~ kinemat~ dynam~ produkt~ vektor~
+  orientierung~ drehung~ rotation~ translation~ verschiebung~ pose transformation~ singularität~ rang inverse~ transponiert~ projektion~ satz regel definition~
+  konvention~ schreibweise~ konfiguration~ kreis~ dreieck~ modell~ system~ abstand~ ableitung~ funktion~ norm höhe radius reichweite nächste schritt
 """
 
 SPANISH = """
@@ -326,6 +336,9 @@ pronoun ello
 where donde
 have tiene tienen tenía
 article el la los las un una
+topic posición~ posicion~ origen velocidad~ aceleración~ fuerza~ par matri~ determinante~ jacobian~ cinemátic~ dinámic~ producto~ vector~ orientación~
+  rotación~ traslación~ pose transformación~ singularidad~ rango invers~ traspuest~ transpuest~ proyección~ ley regla teorema~ definición~ convención~
+  notación~ configuración~ círculo~ triángulo~ modelo~ sistema~ distancia~ derivad~ función~ norma altura radio alcance paso siguiente
 """
 
 ITALIAN = """
@@ -392,6 +405,9 @@ pronoun esso essa
 where dove
 have ha hanno aveva
 article il la lo i gli le un una
+topic posizion~ origine velocità accelerazion~ forz~ coppi~ matric~ determinante jacobian~ cinematic~ dinamic~ prodott~ vettor~ orientament~ rotazion~
+  traslazion~ posa trasformazion~ singolarità rango invers~ traspost~ proiezion~ legge regola teorema definizion~ convenzion~ notazion~ configurazion~ cerchi~
+  triangol~ modell~ sistem~ distanz~ derivat~ funzion~ norma altezza raggio passo
 """
 
 PORTUGUESE = """
@@ -457,4 +473,7 @@ pronoun ele ela
 where onde
 have tem têm tinha
 article o a os as um uma
+topic posiç~ origem velocidade~ aceleraç~ força~ torque~ matri~ determinante~ jacobian~ cinemátic~ dinâmic~ produto~ vetor~ orientaç~ rotaç~ translaç~
+  pose transformaç~ singularidade~ posto invers~ transpost~ projeç~ lei regra teorema~ definiç~ convenç~ notaç~ configuraç~ círculo~ triângulo~ modelo~ sistema~
+  distância~ derivad~ função norma altura raio alcance passo
 """

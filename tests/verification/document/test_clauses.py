@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from armproof.verification.document.clauses import clauses, goes_on
-from armproof.verification.document.denials import heading_denies
+from armproof.verification.document.denials import denies_behind, faults_another, heading_denies
 from armproof.verification.document.denying_clauses import denies_what_is_above, denies_what_is_below
 from armproof.verification.document.hearing import words_of
 from armproof.verification.document.limiting_clauses import limits_what_is_above, limits_what_is_below
@@ -46,6 +46,13 @@ def test_a_clause_is_of_its_noun_or_of_what_the_one_before_it_is(sentence: str, 
             "Une erreur classique est dans cette formule, où",
             "Une erreur classique consiste à écrire $x = 1$, ce qui donne",
         ),
+        ("Nobody can derive this.", "Nobody can see the axis."),
+        ("This is a lie.", "This is the speed of the tip."),
+        ("C'est n'importe quoi.", "C'est la vitesse du poignet."),
+        ("Das geht daneben.", "Das ist die Lage des Ursprungs."),
+        ("Está patas arriba.", "Está en la posición de reposo."),
+        ("Not even close.", "Not in the plane of the second link."),
+        ("if and only if $a = b$.", "for all angles."),
     ],
 )
 def test_a_clause_of_the_display_denies_what_stands_above_it(denies: str, says_nothing: str) -> None:
@@ -107,6 +114,19 @@ def test_a_circumstance_limits_what_it_leads_to(limits: str, says_nothing: str) 
 def test_a_heading_denies_by_what_it_calls_wrong(denies: str, says_nothing: str) -> None:
     assert heading_denies(denies)
     assert not heading_denies(says_nothing)
+
+
+@pytest.mark.parametrize(
+    ("of_this", "of_another"),
+    [
+        ("The index of the last term is wrong.", "A common mistake is to forget the last term."),
+        ("a frequent mistake.", "A frequent mistake is to forget the sine."),
+        ("The careful reader has found the mistake.", "Your code forgot the 90°."),
+    ],
+)
+def test_what_is_wrong_is_this_or_something_else(of_this: str, of_another: str) -> None:
+    denied = [denies_behind(each) and not faults_another(each) for each in map(words_of, (of_this, of_another))]
+    assert denied == [True, False]
 
 
 @pytest.mark.parametrize("said", ["The arm is singular if and only if", "Le bras est singulier si et seulement si"])
