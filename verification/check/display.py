@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING
@@ -88,6 +88,13 @@ class DisplayChecker:
     def words(self) -> WordsAround:
         """Heeds what the words around a display say of it."""
         return WordsAround(self.circumstances)
+
+    def parts_of(self, latex: str) -> Iterator[n.Node]:
+        """Yield all that is read in the formulas of a display."""
+        try:
+            yield from (below for each in self.names.reader.read(latex) for below in n.walk(each))
+        except ReadError:
+            return
 
     @property
     def circumstances(self) -> Circumstances:
@@ -214,6 +221,7 @@ class DisplayChecker:
         if judged.verdict is not Verdict.REFUTED:
             says_anew = any(outcome.uses and outcome.tells(Kind.SECOND_MEANING) for outcome in outcomes)
             judged = replace(judged, outcomes=tuple(found))
+            self.slips.meet(display.line, outcomes)
             return self.slips.before_second_meaning(judged, display, outcomes) if says_anew else judged
         if any(outcome.uses for outcome in outcomes):
             self.slips.before_refuted(found, display, judged, outcomes)

@@ -17,6 +17,7 @@ from armproof.verification.algebra.ring import Ring
 from armproof.verification.check.beforehand import Beforehand, lacks_base, shown_transforms
 from armproof.verification.check.display import DisplayChecker
 from armproof.verification.check.limits import SECONDS_TO_DECIDE
+from armproof.verification.check.mended import Judged, Mends, mistakes, told, with_mistakes
 from armproof.verification.check.noticed import settle_noticed
 from armproof.verification.check.parts import joined, unless_called_another, unless_of_another_arm
 from armproof.verification.check.points import Points
@@ -135,6 +136,7 @@ class DocumentChecker:
         correct: bool = False,
         samples: bool = True,
         inferred: Inference | None = None,
+        mended: Mends | None = None,
     ) -> None:
         self.document = document
         self.arm = arm
@@ -164,6 +166,10 @@ class DocumentChecker:
         self.beforehand = Beforehand(self.checker, document, self.inferred)
         self.displays = DisplayChecker(self.statements, self.inferred, self.beforehand.direction, correct, samples)
         self._lacked: set[tuple[int, str]] = set()
+        self.mended = mended or {}
+        for key, slip in self.mended.items():
+            if isinstance(slip.formula, n.Node):
+                self.names.state.mended[key] = slip.formula, self.checker.members.meaning(slip.formula)
 
     def go_on_with(self, document: Document, inferred: Inference) -> None:
         """Check displays of a document that has changed: it shows the same beforehand."""
@@ -189,8 +195,11 @@ class DocumentChecker:
     def run(self) -> DocumentResult:
         """Return the verdicts of all displays and tables, in the order of the document."""
         started = time.perf_counter()
-        equations = tuple(self.check_display(display) for display in self.document.displays)
-        return replace(self.result_of(equations), seconds=time.perf_counter() - started)
+        return replace(self.result_of(self.check_displays()), seconds=time.perf_counter() - started)
+
+    def check_displays(self) -> tuple[Record, ...]:
+        """Return the records of all displays, in the order of the document."""
+        return tuple(self.check_display(display) for display in self.document.displays)
 
     def _usual(self, key: str) -> tuple[Quantity, ...]:
         """Return what a name may stand for by convention."""
@@ -201,7 +210,24 @@ class DocumentChecker:
         return self.names.usual(name) if isinstance(name, n.Name) else ()
 
     def result_of(self, equations: tuple[Record, ...]) -> DocumentResult:
-        """Return the document's result for the records of its displays; its tables are checked with the names of them all."""
+        """Return the document's result for the records of its displays, judged with its mistakes mended where it has some."""
+        checked = {told(()): (self, equations)}
+
+        def judge(mended: Mends) -> Judged:
+            slips = told(mended.values())
+            if slips not in checked:
+                options = self.checker.confirm, self.correct, self.samples, self.inferred, mended
+                again = DocumentChecker(self.document, self.arm, *options)
+                checked[slips] = again, again.check_displays()
+            about, records = checked[slips]
+            return Judged(records, about.displays.slips.met, about.displays.parts_of)
+
+        found = mistakes(judge({}), judge) if self.displays.slips.met else {}
+        about, records = checked[told(found.values())]
+        return about._result_of(records)
+
+    def _result_of(self, equations: tuple[Record, ...]) -> DocumentResult:
+        """Return the document's result as it is; its tables are checked with the names of all displays."""
         tables = tuple(record for table in self.document.tables if (record := self._table(table)) is not None)
         if any(record.if_shown is not None for record in equations):
             equations = settle_usual(equations)
@@ -215,7 +241,8 @@ class DocumentChecker:
         if any(each.of_table for record in equations for each in record.outcomes):
             equations = settle_angles(equations)
         if self._has_definitions(equations):
-            equations = settle_used(settle_definitions(equations, self.displays.slips.is_cleared))
+            settled = settle_definitions(equations, self.displays.slips.is_cleared)
+            equations = settle_used(with_mistakes(settled, self.mended))
         if self.inferred.arm is not None or self.inferred.problem is not None:
             equations, tables = settle_data(self.inferred, equations, tables)
         if self._has_definitions(equations):  # what was refuted by an arm that nothing confirms may have used them

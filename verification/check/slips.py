@@ -9,9 +9,11 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from armproof.models.errors import ArmproofError
+from armproof.verification.algebra.matrix import as_matrix
 from armproof.verification.check.limits import SECONDS_ON_SLIPS, SECONDS_TO_EXPLAIN, WORK_ON_SLIPS
 from armproof.verification.display.statements import Statements
 from armproof.verification.document import Display
+from armproof.verification.equations.alignment import Pair
 from armproof.verification.equations.outcome import AsUsual, Outcome
 from armproof.verification.errors import TooComplex
 from armproof.verification.findings import MISPRINTS, Kind, say
@@ -24,13 +26,21 @@ if TYPE_CHECKING:
     from armproof.verification.diagnosis.diagnosis import Diagnostician
 
 
+MOST_MET = 4  # displays that are asked for all slips before them
+
+
 class Slips:
-    """Seeks the one slip with which an equation of a display holds, and tells which displays clear a definition of one."""
+    """Seeks the one slip with which an equation of a display holds, and tells which displays clear a definition of one.
+
+    Attributes:
+        met: the line of a refuted display → all slips in definitions before with which it holds, of the first few such displays.
+    """
 
     def __init__(self, statements: Statements, diagnostician: Callable[[], Diagnostician]) -> None:
         self.diagnostician = diagnostician
         self.checker, self.statements = statements.checker, statements
         self.names, self.budget = self.checker.names, self.checker.exact.budget
+        self.met: dict[int, list[SlipBefore]] = {}
 
     # -- in the equation, its names as usual --------------------------------------------------------------------------
 
@@ -85,6 +95,20 @@ class Slips:
                 may_slip = frozenset(filter(self._may_slip, outcome.uses))
                 found[place] = replace(found[place], may_slip=may_slip)
                 found[place] = replace(found[place], slip_before=self._slip_before(outcome, record, display))
+        self.meet(display.line, outcomes)
+
+    def meet(self, line: int, outcomes: Sequence[Outcome]) -> None:
+        """Remember with which slips in definitions before a display holds of which one equation does not, if none of its own mends it."""
+        differing = [each for each in outcomes if _differs(each)]
+        if len(self.met) >= MOST_MET or len(differing) != 1 or not differing[0].uses:
+            return
+        outcome = _of_two_values(differing[0])
+        with suppress(TooComplex):
+            with self.budget.of(SECONDS_ON_SLIPS, WORK_ON_SLIPS):
+                slips = self.diagnostician().slips_before(outcome)
+            with self.budget.of(SECONDS_ON_SLIPS, WORK_ON_SLIPS):
+                if slips and not self.diagnostician().mends_itself(outcome):
+                    self.met[line] = slips
 
     def before_second_meaning(self, record: Record, display: Display, outcomes: Sequence[Outcome]) -> Record:
         """Return the record of a display that says a name anew, as it would be with one slip in what is said of that before."""
@@ -145,3 +169,19 @@ class Slips:
         again = [each for each in self.statements.tried(latex) if each.equation == equation]
         is_told = (each.verdict in HOLDS or (besides is not None and each.tells(besides)) for each in again)
         return bool(again) and all(is_told)
+
+
+def _differs(outcome: Outcome) -> bool:
+    """Whether an equation of two values is refuted, or left open for want of an arm: what it may be meant of otherwise."""
+    is_open = outcome.verdict is Verdict.UNCHECKED and outcome.tells(Kind.NO_ARM_TO_COMPARE)
+    return outcome.verdict is Verdict.REFUTED or (
+        is_open and len(outcome.sides) == 2 and all(each.known for each in outcome.sides)
+    )
+
+
+def _of_two_values(outcome: Outcome) -> Outcome:
+    """Return an equation that is left open with the two values that differ."""
+    if outcome.pair is not None or len(outcome.sides) != 2:
+        return outcome
+    one, other = (as_matrix(each.value) for each in outcome.sides)
+    return replace(outcome, pair=Pair(one, other))

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from armproof.verification.algebra.calculus import symbols_in
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.matrix import Matrix, as_matrix
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.algebra.written import write_bounded
@@ -15,7 +15,13 @@ from armproof.verification.diagnosis.carried_errors import consequence_of
 from armproof.verification.diagnosis.mend import LearntNotation, Mender
 from armproof.verification.diagnosis.misconceptions import signs_of_arguments
 from armproof.verification.diagnosis.slips import on_all, plain_edits, single_edits, swapped_lengths
-from armproof.verification.diagnosis.slips_before import nothing_else_mends, slip_before, written
+from armproof.verification.diagnosis.slips_before import (
+    mends_itself,
+    nothing_else_mends,
+    slip_before,
+    slips_before,
+    written,
+)
 from armproof.verification.diagnosis.whole_matrix import swapped_cells, whole_matrix
 from armproof.verification.equations.alignment import Pair, equal_matrices, exactly_equal
 from armproof.verification.equations.chain import ChainChecker
@@ -98,6 +104,23 @@ class Diagnostician:
             return replace(found, is_only=nothing_else_mends(self.checker, self.learnt, outcome, found, again))
         except TooComplex:
             return found
+
+    def slips_before(self, outcome: Outcome) -> list[SlipBefore]:
+        """Return the slips in definitions before with which a refuted equation holds, one for each value that a name then has."""
+        found: dict[tuple[str, int], list[SlipBefore]] = {}
+        for slip in slips_before(self.checker, self.learnt, outcome):
+            before = found.setdefault((slip.name, slip.line), [])
+            if not any(self._says_the_same(slip, other) for other in before):
+                before.append(slip)
+        return [slip for each in found.values() for slip in each]
+
+    def mends_itself(self, outcome: Outcome) -> bool:
+        """Whether one slip of its own mends a refuted equation, at one place or all through a side."""
+        return len(outcome.nodes) != 2 or mends_itself(self.checker, self.learnt, outcome)
+
+    def _says_the_same(self, one: SlipBefore, other: SlipBefore) -> bool:
+        values = [self.checker.member(each.formula) for each in (one, other) if isinstance(each.formula, n.Node)]
+        return all(each.known for each in values) and equal_matrices(*(as_matrix(each.value) for each in values))
 
     def slip_as_usual(self, latex: str, outcome: Outcome, holds: Callable[[str], bool]) -> list[WrongEntry]:
         """Return the entry that one slip mends of an equation which is left open, if its names mean what they usually do.

@@ -127,20 +127,26 @@ def _signs(node: n.Node) -> Iterator[Change]:
     if not isinstance(node, n.Sum) or len(node.terms) == 1:
         return
     for k in (*range(1, len(node.terms)), 0):  # (h - x)² for (x - h)² last: the first term is seldom the wrong one
-        sign, term = node.terms[k]
-        terms = with_items(node.terms, k, (_FLIPPED[sign], term))
-        yield replace(node, terms=terms), "sign", say(Kind.WRONG_SIGN_OF_TERM, term=k + 1)
+        yield with_sign_turned(node, k), "sign", say(Kind.WRONG_SIGN_OF_TERM, term=k + 1)
+
+
+def with_sign_turned(node: n.Sum, place: int) -> n.Sum:
+    """Return a sum with the other sign before one of its terms."""
+    sign, term = node.terms[place]
+    return replace(node, terms=with_items(node.terms, place, (_FLIPPED[sign], term)))
 
 
 def _signs_of_angles(node: n.Node) -> Iterator[Change]:
     """The sign of one angle of several in a sine or cosine."""
     if not is_trigonometric(node) or not isinstance(argument := node.arguments[0], n.Sum):
         return
-    for k, (sign, term) in enumerate(argument.terms):
+    for k, (_, term) in enumerate(argument.terms):
         if k and isinstance(term, n.Name):
-            terms = with_items(argument.terms, k, (_FLIPPED[sign], term))
-            changed = replace(node, arguments=(replace(argument, terms=terms),))
-            yield changed, "sign", say(Kind.SIGN_OF_ANGLE, angle=_show(term))
+            yield (
+                replace(node, arguments=(with_sign_turned(argument, k),)),
+                "sign",
+                say(Kind.SIGN_OF_ANGLE, angle=_show(term)),
+            )
 
 
 def _factors_of_angles(node: n.Node) -> Iterator[Change]:

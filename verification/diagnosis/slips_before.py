@@ -11,7 +11,7 @@ from armproof.verification.algebra.matrix import Matrix, as_matrix
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.diagnosis.apart import Apart
 from armproof.verification.diagnosis.mend import LearntNotation
-from armproof.verification.diagnosis.slips import Edit, Letters, is_trigonometric, single_edits
+from armproof.verification.diagnosis.slips import Edit, Letters, is_trigonometric, single_edits, with_sign_turned
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
@@ -47,6 +47,16 @@ def slip_before(
     return next(_mending(checker, learnt, outcome, again, outcome.uses - met.keys()), None)
 
 
+def slips_before(checker: ChainChecker, learnt: LearntNotation, outcome: Outcome) -> Iterator[SlipBefore]:
+    """Yield all slips in the definitions of its names with which an equation of two exact values holds; what was found of others stays as it is."""
+    state = checker.names.state
+    met = state.slips.copy()
+    try:
+        yield from _mending(checker, learnt, outcome, lambda: False, outcome.uses)
+    finally:
+        state.slips = met
+
+
 def nothing_else_mends(
     checker: ChainChecker, learnt: LearntNotation, outcome: Outcome, found: SlipBefore, again: Callable[[], bool]
 ) -> bool:
@@ -59,6 +69,12 @@ def nothing_else_mends(
         True for _ in _mending(checker, learnt, outcome, again, others)
     ):
         return False
+    return not mends_itself(checker, learnt, outcome)
+
+
+def mends_itself(checker: ChainChecker, learnt: LearntNotation, outcome: Outcome) -> bool:
+    """Whether an equation of two sides holds with one slip of its own, made at one place or all through a side."""
+    state = checker.names.state
     around = [
         *outcome.nodes,
         *filter(None, (state.definitions[key].formula for key, _ in outcome.uses if key in state.definitions)),
@@ -66,15 +82,36 @@ def nothing_else_mends(
     is_exact = outcome.pair is not None and not any(map(_has_branches, outcome.nodes))
     for one, other in permutations(outcome.nodes):
         as_it_is = checker.member(other) if is_exact else None
-        for edit in islice(_edits(one, around, learnt.letters(one)), MOST_EDITS if is_exact else MOST_SAMPLED_EDITS):
+        edits = chain(_throughout(one), (each.node for each in _edits(one, around, learnt.letters(one))))
+        for edited in islice(edits, MOST_EDITS if is_exact else MOST_SAMPLED_EDITS):
             checker.exact.budget.check()
             if (
-                _is_confirmed(checker, edit.node, other)
+                _is_confirmed(checker, edited, other)
                 if as_it_is is None
-                else _is_equal(checker.member(edit.node), as_it_is)
+                else _is_equal(checker.member(edited), as_it_is)
             ):
-                return False
-    return True
+                return True
+    return False
+
+
+def _throughout(side: n.Node) -> Iterator[n.Node]:
+    """Yield a side with one sign turned wherever the same stands: in angles that are alike, before a term of several entries. What it was derived from had it."""
+    arguments = [b.arguments[0] for b in n.walk(side) if isinstance(b, n.Call) and is_trigonometric(b) and b.arguments]
+    angles = [each for each in map(n.ungrouped, arguments) if isinstance(each, n.Sum)]
+    for angle in dict.fromkeys(each for each in angles if angles.count(each) > 1):
+        for place in range(len(angle.terms)):
+            turned = with_sign_turned(angle, place)
+            yield n.substitute_each(side, {id(each): turned for each in angles if each == angle})
+    sums = [each for each in n.walk(side) if isinstance(each, n.Sum) and each not in angles]
+    alone = [each for below in n.walk(side) if isinstance(below, n.Matrix) for each in below.cells if each not in sums]
+    held = [*alone, *(term for each in sums for _, term in each.terms)]
+    for term in dict.fromkeys(each for each in held if held.count(each) > 1):
+        turned_sums = {id(each): _with_term_turned(each, term) for each in sums}
+        yield n.substitute_each(side, turned_sums | {id(each): n.Sum((("-", each),)) for each in alone if each == term})
+
+
+def _with_term_turned(node: n.Sum, term: n.Node) -> n.Sum:
+    return next((with_sign_turned(node, k) for k, (_, each) in enumerate(node.terms) if each == term), node)
 
 
 def _is_a_case(printed: n.Node | None, mended: object) -> bool:
@@ -111,9 +148,8 @@ def _mending(
         apart = Apart(checker, key)
         for edit in islice(_edits(formula, outcome.nodes, learnt.letters(formula)), MOST_EDITS):
             checker.exact.budget.check()
-            if not made.keys().isdisjoint(
-                _keys(edit.node, checker.names) - _keys(formula)
-            ):  # it rests on itself, or on another one
+            new = (_keys(edit.node, checker.names) - _keys(formula)) & made.keys()
+            if any(name == key or made[name].line >= line for name in new):  # it rests on itself, or on what follows
                 continue
             if _holds_with(checker, key, definition, edit.node, outcome, again, apart):
                 checker.names.state.slips[key, line] = edit.finding, edit.node
@@ -271,6 +307,8 @@ def _holds_with(
         if outcome.pair is None or outcome.there or any(map(_has_branches, nodes)):
             return again()
         return _is_equal(*apart.sides(*outcome.nodes))
+    except RecursionError:  # it rests on itself by another name: M on its entry m_11
+        return False
     finally:
         state.definitions[key] = definition  # the dictionary may be another one: what is tried puts a whole state back
 

@@ -369,7 +369,9 @@ class Names:
         root: n.Node | None = None,
         whole: n.Node | None = None,
     ) -> None:
-        """Give a name its meaning, unless it has one."""
+        """Give a name its meaning, unless it has one: what an equation of its own says, or that with its slip mended."""
+        if node is not None and (key, line) in self.state.mended:
+            node, evaluate = self.state.mended[key, line]
         definition = Definition(
             evaluate,
             line,

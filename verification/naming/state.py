@@ -260,6 +260,7 @@ class DocumentState:
         branches: joints whose solution holds on a branch → where that is.
         errors: the refuted equations.
         slips: definitions, each with its line and what it says with the one slip mended that an equation needed.
+        mended: definitions, each with its line → the formula that it is taken for instead of the printed one, and its value.
         consulted: the definitions that evaluation has met since this was emptied, each with the line of its display.
         notation: how cosines, sums of angles, joints and lengths are written.
     """
@@ -311,6 +312,7 @@ class DocumentState:
     consulted: set[tuple[str, int]] = field(default_factory=set)
     errors: list[PrintedError] = field(default_factory=list)
     slips: dict[Key, tuple[Finding, n.Node]] = field(default_factory=dict)
+    mended: dict[Key, tuple[n.Node, Callable[[Any], Value]]] = field(default_factory=dict)
     notation: Notation = field(default_factory=Notation)
 
     @property
