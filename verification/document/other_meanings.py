@@ -76,6 +76,11 @@ _LENGTH = re.compile(r"[lLaAdDhHrR]\s*_")  # which is no angle from anything
 _SUM = re.compile(
     r"(?:\\theta|q)_\{?1\}?\s*\+\s*(?:\\theta|q)_\{?2"
 )  # that turns the second link, as both are relative
+_OF_A_SUM = re.compile(r"[^=]*=\s*" + _SUM.pattern)  # β = θ_1 + θ_2
+_BESIDE = re.compile(  # "¤, the absolute angles", and no "the angles being absolute"
+    r"¤ , (?:(?:the|an|les|l'|un|die|der|los|las|el|gli|le|i|os|as) )?(?=absol|angle|winkel|ángul|angol|ângul)(?:(?!being|are|is|étant|sont|est|sind|ist|siendo|son|essendo|sendo)[^\s¤,:;]+ )*\Z",
+    re.IGNORECASE,
+)
 _IS = re.compile(r"(?:is|ist|est|es|è|beträgt|vale|equals|thus|then|also|somit|damit|donc|simply|[,:\\ ])*¤ ")
 _ANGLE = re.compile(r"\\(?!hat|vec)[a-z]+(?:_\{?\w\}?)?|(?:q|t)_\{?\d\}?")  # α, θ_1, q_2
 _TELLS = re.compile(  # what a sentence begins with that is of the display beside it
@@ -383,6 +388,8 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         place = words.count("¤", 0, begin.end())
         if name == "LEVEL" and _IS.match(words[begin.end() :]) and _SUM.match(formulas[place].strip()):
             continue  # "the angle of the second link to the x-axis is θ_1 + θ_2"
+        if name == "LEVEL" and _is_of_a_sum(words[: begin.end()], formulas):
+            continue
         subjects = [each for formula in formulas[:place] for each in _LETTER.findall(formula)]
         subjects = [each for each in subjects if name == "TURNED" or not _LENGTH.match(each)]
         if name != "TURNED":
@@ -419,6 +426,15 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         yield OUTWARDS
     if says("OMEGA_FIRST", _with_velocities(words, formulas)) or any(map(_OMEGA_ABOVE.search, formulas)):
         yield OMEGA_FIRST
+
+
+def _is_of_a_sum(before: str, formulas: Sequence[str]) -> bool:
+    """Whether a phrase stands beside a letter that is defined as θ_1 + θ_2: "β = θ_1 + θ_2, the absolute angle of bar 2" makes θ_2 a relative one."""
+    if _BESIDE.search(before) is None:
+        return False
+    defined = formulas[: before.count("¤")]
+    others = [each.rpartition("=")[2] for each in defined if not _OF_A_SUM.match(each)]
+    return _OF_A_SUM.match(defined[-1]) is not None and not any(re.search(r"_\s*\{?\s*[^1\s{]", each) for each in others)
 
 
 def _are_indices(pair: re.Match[str], formulas: Sequence[str]) -> bool:
