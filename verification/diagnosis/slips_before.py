@@ -271,6 +271,8 @@ def _holds_with(
         if outcome.pair is None or outcome.there or any(map(_has_branches, nodes)):
             return again()
         return _is_equal(*apart.sides(*outcome.nodes))
+    except RecursionError:  # X = r cos ψ, and the display says anew what r is, by X
+        return False
     finally:
         state.definitions[key] = definition  # the dictionary may be another one: what is tried puts a whole state back
 
