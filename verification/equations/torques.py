@@ -125,7 +125,7 @@ class Torques:
     def _compared(self, outcome: Outcome) -> Iterator[tuple[Scalar, Scalar]]:
         """Yield the value of each torque that an outcome gives a meaning, and what the force in it makes of it."""
         arm, true, printed = self.members.names.arm, outcome.true, outcome.printed
-        if arm is None or true is None or printed is None or not outcome.defines or true.rank > 1:
+        if arm is None or true is None or printed is None or not outcome.defines or self._is_of_jacobian(true.node):
             return  # τ = J^T F by itself says what τ is
         values = [*as_matrix(true.value).cells] if isinstance(true.value, Matrix | Scalar) else []
         places = self._joints(printed.node, len(values))
@@ -159,6 +159,11 @@ class Torques:
         acts = any(_component(load)[0] == MOMENT for load in adopted)
         is_of_one = len(held - {MOMENT}) == 1 and acts is (MOMENT in held)
         return {load: row for load, row in rows.items() if row is not None} if is_of_one else {}
+
+    def _is_of_jacobian(self, node: n.Node) -> bool:
+        """Whether a formula holds a matrix of the arm: what is made of its lengths, angles and coordinates, x F_y - y F_x, holds none."""
+        found = (self.members.quantity_of(below) for below in n.walk(node))
+        return any(quantity is not None and not quantity.scalar for quantity in found)
 
     def _joints(self, node: n.Node, count: int) -> list[int]:
         """Return the joints (from 0) whose torques a side names: τ_2, a column of such, τ as a whole."""
