@@ -65,6 +65,7 @@ from armproof.verification.equations.signed_distances import named_with_sign
 from armproof.verification.equations.skew import unless_skewed
 from armproof.verification.equations.table_angles import TableAngles
 from armproof.verification.equations.torques import Torques
+from armproof.verification.equations.torques_of_points import TorquesOfPoint
 from armproof.verification.equations.worked_numbers import as_added_up
 from armproof.verification.errors import NotSampled, UnboundName
 from armproof.verification.evaluation.exact import ExactAlgebra
@@ -337,6 +338,8 @@ class ChainChecker:
             for key in outcome.defines:
                 self.names.leave_open(key, doubt)
             return replace(outcome.left_open(doubt), defines=())
+        if self.names.arm is None and outcome.verdict is Verdict.DEFINED:
+            return TorquesOfPoint(self.members).judge(outcome)
         is_of_forces = self.names.state.adopted and outcome.verdict is Verdict.DEFINED
         return Torques(self.members).judge(outcome) if is_of_forces else outcome
 
