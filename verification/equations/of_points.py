@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import permutations
+from itertools import permutations, product
 
 from armproof.verification.algebra.calculus import angles_in, derivative, symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_matrix, stacked
@@ -179,8 +179,8 @@ class OfPoints:
     def _of_tool(self) -> list[tuple[str, ...]]:
         """Return the names of the tool's coordinates that a document gives: all, or those of a plane, with its angle there or not; or of its point."""
         made = self.members.names.state.definitions
-        for end in ENDS:
-            axes = tuple(f"{axis}{end}" for axis in "xyz" if f"{axis}{end}" in made)
+        for end, letters in product(ENDS, ("xyz", "XYZ")):
+            axes = tuple(f"{axis}{end}" for axis in letters if f"{axis}{end}" in made)
             angles = [
                 (*axes[:2], key) for letter in ANGLES if (key := f"{letter}{end}") in made or (key := letter) in made
             ]
