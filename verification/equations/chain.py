@@ -23,7 +23,15 @@ from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.forces import LETTERS as OF_FORCES
 from armproof.verification.equations.forces import heed_forces, unless_left_out, with_components
 from armproof.verification.equations.foreign_index import of_foreign_index
-from armproof.verification.equations.given_values import adopts_letters, keys_alone, names_alone, new_letters, new_name
+from armproof.verification.equations.given_values import (
+    adopts_letters,
+    angle_of_cosine,
+    keys_alone,
+    names_alone,
+    new_angle,
+    new_letters,
+    new_name,
+)
 from armproof.verification.equations.jacobian_rows import RowsOfJacobians
 from armproof.verification.equations.letter_matrices import (
     FEWEST_LETTERS,
@@ -347,9 +355,10 @@ class ChainChecker:
         """Return the sides with their values, and the new letters that the chain defines: the names alone of these have none."""
         new, fresh = new_name(self.names, chain), new_letters(self.names, chain) if define else frozenset()
         unused = {each.key for member in chain.members for each in names_alone(member) if self.names.is_new(each)}
+        turned = new_angle(self.names, chain) if new is None else None
         members = [
-            Member(node, None, UnboundName(new))
-            if new is not None and bare_key(node) == new
+            Member(node, None, UnboundName(new or turned or ""))
+            if (new is not None and bare_key(node) == new) or (turned is not None and angle_of_cosine(node) == turned)
             else self.members.evaluate(node)
             for node in chain.members
         ]

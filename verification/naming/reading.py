@@ -71,6 +71,7 @@ _ROW_OF_NORMALS = re.compile(  # x_x & y_x & z_x & p_x
     r"(?<![A-Za-z\\])([A-Za-z])_\{?x\}?\s*&\s*([A-Za-z])_\{?x\}?\s*&\s*([A-Za-z])_\{?x\}?\s*(?=&|\\\\)"
 )
 _LOAD = re.compile(r"(?<![A-Za-z\\])([FfM])\s*_\s*\{?\s*([xyz])(?![A-Za-z])")
+_IN_COSINE = re.compile(r"\\(?:cos|sin|tan)\s*(?:\\left\s*)?[({]?\s*\\(eta|zeta|kappa|chi|nu|xi|upsilon)(?![A-Za-z])(?!\s*[_^])")
 _MOMENT = re.compile(  # + M, & M \\: no mass matrix before accelerations
     r"(?:[-+=&]|\\\\)\s*M\s*(?=$|[-+,.;&}]|\\\\|\\end|\\q?quad|\\[,;])"
 )
@@ -157,10 +158,13 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
 
 
 def _told_scalars(told: Iterable[str], said: str) -> tuple[frozenset[str], frozenset[str]]:
-    """Return the keys of the letters that a text calls a size, and of those that it calls a moment; not of one whose components it writes."""
+    r"""Return the keys of the letters that a text calls a size, and of those that it calls a moment; not of one whose components it writes.
+
+    An η of which a cosine is taken is an angle, as θ is by itself.
+    """
     loads = {letter for letter, _ in _LOAD.findall(said)}
     found = [each.split(" ") for each in sorted(told)]
-    keys = frozenset(key for _, key in found if key not in loads)
+    keys = frozenset(key for _, key in found if key not in loads) | frozenset(_IN_COSINE.findall(said))
     return keys, frozenset(key for kind, key in found if kind == MOMENT and key in keys)
 
 
