@@ -63,10 +63,10 @@ from armproof.verification.document.strange import is_in_known_language
 from armproof.verification.document.struck_out import MAY_STRIKE, with_struck_out
 from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
-from armproof.verification.document.told_scalars import MAY_CALL_SIZE, told_scalars
 from armproof.verification.document.told_convention import MAY_TELL, told_convention
 from armproof.verification.document.told_names import MAY_TELL_NAMES
 from armproof.verification.document.told_notation import MAY_NOTE
+from armproof.verification.document.told_scalars import MAY_CALL_SIZE, told_scalars
 from armproof.verification.document.told_since import MAY_SAY_SINCE
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say

@@ -434,7 +434,9 @@ def _is_of_a_sum(before: str, formulas: Sequence[str]) -> bool:
         return False
     defined = formulas[: before.count("¤")]
     others = [each.rpartition("=")[2] for each in defined if not _OF_A_SUM.match(each)]
-    return _OF_A_SUM.match(defined[-1]) is not None and not any(re.search(r"_\s*\{?\s*[^1\s{]", each) for each in others)
+    return _OF_A_SUM.match(defined[-1]) is not None and not any(
+        re.search(r"_\s*\{?\s*[^1\s{]", each) for each in others
+    )
 
 
 def _are_indices(pair: re.Match[str], formulas: Sequence[str]) -> bool:

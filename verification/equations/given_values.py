@@ -298,9 +298,10 @@ def new_angle(names: Names, chain: n.Chain) -> str | None:
     """Return the γ of cos γ = (a² + D² - b²)/(2 a D) where it stands nowhere above, in a document without an arm: it is defined so."""
     for member in map(bare, chain.members) if names.arm is None and chain.relations == ("=",) else ():
         angle = bare(member.arguments[0]) if n.is_call(member, "cos") else None
-        is_angle = isinstance(angle, n.Name) and angle.base in greek.TURNED and not angle.sub.isdigit()
+        if not isinstance(angle, n.Name) or angle.base not in greek.TURNED or angle.sub.isdigit():
+            continue
         beside = keys_beside(chain, member)
-        if is_angle and names.is_new(angle) and angle.key not in beside and beside & names.state.definitions.keys():
+        if names.is_new(angle) and angle.key not in beside and beside & names.state.definitions.keys():
             return angle.key
     return None
 

@@ -166,7 +166,7 @@ class Torques:
     def _told_moments(self) -> set[str]:
         """Return the letters that the text calls a moment, of an arm that turns about z alone: there they can be about nothing else."""
         names = self.members.names
-        told = names.reader.spelling.moments & names.state.adopted
+        told = {*names.reader.spelling.moments} & names.state.adopted
         if not told or names.arm is None:
             return set()
         whole = self.members.exact.quantity(Quantity("jacobian", names.arm.frames[-1], names.arm.frames[0]))

@@ -71,7 +71,11 @@ class TorquesOfPoint:
         keys = self._point({axis for _, axis in components})
         point = self._values(keys)
         variable = self._variable(name, [*point.values()])
-        if not (components and variable) or len(moments) > 1 or not self._is_of(value, [key for key, _ in components] + moments):
+        if (
+            not (components and variable)
+            or len(moments) > 1
+            or not self._is_of(value, [key for key, _ in components] + moments)
+        ):
             return
         exact, by = self.members.exact, value.ring.symbol(variable)
         slopes = {axis: derivative(each, by).normal() for axis, each in point.items()}
@@ -137,5 +141,9 @@ class TorquesOfPoint:
     def _variable(self, name: n.Name, point: list[Scalar]) -> str:
         """Return the variable of a point that the index of a torque names, "" where it names none, or several."""
         held = symbols_in(point) | {angle for each in point for angle in angles_in(each)}
-        found = [name.sub] if name.sub in held else [f"{letter}_{name.sub}" for letter in _COUNTED if f"{letter}_{name.sub}" in held]
+        found = (
+            [name.sub]
+            if name.sub in held
+            else [f"{letter}_{name.sub}" for letter in _COUNTED if f"{letter}_{name.sub}" in held]
+        )
         return found[0] if len(found) == 1 else ""

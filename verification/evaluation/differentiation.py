@@ -140,7 +140,9 @@ def _in_time(evaluator: Evaluating, value: Value) -> Value:
 def _may_stand(evaluator: Evaluating, symbol: str) -> bool:
     """Whether a symbol moves as the document shows, or never does, as a size that the text tells; any other letter may be a function of time."""
     is_told = symbol in evaluator.names.reader.spelling.scalars and symbol not in _MAY_GROW
-    return is_told or _JOINT_OR_LENGTH.fullmatch(symbol) is not None or _is_variable(evaluator, symbol.rpartition(" ")[2])
+    return (
+        is_told or _JOINT_OR_LENGTH.fullmatch(symbol) is not None or _is_variable(evaluator, symbol.rpartition(" ")[2])
+    )
 
 
 def rate_symbol(symbol: str, order: int) -> str:

@@ -71,7 +71,9 @@ _ROW_OF_NORMALS = re.compile(  # x_x & y_x & z_x & p_x
     r"(?<![A-Za-z\\])([A-Za-z])_\{?x\}?\s*&\s*([A-Za-z])_\{?x\}?\s*&\s*([A-Za-z])_\{?x\}?\s*(?=&|\\\\)"
 )
 _LOAD = re.compile(r"(?<![A-Za-z\\])([FfM])\s*_\s*\{?\s*([xyz])(?![A-Za-z])")
-_IN_COSINE = re.compile(r"\\(?:cos|sin|tan)\s*(?:\\left\s*)?[({]?\s*\\(eta|zeta|kappa|chi|nu|xi|upsilon)(?![A-Za-z])(?!\s*[_^])")
+_IN_COSINE = re.compile(
+    r"\\(?:cos|sin|tan)\s*(?:\\left\s*)?[({]?\s*\\(eta|zeta|kappa|chi|nu|xi|upsilon)(?![A-Za-z])(?!\s*[_^])"
+)
 _MOMENT = re.compile(  # + M, & M \\: no mass matrix before accelerations
     r"(?:[-+=&]|\\\\)\s*M\s*(?=$|[-+,.;&}]|\\\\|\\end|\\q?quad|\\[,;])"
 )

@@ -107,7 +107,9 @@ def test_efforts_and_columns_are_those_of_the_joints_by_their_letters(text: str,
     assert found in ("refuted", "unchecked") if verdict == "not passed" else found == verdict
 
 
-IN_THE_PLANE = FRONT.replace("---\n", "---\nquantities:\n  x: {origin: 2, component: x}\n  y: {origin: 2, component: y}\n", 1)
+IN_THE_PLANE = FRONT.replace(
+    "---\n", "---\nquantities:\n  x: {origin: 2, component: x}\n  y: {origin: 2, component: y}\n", 1
+)
 
 
 @pytest.mark.parametrize(

@@ -97,7 +97,11 @@ REACH = [r"r = e + a\cos\alpha + b\cos\beta", r"u = r\cos\psi", r"v = r\sin\psi"
 
 @pytest.mark.parametrize(
     ("root", "verdict"),
-    [(r"r = \sqrt{u^2 + v^2}", "confirmed"), (r"r = \sqrt{u^2 - v^2}", "unchecked"), (r"r = -\sqrt{u^2 + v^2}", "unchecked")],
+    [
+        (r"r = \sqrt{u^2 + v^2}", "confirmed"),
+        (r"r = \sqrt{u^2 - v^2}", "unchecked"),
+        (r"r = -\sqrt{u^2 + v^2}", "unchecked"),
+    ],
 )
 def test_a_reach_is_its_root_where_the_arm_reaches_forwards(root: str, verdict: str) -> None:
     text = "\n\n".join(f"$$ {each} $$" for each in (*REACH, root))
