@@ -101,6 +101,8 @@ _IS_SIGNED = re.compile(  # d_2 is positive on one side and negative on the othe
 )
 _MOST_AGAIN = 50  # times that a name is said to be something, of which the next one below another heading counts
 _ROW_OF_TABLE = re.compile(r"^[ \t]*\|.*$", re.MULTILINE)  # of a table, which is no sentence
+_SHIFTS = re.compile(r"\bby \Z|height \Z")
+_OF_ROW = re.compile(r"([adrlL])\s*_?\s*\{?\s*(\d)\s*\}?")
 _TELLS_LANGUAGE = 8000  # characters of a text
 _NOUGHT = re.compile(r"\(\s*0(?:\s*[,;]\s*0)*\s*\)")
 _TUPLE = re.compile(r"\(\s*[^(),;]+(?:[,;]\s*[^(),;]+)+\)(?:\^\{?(?:T|\\top)\}?)?")
@@ -283,11 +285,11 @@ def _meanings(text: str) -> Iterator[Meaning]:
         whole = with_axes(" ".join((before + sentence).split()))  # "turned about x, then y; all axes are the base's"
         if not goes_on and (turns := _turns(whole, words_of(whole))):
             yield Meaning(line, beside=f"{TURNS} {turns}")
-        yield from _of_places(line, plain, words, formulas)
+        yield from _of_places(line, plain, words, formulas, text)
     yield from _of_names(named, text)
 
 
-def _of_places(line: int, plain: str, words: str, formulas: Sequence[str]) -> Iterator[Meaning]:
+def _of_places(line: int, plain: str, words: str, formulas: Sequence[str], text: str) -> Iterator[Meaning]:
     """Yield what a sentence says of frames, points, units and signs."""
     if (frame := _OF_FRAME.search(words)) is not None:
         yield Meaning(line, frame=frame[1])
@@ -306,8 +308,21 @@ def _of_places(line: int, plain: str, words: str, formulas: Sequence[str]) -> It
     if _IS_SIGNED.search(words):
         alone = tuple(f"{SIGNED} {each.strip()}" for each in formulas if _LETTER.fullmatch(each.strip()))
         yield Meaning(line, alone)
-    if says("OTHER_ORIGIN", words) or _has_base_elsewhere(words.lower(), formulas):
+    is_elsewhere = says("OTHER_ORIGIN", words) and not _is_by_a_row(words, formulas, text)
+    if is_elsewhere or _has_base_elsewhere(words.lower(), formulas):
         yield Meaning(line, is_origin=True)
+
+
+def _is_by_a_row(words: str, formulas: Sequence[str], text: str) -> bool:
+    """Whether a shoulder is shifted, or stands at a height, by a letter that a table of the text holds: "shifted by d2 along it" is in its row."""
+    found = hears("OTHER_ORIGIN", words)
+    if found is None or "¤" in found.group() or not _SHIFTS.search(found.group()):
+        return False
+    behind = words[found.end() :].split()[:1]
+    by = formulas[words.count("¤", 0, found.end())] if behind == ["¤"] else "".join(behind)
+    letter = _OF_ROW.fullmatch(by.strip())
+    cell = rf"(?<![A-Za-z\\]){letter[1]}\s*_?\s*\{{?\s*{letter[2]}(?!\d)" if letter is not None else r"(?!)"
+    return any(re.search(cell, row) for row in _ROW_OF_TABLE.findall(text))
 
 
 def _named_in(said: str) -> Iterator[Told]:
