@@ -15,7 +15,7 @@ from armproof.verification.check.told_values import values_in_text
 from armproof.verification.check.words_around import WordsAround
 from armproof.verification.conditions.by_turned_angles import unless_by_angles
 from armproof.verification.conditions.circumstances import Circumstances
-from armproof.verification.conditions.told_names import unless_rate_of_valueless
+from armproof.verification.conditions.told_names import unless_of_valueless
 from armproof.verification.display.statements import Statements
 from armproof.verification.display.taken_arm import OfTakenArm, names_in
 from armproof.verification.document import Display
@@ -154,7 +154,7 @@ class DisplayChecker:
         if _is_spoken_of(display) or self.words.meanings.order_doubt is not None:
             outcomes = [self.words.judge(outcome, display) for outcome in outcomes]
         if not display.erratum:
-            outcomes = [unless_rate_of_valueless(self.names, outcome) for outcome in outcomes]
+            outcomes = [unless_of_valueless(self.names, outcome) for outcome in outcomes]
         outcomes = [unless_by_angles(outcome, self.checker) for outcome in outcomes]
         for key in {key for outcome in outcomes for key in outcome.defines if display.may_not_print}:
             self.names.doubt(key)

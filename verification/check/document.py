@@ -155,7 +155,8 @@ class DocumentChecker:
         self.names.reader.spelling = spelling_of(document, self.names.reader.words)
         self.ring = Ring()
         if arm is not None:  # any numbers, as lengths are, until a display says which
-            self.names.state.adopted |= {key for key in self.names.reader.spelling.masses if self._is_unknown(key)}
+            letters = self.names.reader.spelling.masses | self.names.reader.spelling.moments
+            self.names.state.adopted |= {key for key in letters if self._is_unknown(key)}
         self.exact = ExactAlgebra(self.ring, arm)
         self.checker = ChainChecker(self.names, self.exact, self.sampled)
         self.checker.confirm = confirm

@@ -281,14 +281,20 @@ class Heeding:
         members, value = self.checker.members, chain.members[1]
         usual = self.names.usual(name) if is_usual(name) else ()
         is_speed = n.has_rates(value) and not any(each.scalar for each in usual[:1])  # ω_1 = \dot θ_1 is no vector
-        if not is_speed and (usual or isinstance(bare(value), n.Name)):
+        is_name_of_other = isinstance(bare(value), n.Name) and not self._is_joint(bare(value))
+        if not is_speed and (is_name_of_other or any(each.scalar for each in usual)):
             return
         (found,) = self.checker.conventions.bind([members.evaluate(value)])
         told = as_scalar(found.value) if found.known else None
         cells = told.cells if isinstance(told, Matrix) and told.shape[1] == 1 else [told]
         scalars = [cell for cell in cells if isinstance(cell, Scalar)]
-        if len(scalars) == len(cells) and symbols_in(scalars):
+        is_usual_yet = bool(usual) and not is_speed and isinstance(told, Matrix)
+        if len(scalars) == len(cells) and symbols_in(scalars) and not is_usual_yet:
             self.names.define(name.key, members.meaning(value), line, node=value, in_text=True)
+
+    def _is_joint(self, node: n.Node) -> bool:
+        """Whether a name is that of a joint's variable: α = θ_1 says what α is, and a display that uses it none of its own."""
+        return isinstance(node, n.Name) and not node.dots and self.names.known_symbol(node.key) in self.names.joints
 
     def _introduces(self, chain: n.Chain) -> bool:
         """Whether a text about no arm says what a letter is that stands nowhere above: a formula of what the document defines, or of angles."""

@@ -7,15 +7,17 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.document.heading import encloses
 from armproof.verification.document.told_names import INNER, LINK, OTHER, POINT, STRANGE, TOLD, TOOL, WANTED, WRIST
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
+from armproof.verification.naming.conventions import is_usual
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import numbered_frames
-from armproof.verification.verdict import DECIDED, Verdict
+from armproof.verification.verdict import DECIDED, Role, Verdict
 
 _RUNNING = re.compile(r"[ijkn](?:[+-]1)?")  # the index of ω_i, which is any number
 _TRANSFORMS = ("T", "A", "H", "R")
@@ -95,17 +97,26 @@ class ToldNames:
         return (which == INNER or (which == WRIST and self.has_hand())) and frames <= last
 
 
-def unless_rate_of_valueless(names: Names, outcome: Outcome) -> Outcome:
-    r"""Leave open what is decided by the rate of a name that a display equates to what has no value: \dot x_e behind x_e = x_d - x."""
-    valueless = names.state.without_value.keys() - names.quantities.keys()
+def unless_of_valueless(names: Names, outcome: Outcome) -> Outcome:
+    r"""Leave open what is decided by a name that a display equates to what has no value: it may not be what it usually is.
+
+    By \dot x_e behind x_e = x_d - x; and by x behind x = e c_1 - q_3 s_1 under the same heading, where nobody knows e.
+    """
+    valueless = names.state.without_value.keys() - names.quantities.keys() - {key for key, _ in names.state.usual}
     if not valueless or outcome.verdict not in DECIDED:
         return outcome
-    shown = {key for key, _ in names.state.usual}
     for name in (each for node in (*outcome.nodes, *outcome.conditions) for each in n.names(node)):
         key = name.undotted.key
-        if name.dots and key in valueless - shown:
+        if key in valueless and (name.dots or (outcome.role is not Role.LAW and _is_by_convention(names, name))):
             return outcome.left_open(say(Kind.FOLLOWS_FROM_DOUBT, name=key, line=names.state.without_value[key][0]))
     return outcome
+
+
+def _is_by_convention(names: Names, name: n.Name) -> bool:
+    """Whether convention alone gives a name a meaning here, and the display that has none for it stands under a heading around."""
+    _, section = names.state.without_value[name.key]
+    is_taken = name.key in names.state.conventional or (is_usual(name) and names.is_open(name))
+    return is_taken and encloses(section, names.state.section)
 
 
 def _components(index: str) -> list[str]:

@@ -307,7 +307,7 @@ def _holds_with(
         if outcome.pair is None or outcome.there or any(map(_has_branches, nodes)):
             return again()
         return _is_equal(*apart.sides(*outcome.nodes))
-    except RecursionError:  # it rests on itself by another name: M on its entry m_11
+    except RecursionError:  # it rests on itself by another name: M on its entry m_11, r on X = r cos ψ
         return False
     finally:
         state.definitions[key] = definition  # the dictionary may be another one: what is tried puts a whole state back

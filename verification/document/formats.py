@@ -66,6 +66,7 @@ from armproof.verification.document.tex import ENVIRONMENTS, read_tex
 from armproof.verification.document.told_convention import MAY_TELL, told_convention
 from armproof.verification.document.told_names import MAY_TELL_NAMES
 from armproof.verification.document.told_notation import MAY_NOTE
+from armproof.verification.document.told_scalars import MAY_CALL_SIZE, told_scalars
 from armproof.verification.document.told_since import MAY_SAY_SINCE
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
@@ -139,7 +140,9 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     headings = tuple(_headings(text)) if "arms" in document.front and suffix not in (".ipynb", ".py") else ()
     planar = planar_arms(text) if MAY_NAME.search(text) else frozenset[int]()
     convention = told_convention(text) if MAY_TELL.search(text) else ""
+    scalars = frozenset(each for each, *_ in told_below(text, told_scalars)) if MAY_CALL_SIZE.search(small) else ()
     document = replace(document, named=named_arms(text), planar=planar, headings=headings, convention=convention)
+    document = replace(document, scalars=frozenset(scalars))
     return with_accepts(document, text.replace("\r\n", "\n"), suffix) if MARK in text else document
 
 

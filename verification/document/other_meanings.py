@@ -76,6 +76,11 @@ _LENGTH = re.compile(r"[lLaAdDhHrR]\s*_")  # which is no angle from anything
 _SUM = re.compile(
     r"(?:\\theta|q)_\{?1\}?\s*\+\s*(?:\\theta|q)_\{?2"
 )  # that turns the second link, as both are relative
+_OF_A_SUM = re.compile(r"[^=]*=\s*" + _SUM.pattern)  # β = θ_1 + θ_2
+_BESIDE = re.compile(  # "¤, the absolute angles", and no "the angles being absolute"
+    r"¤ , (?:(?:the|an|les|l'|un|die|der|los|las|el|gli|le|i|os|as) )?(?=absol|angle|winkel|ángul|angol|ângul)(?:(?!being|are|is|étant|sont|est|sind|ist|siendo|son|essendo|sendo)[^\s¤,:;]+ )*\Z",
+    re.IGNORECASE,
+)
 _IS = re.compile(r"(?:is|ist|est|es|è|beträgt|vale|equals|thus|then|also|somit|damit|donc|simply|[,:\\ ])*¤ ")
 _ANGLE = re.compile(r"\\(?!hat|vec)[a-z]+(?:_\{?\w\}?)?|(?:q|t)_\{?\d\}?")  # α, θ_1, q_2
 _TELLS = re.compile(  # what a sentence begins with that is of the display beside it
@@ -96,6 +101,8 @@ _IS_SIGNED = re.compile(  # d_2 is positive on one side and negative on the othe
 )
 _MOST_AGAIN = 50  # times that a name is said to be something, of which the next one below another heading counts
 _ROW_OF_TABLE = re.compile(r"^[ \t]*\|.*$", re.MULTILINE)  # of a table, which is no sentence
+_SHIFTS = re.compile(r"\bby \Z|height \Z")
+_OF_ROW = re.compile(r"([adrlL])\s*_?\s*\{?\s*(\d)\s*\}?")
 _TELLS_LANGUAGE = 8000  # characters of a text
 _NOUGHT = re.compile(r"\(\s*0(?:\s*[,;]\s*0)*\s*\)")
 _TUPLE = re.compile(r"\(\s*[^(),;]+(?:[,;]\s*[^(),;]+)+\)(?:\^\{?(?:T|\\top)\}?)?")
@@ -278,11 +285,11 @@ def _meanings(text: str) -> Iterator[Meaning]:
         whole = with_axes(" ".join((before + sentence).split()))  # "turned about x, then y; all axes are the base's"
         if not goes_on and (turns := _turns(whole, words_of(whole))):
             yield Meaning(line, beside=f"{TURNS} {turns}")
-        yield from _of_places(line, plain, words, formulas)
+        yield from _of_places(line, plain, words, formulas, text)
     yield from _of_names(named, text)
 
 
-def _of_places(line: int, plain: str, words: str, formulas: Sequence[str]) -> Iterator[Meaning]:
+def _of_places(line: int, plain: str, words: str, formulas: Sequence[str], text: str) -> Iterator[Meaning]:
     """Yield what a sentence says of frames, points, units and signs."""
     if (frame := _OF_FRAME.search(words)) is not None:
         yield Meaning(line, frame=frame[1])
@@ -301,8 +308,21 @@ def _of_places(line: int, plain: str, words: str, formulas: Sequence[str]) -> It
     if _IS_SIGNED.search(words):
         alone = tuple(f"{SIGNED} {each.strip()}" for each in formulas if _LETTER.fullmatch(each.strip()))
         yield Meaning(line, alone)
-    if says("OTHER_ORIGIN", words) or _has_base_elsewhere(words.lower(), formulas):
+    is_elsewhere = says("OTHER_ORIGIN", words) and not _is_by_a_row(words, formulas, text)
+    if is_elsewhere or _has_base_elsewhere(words.lower(), formulas):
         yield Meaning(line, is_origin=True)
+
+
+def _is_by_a_row(words: str, formulas: Sequence[str], text: str) -> bool:
+    """Whether a shoulder is shifted, or stands at a height, by a letter that a table of the text holds: "shifted by d2 along it" is in its row."""
+    found = hears("OTHER_ORIGIN", words)
+    if found is None or "¤" in found.group() or not _SHIFTS.search(found.group()):
+        return False
+    behind = words[found.end() :].split()[:1]
+    by = formulas[words.count("¤", 0, found.end())] if behind == ["¤"] else "".join(behind)
+    letter = _OF_ROW.fullmatch(by.strip())
+    cell = rf"(?<![A-Za-z\\]){letter[1]}\s*_?\s*\{{?\s*{letter[2]}(?!\d)" if letter is not None else r"(?!)"
+    return any(re.search(cell, row) for row in _ROW_OF_TABLE.findall(text))
 
 
 def _named_in(said: str) -> Iterator[Told]:
@@ -383,6 +403,8 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         place = words.count("¤", 0, begin.end())
         if name == "LEVEL" and _IS.match(words[begin.end() :]) and _SUM.match(formulas[place].strip()):
             continue  # "the angle of the second link to the x-axis is θ_1 + θ_2"
+        if name == "LEVEL" and _is_of_a_sum(words[: begin.end()], formulas):
+            continue
         subjects = [each for formula in formulas[:place] for each in _LETTER.findall(formula)]
         subjects = [each for each in subjects if name == "TURNED" or not _LENGTH.match(each)]
         if name != "TURNED":
@@ -419,6 +441,17 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         yield OUTWARDS
     if says("OMEGA_FIRST", _with_velocities(words, formulas)) or any(map(_OMEGA_ABOVE.search, formulas)):
         yield OMEGA_FIRST
+
+
+def _is_of_a_sum(before: str, formulas: Sequence[str]) -> bool:
+    """Whether a phrase stands beside a letter that is defined as θ_1 + θ_2: "β = θ_1 + θ_2, the absolute angle of bar 2" makes θ_2 a relative one."""
+    if _BESIDE.search(before) is None:
+        return False
+    defined = formulas[: before.count("¤")]
+    others = [each.rpartition("=")[2] for each in defined if not _OF_A_SUM.match(each)]
+    return _OF_A_SUM.match(defined[-1]) is not None and not any(
+        re.search(r"_\s*\{?\s*[^1\s{]", each) for each in others
+    )
 
 
 def _are_indices(pair: re.Match[str], formulas: Sequence[str]) -> bool:

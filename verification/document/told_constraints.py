@@ -16,7 +16,7 @@ MAY_CONSTRAIN = re.compile(
 )
 _SURFACE = r"(?:wall|floor|edge|table|ground|surface|ceiling|board|plate|window|mur|sol|bord|table|surface|plafond|tableau|plaque|wand|boden|kante|tisch|fläche|oberfläche|decke|tafel|pared|suelo|borde|mesa|superficie|techo|parete|pavimento|bordo|tavolo|soffitto|parede|chão)"
 _SLIDES = re.compile(  # and not along an axis or a rail, as a joint does
-    rf"(?<!\S)(?:slides?|glides?|sliding|drags?|moves?|runs?|travels?|moving|glissent?|glisse|gleitet|desliza|scivola) (?:\S+ ){{0,2}}?(?:along|on|down|up|over|long|sur|entlang|an|auf|por|sobre|lungo|largo) (?:\S+ ){{0,3}}?{_SURFACE} "
+    rf"(?<!\S)(?:slides?|glides?|sliding|drags?|moves?|runs?|travels?|moving|glissent?|glisse|gleitet|desliza|scivola) (?:\S+ ){{0,2}}?(?:along|on|down|up|over|long|sur|entlang|an|auf|por|sobre|lungo|largo) (?:\S+ ){{0,3}}?{_SURFACE} (?!(?:axis|axes|rails?|tracks?|direction) )"
 )
 _IS_CONSTANT = re.compile(
     r"¤ (?:is|stays|remains|est|reste|demeure|ist|bleibt|es|permanece|è|resta|é) (?:kept |held |maintenue? |mantenid[oa] )?(?:constante?|konstant|costante) "

@@ -23,7 +23,15 @@ from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.forces import LETTERS as OF_FORCES
 from armproof.verification.equations.forces import heed_forces, unless_left_out, with_components
 from armproof.verification.equations.foreign_index import of_foreign_index
-from armproof.verification.equations.given_values import adopts_letters, keys_alone, names_alone, new_letters, new_name
+from armproof.verification.equations.given_values import (
+    adopts_letters,
+    angle_of_cosine,
+    keys_alone,
+    names_alone,
+    new_angle,
+    new_letters,
+    new_name,
+)
 from armproof.verification.equations.jacobian_rows import RowsOfJacobians
 from armproof.verification.equations.letter_matrices import (
     FEWEST_LETTERS,
@@ -65,6 +73,7 @@ from armproof.verification.equations.signed_distances import named_with_sign
 from armproof.verification.equations.skew import unless_skewed
 from armproof.verification.equations.table_angles import TableAngles
 from armproof.verification.equations.torques import Torques
+from armproof.verification.equations.torques_of_points import TorquesOfPoint
 from armproof.verification.equations.worked_numbers import as_added_up
 from armproof.verification.errors import NotSampled, UnboundName
 from armproof.verification.evaluation.exact import ExactAlgebra
@@ -337,6 +346,8 @@ class ChainChecker:
             for key in outcome.defines:
                 self.names.leave_open(key, doubt)
             return replace(outcome.left_open(doubt), defines=())
+        if self.names.arm is None and outcome.verdict is Verdict.DEFINED:
+            return TorquesOfPoint(self.members).judge(outcome)
         is_of_forces = self.names.state.adopted and outcome.verdict is Verdict.DEFINED
         return Torques(self.members).judge(outcome) if is_of_forces else outcome
 
@@ -344,9 +355,10 @@ class ChainChecker:
         """Return the sides with their values, and the new letters that the chain defines: the names alone of these have none."""
         new, fresh = new_name(self.names, chain), new_letters(self.names, chain) if define else frozenset()
         unused = {each.key for member in chain.members for each in names_alone(member) if self.names.is_new(each)}
+        turned = new_angle(self.names, chain) if new is None else None
         members = [
-            Member(node, None, UnboundName(new))
-            if new is not None and bare_key(node) == new
+            Member(node, None, UnboundName(new or turned or ""))
+            if (new is not None and bare_key(node) == new) or (turned is not None and angle_of_cosine(node) == turned)
             else self.members.evaluate(node)
             for node in chain.members
         ]

@@ -376,7 +376,7 @@ def _holds(value: Value, key: str) -> bool:
 
 
 def _is_angle(name: n.Name) -> bool:
-    return name.base in greek.ANGLES and not name.dots and not name.sub.isdigit()
+    return name.base in greek.TURNED and not name.dots and not name.sub.isdigit()
 
 
 def _is_unwritten(node: n.Node) -> bool:

@@ -15,6 +15,7 @@ from armproof.verification.equations.sides import Member, Members
 from armproof.verification.equations.stated_rates import columns_of_numbers
 from armproof.verification.errors import UnboundName
 from armproof.verification.evaluation.blocks import cells_of
+from armproof.verification.latex import greek
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key, is_number
 from armproof.verification.naming.names import Names
@@ -291,6 +292,24 @@ def new_name(names: Names, chain: n.Chain) -> str | None:
         if isinstance(member, n.Name) and names.is_new(member) and member.key not in keys_beside(chain, member):
             return member.key
     return None
+
+
+def new_angle(names: Names, chain: n.Chain) -> str | None:
+    """Return the γ of cos γ = (a² + D² - b²)/(2 a D) where it stands nowhere above, in a document without an arm: it is defined so."""
+    for member in map(bare, chain.members) if names.arm is None and chain.relations == ("=",) else ():
+        angle = bare(member.arguments[0]) if n.is_call(member, "cos") else None
+        if not isinstance(angle, n.Name) or angle.base not in greek.TURNED or angle.sub.isdigit():
+            continue
+        beside = keys_beside(chain, member)
+        if names.is_new(angle) and angle.key not in beside and beside & names.state.definitions.keys():
+            return angle.key
+    return None
+
+
+def angle_of_cosine(node: n.Node) -> str | None:
+    """Return the key of γ of a cos γ, and of nothing else."""
+    node = bare(node)
+    return bare_key(node.arguments[0]) if n.is_call(node, "cos") and len(node.arguments) == 1 else None
 
 
 def new_letters(names: Names, chain: n.Chain) -> frozenset[str]:

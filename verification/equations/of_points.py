@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import permutations
+from itertools import permutations, product
 
 from armproof.verification.algebra.calculus import angles_in, derivative, symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_matrix, stacked
@@ -27,7 +27,7 @@ from armproof.verification.verdict import Role, Verdict
 MOST_ROWS = 3  # of the Jacobian of a point
 _OF_POINT = re.compile(r"(?:v|P|p|L|T)?_?,?(?:c|cm|G|C)?,?_?(\d)")
 _SLIDE = re.compile(r"[dr]_\d")
-_ENDS = (
+ENDS = (
     "",
     "_e",
     "_E",
@@ -43,7 +43,7 @@ _ENDS = (
     "_foot",
 )  # of x, the tool's coordinate
 _POINTS = ("p", "P", "X")
-_ANGLES = ("phi", "varphi", "psi", "alpha", "gamma")  # of the tool in its plane
+ANGLES = ("phi", "varphi", "psi", "alpha", "gamma")  # of the tool in its plane
 _REACHES = ("r", "rho", "d", "R")  # of x = r cos θ: a joint that slides along what another turns
 _CENTRES = ("c{}", "c_{}", "C{}", "C_{}", "G{}", "G_{}", "cm{}", "cm_{}", "c,{}")
 
@@ -179,10 +179,10 @@ class OfPoints:
     def _of_tool(self) -> list[tuple[str, ...]]:
         """Return the names of the tool's coordinates that a document gives: all, or those of a plane, with its angle there or not; or of its point."""
         made = self.members.names.state.definitions
-        for end in _ENDS:
-            axes = tuple(f"{axis}{end}" for axis in "xyz" if f"{axis}{end}" in made)
+        for end, letters in product(ENDS, ("xyz", "XYZ")):
+            axes = tuple(f"{axis}{end}" for axis in letters if f"{axis}{end}" in made)
             angles = [
-                (*axes[:2], key) for letter in _ANGLES if (key := f"{letter}{end}") in made or (key := letter) in made
+                (*axes[:2], key) for letter in ANGLES if (key := f"{letter}{end}") in made or (key := letter) in made
             ]
             if len(axes) > 1:
                 return [*([axes] if len(axes) > 2 else angles), axes[:2]]

@@ -14,7 +14,7 @@ _PLAIN = n.Name | n.Number | n.Sum | n.Product | n.Quotient | n.Power | n.Group 
 
 
 def heed_formula(names: Names, sides: Iterable[n.Node], line: int) -> None:
-    """Remember what a name is equated to, where that is a formula of other names: what is unwritten, or a function, says less."""
+    """Remember what a name is equated to, where that is a formula of other names: what is unwritten, or a root, says less."""
     keys, formulas = [], list[n.Node]()
     for side in sides:
         key = bare_key(side)
@@ -38,5 +38,8 @@ def said_otherwise(names: Names, key: str, line: int) -> Finding | None:
 
 
 def _is_formula(node: n.Node) -> bool:
-    """Whether a tree is a sum or a product of names, and no name alone."""
-    return isinstance(bare(node), n.Sum | n.Product | n.Quotient) and all(isinstance(b, _PLAIN) for b in n.walk(node))
+    """Whether a tree is a sum or a product of names, their sines and cosines among them, and no name alone."""
+    below = [*n.walk(node)]
+    return isinstance(bare(node), n.Sum | n.Product | n.Quotient) and all(
+        isinstance(each, _PLAIN) or n.is_call(each, "cos", "sin") for each in below
+    )

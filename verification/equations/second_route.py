@@ -57,6 +57,9 @@ class SecondRoute:
         if outcome.max_error is not None and outcome.max_error > TOLERANCE:
             if self.on_a_branch(outcome, errors, branches):
                 return outcome
+            if (counts := self._as_signed_distance(outcome, branches)) is not None:  # r = √(X² + Y²) of X = r cos ψ
+                outcome.max_error = None
+                return outcome.left_open(say(Kind.SIGNED_DISTANCE, holding=counts[0], configurations=counts[1]))
             self._refute(outcome, errors.wrong(TOLERANCE), branches)
             outcome.findings = outcome.findings or (say(Kind.UP_TO_A_SIGN),)
         elif self._fails_for_lengths(outcome, branches):

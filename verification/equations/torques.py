@@ -23,6 +23,7 @@ from armproof.verification.verdict import Role, Verdict
 
 COMPONENTS = ("x", "y", "z")
 MOMENT = "M"
+ABOUT_Z = 5  # the row of J that turns about z
 
 
 @dataclass(frozen=True)
@@ -125,7 +126,7 @@ class Torques:
     def _compared(self, outcome: Outcome) -> Iterator[tuple[Scalar, Scalar]]:
         """Yield the value of each torque that an outcome gives a meaning, and what the force in it makes of it."""
         arm, true, printed = self.members.names.arm, outcome.true, outcome.printed
-        if arm is None or true is None or printed is None or not outcome.defines or true.rank > 1:
+        if arm is None or true is None or printed is None or not outcome.defines or self._is_of_jacobian(true.node):
             return  # τ = J^T F by itself says what τ is
         values = [*as_matrix(true.value).cells] if isinstance(true.value, Matrix | Scalar) else []
         places = self._joints(printed.node, len(values))
@@ -154,11 +155,28 @@ class Torques:
         A moment that the document introduces acts as well: values without it are not decided.
         """
         adopted = self.members.names.state.adopted
+        about = self._told_moments()
         held = {base for base, row in map(_component, symbols_in(values) & adopted) if row is not None}
-        rows = {load: row for load in sorted(adopted) for base, row in [_component(load)] if base in held}
-        acts = any(_component(load)[0] == MOMENT for load in adopted)
+        rows = {load: row for load in sorted(adopted - about) for base, row in [_component(load)] if base in held}
+        rows |= dict.fromkeys(about, ABOUT_Z)
+        acts = any(_component(load)[0] == MOMENT for load in adopted - about)
         is_of_one = len(held - {MOMENT}) == 1 and acts is (MOMENT in held)
         return {load: row for load, row in rows.items() if row is not None} if is_of_one else {}
+
+    def _told_moments(self) -> set[str]:
+        """Return the letters that the text calls a moment, of an arm that turns about z alone: there they can be about nothing else."""
+        names = self.members.names
+        told = {*names.reader.spelling.moments} & names.state.adopted
+        if not told or names.arm is None:
+            return set()
+        whole = self.members.exact.quantity(Quantity("jacobian", names.arm.frames[-1], names.arm.frames[0]))
+        is_planar = all(cell.is_zero() for row in whole.rows[2:ABOUT_Z] for cell in row)  # type: ignore[union-attr]
+        return told if is_planar else set()
+
+    def _is_of_jacobian(self, node: n.Node) -> bool:
+        """Whether a formula holds a matrix of the arm: what is made of its lengths, angles and coordinates, x F_y - y F_x, holds none."""
+        found = (self.members.quantity_of(below) for below in n.walk(node))
+        return any(quantity is not None and not quantity.scalar for quantity in found)
 
     def _joints(self, node: n.Node, count: int) -> list[int]:
         """Return the joints (from 0) whose torques a side names: τ_2, a column of such, τ as a whole."""

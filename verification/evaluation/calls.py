@@ -75,6 +75,9 @@ def name_value(evaluator: Evaluating, node: n.Name) -> Value:
             return Identity(algebra.rational(Fraction(1)))
     if (entry := entry_of_masses(evaluator, node)) is not None:
         return entry
+    if (component := names.component(node)) is not None:
+        letter, row = component
+        return names.defined_value(letter, algebra).rows[row][0]
     if names.is_free(node):
         names.used.add(node.key)
         return algebra.symbol(node.key)

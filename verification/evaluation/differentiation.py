@@ -87,6 +87,7 @@ def _all_joints(evaluator: Evaluating, variable: n.Node) -> n.Node:
 
 
 _JOINT = re.compile(r"(?:theta|q)(?:_\d+)?")  # where there is no arm, what moves, and what never does
+_MAY_GROW = ("r", "R", "rho", "d", "D", "s", "x", "y", "z", "X", "Y", "Z")  # distances that a text tells, too
 _JOINT_OR_LENGTH = re.compile(rf"(?:dot )*(?:{_JOINT.pattern}|[lLabcehmgI](?:_\w+)?)")
 
 
@@ -102,7 +103,8 @@ def time_derivative(evaluator: Evaluating, node: n.Name) -> Value:
         return rate * evaluator.algebra.rational(Fraction(sign))
     if symbol is not None and evaluator.names.arm is not None and symbol in evaluator.names.arm.lengths:
         raise EvaluationError(say(Kind.RATE_OF_LENGTH, name=plain.key))  # it moves: the arm was not understood
-    if evaluator.names.is_free(plain) and plain.key not in evaluator.names.state.definitions:
+    is_of_column = evaluator.names.component(plain) is not None
+    if evaluator.names.is_free(plain) and plain.key not in evaluator.names.state.definitions and not is_of_column:
         evaluator.names.used.add(node.key)
         return evaluator.algebra.symbol(rate_symbol(plain.key, node.dots))
     if node.key in evaluator.names.state.definitions:
@@ -136,8 +138,11 @@ def _in_time(evaluator: Evaluating, value: Value) -> Value:
 
 
 def _may_stand(evaluator: Evaluating, symbol: str) -> bool:
-    """Whether a symbol moves as the document shows, or never does: any other letter may be a function of time."""
-    return _JOINT_OR_LENGTH.fullmatch(symbol) is not None or _is_variable(evaluator, symbol.rpartition(" ")[2])
+    """Whether a symbol moves as the document shows, or never does, as a size that the text tells; any other letter may be a function of time."""
+    is_told = symbol in evaluator.names.reader.spelling.scalars and symbol not in _MAY_GROW
+    return (
+        is_told or _JOINT_OR_LENGTH.fullmatch(symbol) is not None or _is_variable(evaluator, symbol.rpartition(" ")[2])
+    )
 
 
 def rate_symbol(symbol: str, order: int) -> str:

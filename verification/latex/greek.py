@@ -23,6 +23,20 @@ NAMES = {character: name for name, character in (SMALL | CAPITAL).items()} | {"Ï
 LONG = tuple(name for name in (*SMALL, *CAPITAL) if len(name) > 3 or name in ("phi", "psi"))
 
 ANGLES = ("theta", "alpha", "beta", "gamma", "phi", "psi")  # what documents call angles
+TURNED = (
+    *ANGLES,
+    *VARIANTS,
+    "delta",
+    "epsilon",
+    "zeta",
+    "eta",
+    "kappa",
+    "mu",
+    "nu",
+    "xi",
+    "chi",
+    "sigma",
+)  # and may call so
 NUMBERS = (
     *ANGLES,
     *VARIANTS,

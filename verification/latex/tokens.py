@@ -226,6 +226,8 @@ class Spelling:
     columns: frozenset[str] = frozenset()  # the keys of what it says to be the columns of J: J_1, J_2
     moving: frozenset[str] = frozenset()  # the letters whose rates it prints: alpha, where it has \\dot\\alpha
     of_quaternion: bool = False  # whether q_1 is the component of a quaternion, beside q_0
+    scalars: frozenset[str] = frozenset()  # the keys of letters that its text calls a length, a weight or a moment: L
+    moments: frozenset[str] = frozenset()  # those that it calls a moment
 
     def joint_signs(self, digits: str) -> tuple[int, ...]:
         """Return the signs of the angles that the digits of c_{34} add: as the document says, else all are positive."""

@@ -19,7 +19,7 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import NUMBERS, one_of
 from armproof.verification.latex.reader import Reader
-from armproof.verification.naming.conventions import conventional
+from armproof.verification.naming.conventions import AXES, conventional
 from armproof.verification.naming.quantities import implied_quantity, numbered_frames, tells_frame, transform_pair
 from armproof.verification.naming.state import Definition, DocumentState, undecided
 
@@ -291,6 +291,7 @@ class Names:
         component = component or (name.base == "L" and name.sub.isdigit())  # a link's length; L alone is much else
         if self.reader.spelling.screws and (name.base in NO_NUMBERS or OF_SCREWS.fullmatch(name.key)):
             return name.base not in NO_NUMBERS
+        component = component or name.key in self.reader.spelling.scalars
         return component or name.key in self.reader.spelling.masses or bool(FREE_IN_GENERAL.fullmatch(name.base))
 
     def applied_to_joints(self, name: n.Name) -> str | None:
@@ -301,6 +302,18 @@ class Names:
             if head == name.key and around and re.fullmatch(OF_JOINTS, variables):
                 return key
         return None
+
+    def component(self, name: n.Name) -> tuple[str, int] | None:
+        """Return the column that a document without an arm prints for a letter, n = [..; ..; ..], and the row of it that n_x names; None of another name."""
+        made = self.state.definitions.get(name.base) if self.arm is None and name.sub in tuple(AXES) else None
+        column = n.bare(made.node) if made is not None and made.node is not None else None
+        if name != n.Name(name.base, name.sub) or made is None or not isinstance(column, n.Matrix):
+            return None
+        own = any(below.base == name.base for below in n.names(column))  # n = [n_x; n_y; n_z]
+        is_column = len(column.rows) in (2, 3) and all(len(row) == 1 for row in column.rows)
+        around = encloses(made.section, self.state.section) and name.key not in self.state.definitions
+        row = AXES.index(name.sub)
+        return (name.base, row) if is_column and not own and around and row < len(column.rows) else None
 
     def is_open(self, name: n.Name) -> bool:
         """Whether neither notation nor the document gives a name a meaning."""
@@ -316,6 +329,8 @@ class Names:
 
         The rate of what is defined is no new name.
         """
+        if self.component(name) is not None:
+            return False
         taken = {name.key, name.undotted.key}
         return self.is_free(name) and name.key not in self.used and taken.isdisjoint(self.state.definitions)
 

@@ -10,6 +10,7 @@ from typing import Any
 from armproof.models.arm import Arm
 from armproof.verification.document import Display, Document, Table
 from armproof.verification.document.other_meanings import COLUMNS
+from armproof.verification.document.told_scalars import MOMENT
 from armproof.verification.errors import DocumentError, ReadError
 from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
@@ -70,6 +71,9 @@ _ROW_OF_NORMALS = re.compile(  # x_x & y_x & z_x & p_x
     r"(?<![A-Za-z\\])([A-Za-z])_\{?x\}?\s*&\s*([A-Za-z])_\{?x\}?\s*&\s*([A-Za-z])_\{?x\}?\s*(?=&|\\\\)"
 )
 _LOAD = re.compile(r"(?<![A-Za-z\\])([FfM])\s*_\s*\{?\s*([xyz])(?![A-Za-z])")
+_IN_COSINE = re.compile(
+    r"\\(?:cos|sin|tan)\s*(?:\\left\s*)?[({]?\s*\\(eta|zeta|kappa|chi|nu|xi|upsilon)(?![A-Za-z])(?!\s*[_^])"
+)
 _MOMENT = re.compile(  # + M, & M \\: no mass matrix before accelerations
     r"(?:[-+=&]|\\\\)\s*M\s*(?=$|[-+,.;&}]|\\\\|\\end|\\q?quad|\\[,;])"
 )
@@ -150,8 +154,26 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
         frozenset(_SCREW.findall(text)), _own_unit(document.displays, document.tables), frozenset(of_theta | of_q | of_cosine), _normals(said),
         dressed_letters(texts), starred_names(texts), _of_two_velocities(texts),
         frozenset(f"{letter}_{axis}" for letter, axis in _LOAD.findall(said)) | _moments(texts),
-        frozenset(_columns(document.displays)), frozenset(rates_in(document.displays)), bool(of_theta) and of_q == _QUATERNION,
+        frozenset(_columns(document.displays)), frozenset(_as_read(each, apart) for each in rates_in(document.displays)), bool(of_theta) and of_q == _QUATERNION,
+        *_told_scalars(document.scalars, said),
     )  # fmt: skip
+
+
+def _told_scalars(told: Iterable[str], said: str) -> tuple[frozenset[str], frozenset[str]]:
+    r"""Return the keys of the letters that a text calls a size, and of those that it calls a moment; not of one whose components it writes.
+
+    An η of which a cosine is taken is an angle, as θ is by itself.
+    """
+    loads = {letter for letter, _ in _LOAD.findall(said)}
+    found = [each.split(" ") for each in sorted(told)]
+    keys = frozenset(key for _, key in found if key not in loads) | frozenset(_IN_COSINE.findall(said))
+    return keys, frozenset(key for kind, key in found if kind == MOMENT and key in keys)
+
+
+def _as_read(key: str, apart: set[str]) -> str:
+    """Return the key of a letter as it is read: phi of \\varphi, unless the document tells the two apart."""
+    base, line, sub = key.partition("_")
+    return f"{VARIANTS[base]}{line}{sub}" if base in VARIANTS.keys() - apart else key
 
 
 def _columns(displays: Iterable[Display]) -> Iterator[str]:

@@ -19,6 +19,7 @@ DEFINED = (
     ("| name | meaning |\n|---|---|\n| $p_1$ | {} of bar 1 |", "end", "middle", f"p_1 = {ELBOW}"),
     ("- $p_2$ : position de la {}\n", "pince", "caméra", f"p_2 = {TIP}"),
     (r"We call $\varphi$ the {} angle of the tool.", "orientation", "polar", r"\varphi = \theta_1 + \theta_2"),
+    (r"On note $\phi$ l'angle de {} avec l'axe $x$.", "la main", "l'avant-bras", r"\phi = \theta_1 + \theta_2"),
     (r"Mit $y$ bezeichnen wir die Höhe der Spitze über {}.", "dem Boden", "der Schulter", r"\dot y = l_1 c_1 \dot\theta_1 + l_2 c_{12} (\dot\theta_1 + \dot\theta_2)"),
 )  # fmt: skip
 
@@ -74,3 +75,20 @@ def test_a_rate_follows_the_name_that_has_no_value() -> None:
     assert verdict_of(of_error, r"\dot x_e = \dot x") is Verdict.UNCHECKED
     of_tool = page(shown("x_e = l_1 c_1 + l_2 c_{12}"), shown(r"\dot x_e = \dot x"))
     assert verdict_of(of_tool, r"\dot x_e = \dot x") in HOLDS
+
+
+CYLINDER = """
+| i | theta | d | a | alpha |
+|---|---|---|---|---|
+| 1 | $\\theta_1$ | $d_1$ | 0 | 0 |
+| 2 | 0 | $q_2$ | 0 | $-90°$ |
+| 3 | 0 | $q_3$ | 0 | 0 |
+
+"""
+
+
+def test_a_usual_name_is_not_usual_behind_a_formula_without_a_value() -> None:
+    claim = "x^2 + y^2 = q_3^2"
+    shifted = r"x = g\cos\theta_1 - q_3\sin\theta_1, \qquad y = g\sin\theta_1 + q_3\cos\theta_1"
+    assert verdict_of(CYLINDER + shown(claim), claim) is Verdict.PROVED
+    assert verdict_of(CYLINDER + shown(shifted) + "\n\n" + shown(claim), claim) is Verdict.UNCHECKED

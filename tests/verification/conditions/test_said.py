@@ -18,6 +18,9 @@ def verdicts_of(*lines: str) -> list[str]:
     [
         ("with $k = l_1 c_1$", "x = k + l_2 c_{12}", "proved"),
         ("with $k = l_1 c_1$", "x = k - l_2 c_{12}", "refuted"),
+        (r"with $\gamma = \theta_1$", r"x = l_1 \cos\gamma + l_2 c_{12}", "proved"),
+        (r"with $\gamma = \theta_1$", r"x = l_1 \sin\gamma + l_2 c_{12}", "refuted"),
+        (r"with $\gamma = \theta_2$", r"x = l_1 \cos\gamma + l_2 c_{12}", "refuted"),  # another joint is a slip
         ("with $k = l_1 c_1$", "x = k^2 l_2 - s_1", "unchecked"),  # no slip: the text may mean something else
         ("with $k$ of the figure", "x = k + l_2 c_{12}", "unchecked"),
         ("with $k = 2$", "x = k + l_2 c_{12}", "unchecked"),  # a number of the text is that of one case
@@ -199,3 +202,18 @@ def test_two_values_of_a_joint_are_two_postures(said: str, display: str, verdict
 def test_what_says_itself_where_it_holds_needs_no_words_for_it(said: str, display: str, verdict: str) -> None:
     there = f"$$ \\left. p_2 \\right|_{{\\theta_2 = 0}} = \\begin{{bmatrix}} {display} \\\\ 0 \\end{{bmatrix}} $$"
     assert verdicts_of(said.format(there)) == [verdict]
+
+
+@pytest.mark.parametrize(
+    ("said", "verdict"),
+    [
+        (r"Let $\mu = \theta_1$ and $\nu = \theta_1 + \theta_2$, the absolute angles of both links.", "proved"),
+        (r"Let $\nu = \theta_1 + \theta_2$, the angle of the second link to the horizontal.", "proved"),
+        (r"Let $\mu = \theta_1$ and $\nu = \theta_2$, the absolute angles of both links.", "unchecked"),
+        (r"Let $\mu = \theta_2$ and $\nu = \theta_1 + \theta_2$, the absolute angles of both links.", "unchecked"),
+        (r"Let $\nu = \theta_1 + \theta_2$, the angles being absolute angles.", "unchecked"),
+        (r"With $\nu = \theta_1 + \theta_2$, the angle of link 2 being $\theta_2$ to the horizontal.", "unchecked"),
+    ],
+)
+def test_what_stands_beside_a_sum_of_angles_is_said_of_that_sum(said: str, verdict: str) -> None:
+    assert verdicts_of(said, "", r"$$ x = l_1 c_1 + l_2 c_{12} $$") == [verdict]

@@ -20,6 +20,7 @@ FREE = [
     r"The angle $\theta_2$ is constant.",
     "Does the tool slide along the wall?",
     "The tool moves along a curve.",
+    "A bridge travels along the floor axis $X$ by $q_1$.",
 ]
 NEGATIVE = [
     "Every target has a negative $x$.",

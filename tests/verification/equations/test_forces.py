@@ -105,3 +105,31 @@ $$ \dot x^2 + \dot y^2 = \dot d^2 + (l+d)^2\,\dot\theta^2 $$
 def test_efforts_and_columns_are_those_of_the_joints_by_their_letters(text: str, verdict: str) -> None:
     found = verify_text(text).equations[-1].verdict.value
     assert found in ("refuted", "unchecked") if verdict == "not passed" else found == verdict
+
+
+IN_THE_PLANE = FRONT.replace(
+    "---\n", "---\nquantities:\n  x: {origin: 2, component: x}\n  y: {origin: 2, component: y}\n", 1
+)
+
+
+@pytest.mark.parametrize(
+    ("torque", "verdict"),
+    [
+        (r"\tau_1 = x F_y - y F_x", "proved"),
+        (r"\tau_1 = x F_y + y F_x", "unchecked"),
+        (r"\tau_1 = x F_x - y F_y", "unchecked"),
+        (r"\tau_1 = x F_y - y F_x + M", "proved"),
+        (r"\tau_1 = x F_y - y F_x - M", "unchecked"),
+    ],
+)
+def test_coordinates_may_stand_in_a_torque(torque: str, verdict: str) -> None:
+    moment = " and the moment $M$" if "M" in torque else ""
+    text = f"{IN_THE_PLANE}\nThe hand exerts $(F_x, F_y)${moment} on a nut.\n\n$$ {torque} $$\n"
+    assert verify_text(text).equations[-1].verdict.value == verdict
+
+
+def test_a_moment_that_the_text_tells_acts_on_all_joints() -> None:
+    said = "Die Hand übt die Kraft $(F_x, F_y)$ und das Moment $m$ aus."
+    for rest, verdict in (("+ m", "proved"), ("- m", "refuted"), ("", "refuted")):
+        torques = rf"$$ \tau_1 = {FIRST} + m $$", rf"$$ \tau_2 = {RIGHT} {rest} $$"
+        assert verdicts_of(said, *torques) == ["proved", verdict]

@@ -90,3 +90,33 @@ def test_an_erratum_is_said_to_be_more_than_a_slip_and_a_condition_is_none(displ
 def test_an_erratum_whose_sizes_convention_alone_tells_is_left_open() -> None:
     text = "---\narm: planar_2r\n---\n> **Erratum**\n> $$ p_2 = J $$\n"
     assert verify_text(text).equations[0].verdict.value == "unchecked"
+
+
+REACH = [r"r = e + a\cos\alpha + b\cos\beta", r"u = r\cos\psi", r"v = r\sin\psi"]
+
+
+@pytest.mark.parametrize(
+    ("root", "verdict"),
+    [
+        (r"r = \sqrt{u^2 + v^2}", "confirmed"),
+        (r"r = \sqrt{u^2 - v^2}", "unchecked"),
+        (r"r = -\sqrt{u^2 + v^2}", "unchecked"),
+    ],
+)
+def test_a_reach_is_its_root_where_the_arm_reaches_forwards(root: str, verdict: str) -> None:
+    text = "\n\n".join(f"$$ {each} $$" for each in (*REACH, root))
+    found = [each.verdict.value for each in verify_text(text).equations]
+    assert found[-1] == verdict and "refuted" not in found
+
+
+@pytest.mark.parametrize(
+    ("cosine", "side", "verdict"),
+    [
+        (r"\cos\eta = \frac{a^2 + D^2 - b^2}{2 a D}", r"b^2 = a^2 + D^2 - 2 a D\cos\eta", "proved"),
+        (r"\cos\eta = \frac{a^2 + D^2 - b^2}{2 a D}", r"b^2 = a^2 + D^2 + 2 a D\cos\eta", "unchecked"),
+        (r"\cos\zeta_1 = \frac{a^2 + D^2 - b^2}{2 a D}", r"b^2 = a^2 + D^2 - 2 a D\cos\zeta_1", "unchecked"),
+    ],
+)
+def test_an_angle_that_stands_nowhere_above_is_defined_by_its_cosine(cosine: str, side: str, verdict: str) -> None:
+    text = "\n\n".join(f"$$ {each} $$" for each in (r"D = \sqrt{u^2 + v^2}", cosine, side))
+    assert verify_text(text).equations[-1].verdict.value == verdict
