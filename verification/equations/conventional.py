@@ -26,6 +26,7 @@ from armproof.verification.equations.doubts import Doubts
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.jacobian_columns import columns_beside_rates
 from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.placed_axes import with_axes_placed
 from armproof.verification.equations.rates import SPEAKS_OF_RATES, seen_from_frame, stand_for_scalars, with_joint_rates
 from armproof.verification.equations.sides import Member
 from armproof.verification.equations.spellings import POINTS, Spellings
@@ -83,7 +84,7 @@ class Conventions:
             self.names.state.definitions.pop(key, None)
         self.take_coordinates(chain.members)
         members = (self.spellings.read(each) if _is_spelt(each) else each for each in chain.members)
-        read = replace(chain, members=tuple(members))
+        read = with_axes_placed(replace(chain, members=tuple(members)), self.names)
         return with_joint_rates(seen_from_frame(read), self.names) if n.letters(read) & SPEAKS_OF_RATES else read
 
     def take_coordinates(self, nodes: Iterable[n.Node], *, beside: bool = True) -> bool:

@@ -325,6 +325,7 @@ $$ x^2 + y^2 = a^2 + b^2 + 2ab LAST $$
     [
         (r"\alpha \beta", True),
         (r"\alpha_1 \alpha_2", True),
+        (r"\chi_1 \chi_2", True),
         (r"\psi_1 \psi_2", True),
         (r"\alpha_1 \beta_2", False),
         (r"\theta_1 \alpha", False),
