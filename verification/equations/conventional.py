@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import cached_property
+from operator import is_
 
 from armproof.verification.algebra.matrix import Matrix, is_zero
 from armproof.verification.algebra.protocol import OutsideAlgebra
@@ -98,7 +99,7 @@ class Conventions:
         """Return the members with those bound whose names have a usual meaning that fits."""
         if self.names.arm is None:
             return members
-        members = [self._bound_inside(member) for member in members]
+        members = self._all_bound_inside(members)
         known = [member for member in members if member.known]
         if not _fit_together(members):
             members = BySize(self.members, self.doubts).read(members)
@@ -143,6 +144,13 @@ class Conventions:
                     return [*members[:place], tried, *members[place + 1 :]], [tried]
                 self.names.state.forget_usual({name.key})  # type: ignore[union-attr]
         return members, []
+
+    def _all_bound_inside(self, members: list[Member]) -> list[Member]:
+        """Return the sides with their coordinates and columns bound; what one shows of a name, [J_1 J_2] beside J_1 q̇_1 + J_2 q̇_2, all know."""
+        bound = [self._bound_inside(member) for member in members]
+        if all(map(is_, bound, members)):
+            return bound
+        return [self.members.evaluate(each.node) if isinstance(each.problem, UnboundName) else each for each in bound]
 
     def _bound_inside(self, member: Member) -> Member:
         """A formula's coordinates and points are those of the tool, where they can hardly be anything else."""

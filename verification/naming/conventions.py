@@ -16,7 +16,7 @@ from armproof.verification.algebra.quantity_kinds import is_planar
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.quantities import ANGULAR, LINEAR, numbered_frames
 
-END = frozenset("e E ee EE ef EF eff eef tool Tool tcp TCP end hand terminal".split())
+END = frozenset("e E ee EE ef EF eff eef tool Tool tcp TCP end tip hand terminal".split())
 PERHAPS_END = frozenset("P T t G g h H OT ot".split())
 LAST = frozenset("n N".split())
 WRIST = frozenset("W w WC wc".split())
