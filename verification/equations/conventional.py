@@ -23,6 +23,7 @@ from armproof.verification.equations.alignment import (
 from armproof.verification.equations.at_stated_values import MANY, is_mostly_right
 from armproof.verification.equations.by_size import BySize
 from armproof.verification.equations.coordinates import coordinates_among
+from armproof.verification.equations.derived_functions import with_coordinates_derived
 from armproof.verification.equations.doubts import Doubts
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.jacobian_columns import columns_beside_rates
@@ -86,6 +87,7 @@ class Conventions:
         self.take_coordinates(chain.members)
         members = (self.spellings.read(each) if _is_spelt(each) else each for each in chain.members)
         read = with_axes_placed(replace(chain, members=tuple(members)), self.names)
+        read = with_coordinates_derived(read, self.names) if "f" in n.letters(read) else read
         return with_joint_rates(seen_from_frame(read), self.names) if n.letters(read) & SPEAKS_OF_RATES else read
 
     def take_coordinates(self, nodes: Iterable[n.Node], *, beside: bool = True) -> bool:
@@ -150,7 +152,7 @@ class Conventions:
         bound = [self._bound_inside(member) for member in members]
         if all(map(is_, bound, members)):
             return bound
-        return [self.members.evaluate(each.node) if isinstance(each.problem, UnboundName) else each for each in bound]
+        return [self.members.evaluate(each.node) if _is_open_formula(each) else each for each in bound]
 
     def _bound_inside(self, member: Member) -> Member:
         """A formula's coordinates and points are those of the tool, where they can hardly be anything else."""
@@ -323,6 +325,11 @@ class Conventions:
                 state.infer_usual(name.key, before)
             elif now != usual:
                 state.forget_usual({name.key})
+
+
+def _is_open_formula(member: Member) -> bool:
+    """Whether a side is no name alone, and has a name in it that nothing gives a meaning."""
+    return isinstance(member.problem, UnboundName) and n.plain_name(member.node) is None
 
 
 def _is_rate(node: n.Node) -> bool:

@@ -386,7 +386,7 @@ $$ x_2 = L_1 \sin\theta_1 + SECOND $$
 
 $$ \dot x_2 = L_1 \dot\theta_1 \cos\theta_1 + L_2 (\dot\theta_1 + \dot\theta_2) \cos(\theta_1 + \theta_2) $$
 
-$$ v_{tip} = \begin{bmatrix} \dot x_1 \\ \dot x_2 \end{bmatrix} = J_1(\theta) \dot\theta_1 + J_2(\theta) \dot\theta_2 $$
+$$ v_e = \begin{bmatrix} \dot x_1 \\ \dot x_2 \end{bmatrix} = J_1(\theta) \dot\theta_1 + J_2(\theta) \dot\theta_2 $$
 
 $$ J_2 = \begin{bmatrix} -L_2 \sin(\theta_1 + \theta_2) \\ SIGN L_2 \cos(\theta_1 + \theta_2) \end{bmatrix} $$
 """
