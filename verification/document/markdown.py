@@ -40,7 +40,9 @@ _INDENTED = re.compile(
 )  # a display below "Step 3."
 _STOPS = " .,;，。；"
 _NUMBERED = re.compile(r"\s*\(?(?:[IVX]{1,5}|[ivx]{1,5}|\d{1,2}|[A-Za-z])\s*[.):–-]\s*")  # I. $x = …$
-_JOINS = re.compile(r"[\s.,;]*(?:and|et|und|y|e)?[\s.,;:]*")  # what stands behind one of several formulas, each in its paragraph
+_JOINS = re.compile(
+    r"[\s.,;]*(?:and|et|und|y|e)?[\s.,;:]*"
+)  # what stands behind one of several formulas, each in its paragraph
 _LISTS = re.compile(r",.*=", re.DOTALL)  # a_1 = 0, d_1 = 2: what is given
 ALONE = "$ "  # the opening of a formula between single dollars that has a line of its own
 _DERIVED = re.compile(  # a matrix, or a function of an angle or of a length: no value that is given
@@ -609,7 +611,9 @@ def _stands_alone(token: Token) -> bool:
     held = held[is_numbered:]
     kinds = {each.type for each in held}
     formulas = [each.content for each in held if each.type == "math_inline"]
-    may_stand = (token.level == 1 and not is_numbered) or (token.level % 2 == 1 and all(_DERIVED.search(each) for each in formulas))
+    may_stand = (token.level == 1 and not is_numbered) or (
+        token.level % 2 == 1 and all(_DERIVED.search(each) for each in formulas)
+    )
     return may_stand and "math_inline" in kinds and kinds <= {"math_inline", "softbreak"}
 
 

@@ -64,7 +64,10 @@ class GeneralStatements:
         self._general = self._nearest_letters(chain)
         self._general.confirm = self.checker.confirm
         heads = self._heads(chain)
-        if any(head is not None and _of_another_link(_composed(m, self.checker.names.transforms)) for head, m in zip(heads, chain.members, strict=True)):
+        if any(
+            head is not None and _of_another_link(_composed(m, self.checker.names.transforms))
+            for head, m in zip(heads, chain.members, strict=True)
+        ):
             return None
         named = any(quantity.kind == "link" for quantity in self.checker.names.quantities.values())
         # letters of both conventions: the one that is nearer is meant
@@ -222,7 +225,11 @@ class GeneralStatements:
 def _composed(node: n.Node, transforms: str) -> n.Node:
     """Return T_i^{i-1} for T_{i'}^{i-1} T_i^{i'}, whatever frame stands between; any other node as it is."""
     inner = bare(node)
-    names = [factor for factor in map(bare, inner.factors) if isinstance(factor, n.Name)] if isinstance(inner, n.Product) else []
+    names = (
+        [factor for factor in map(bare, inner.factors) if isinstance(factor, n.Name)]
+        if isinstance(inner, n.Product)
+        else []
+    )
     if not isinstance(inner, n.Product) or not len(names) == len(inner.factors) == 2 or "×" in inner.operators:
         return node
     one, other = names

@@ -51,7 +51,9 @@ def _terms(node: n.Node) -> Iterator[n.Node]:
 def _axes_of(term: n.Node, names: Names) -> list[n.Name]:
     """Return the names of a term that are axes of frames, and that neither the document nor its front matter gives a meaning of its own."""
     factors = [bare(factor) for factor in term.factors] if isinstance(term, n.Product) else [term]
-    found = [factor for factor in factors if isinstance(factor, n.Name) and factor.base in AXES and factor.sub.isdigit()]
+    found = [
+        factor for factor in factors if isinstance(factor, n.Name) and factor.base in AXES and factor.sub.isdigit()
+    ]
     if not all(factor in found or _is_of_numbers(factor, names) for factor in factors):
         return []  # R_1 x_2 is seen from another frame than x_2
     return [each for each in found if not (each.dots or each.primes or _has_meaning(each, names))]

@@ -267,7 +267,11 @@ class SecondRoute:
             name = n.plain_name(alone)
             quantity = self.members.quantity_of(name) if name is not None else None
             is_coordinate = quantity is not None and quantity.kind == "origin" and quantity.scalar
-            if is_coordinate and name not in n.names(other) and any(n.is_call(below, "sqrt") for below in n.walk(other)):
+            if (
+                is_coordinate
+                and name not in n.names(other)
+                and any(n.is_call(below, "sqrt") for below in n.walk(other))
+            ):
                 errors = self.sampled_errors(outcome, branches)
                 return errors.on_a_branch(TOLERANCE) if errors is not None else None
         return None

@@ -15,7 +15,8 @@ $$ J = \begin{bmatrix} \frac{\partial f_x}{\partial \theta_1} & \frac{d f_x}{d \
 
 
 @pytest.mark.parametrize(
-    ("first", "sign", "verdict"), [("f_y", "", "proved"), ("f_y", "-", "refuted"), ("f_x", "", "refuted"), ("g_y", "", "unchecked")]
+    ("first", "sign", "verdict"),
+    [("f_y", "", "proved"), ("f_y", "-", "refuted"), ("f_x", "", "refuted"), ("g_y", "", "unchecked")],
 )
 def test_functions_with_the_names_of_axes_are_the_coordinates(first: str, sign: str, verdict: str) -> None:
     [record] = verify_text(PAGE.replace("FIRST", first).replace("SIGN", sign)).equations

@@ -106,7 +106,10 @@ def _of_components(document: Document, names: Names) -> list[Candidate]:
         found: Found = {"x": first["x_1"], "y": first["x_2"]}
         arms = _arms(found, letters, algebra, rates_in(document.displays), _told_order(document, names))
     return [
-        replace(each, quantities={key: {"origin": each.last, "component": axis} for key, axis in (("x_1", "x"), ("x_2", "y"))})
+        replace(
+            each,
+            quantities={key: {"origin": each.last, "component": axis} for key, axis in (("x_1", "x"), ("x_2", "y"))},
+        )
         for each in arms
     ]
 
