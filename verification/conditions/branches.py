@@ -9,18 +9,19 @@ from armproof.verification.conditions.circumstances import ON_A_BRANCH
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.second_route import TOLERANCE
-from armproof.verification.findings import Kind, say
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.state import OnABranch
 
 SECOND = "'"  # behind a joint's symbol: its second solution
+AT_LINE = " at line "  # behind one: what a single display gives for it
 
 
 def never_with_others(outcome: Outcome, checker: ChainChecker, line: int) -> Outcome:
     """Leave open what solves for a joint, and holds at no configuration at which the solution of another one holds that its section gives.
 
-    A second formula for a joint is another solution, and is of the others of that.
+    A second formula for a joint is another solution, and is of the others of that: with those of its own display it holds somewhere, too.
     """
     names = checker.names
     joint = next(filter(None, (_solved_for(node, checker) for node in outcome.nodes)), None)
@@ -28,18 +29,34 @@ def never_with_others(outcome: Outcome, checker: ChainChecker, line: int) -> Out
         return outcome
     before = names.state.branches
     known = before[joint] if joint in before and before[joint].section == names.state.section else None
-    if known is not None and joint in names.joints:
-        return outcome
     if (own := _where(outcome, checker, line)) is None:
         return outcome
-    if known is not None:  # of a sine both signs are given
-        before[joint] = replace(known, where=known.where | own.where)
-        return outcome
+    apart = _apart_in_display(joint, own, before)
+    if known is not None:
+        if joint not in names.joints:  # of a sine both signs are given
+            before[joint] = replace(known, where=known.where | own.where)
+        return outcome if apart is None else outcome.left_open(apart)
     for name, other in before.items():
-        if not name.endswith(SECOND) and other.section == own.section and own.where.isdisjoint(other.where):
+        of_section = not name.endswith(SECOND) and AT_LINE not in name and other.section == own.section
+        if of_section and own.where.isdisjoint(other.where):
             return outcome.left_open(say(Kind.RESTS_ON_DOUBT, name=name, line=other.line))
     before[joint] = own
     return outcome
+
+
+def _apart_in_display(joint: str, own: OnABranch, before: dict[str, OnABranch]) -> Finding | None:
+    """Return the doubt about the first formula for a joint in a display that gives another joint another solution; and note it.
+
+    A second one there lists both solutions.
+    """
+    place = f"{AT_LINE}{own.line}"
+    beside = {name.removesuffix(place): each for name, each in before.items() if name.endswith(place)}
+    beside = {name: each for name, each in beside.items() if each.section == own.section}
+    again = beside.get(joint)
+    before[f"{joint}{place}"] = own if again is None else replace(own, where=own.where | again.where)
+    apart = (name for name, each in beside.items() if again is None and own.where.isdisjoint(each.where))
+    found = next(apart, None)
+    return None if found is None else say(Kind.RESTS_ON_DOUBT, name=found, line=own.line)
 
 
 def _solved_for(node: n.Node, checker: ChainChecker) -> str | None:

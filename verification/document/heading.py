@@ -8,7 +8,10 @@ RULE = re.compile(r"([=\-`:'\"~^_*+#<>.])\1{2,}\s*$")
 
 
 class Heading(str):
-    """The text of a heading, which knows the headings that it stands under, the outermost first."""
+    """The text of a heading, which knows the headings that it stands under, the outermost first.
+
+    "Solution" under one exercise is another section than "Solution" under the next.
+    """
 
     level: float
     around: tuple[Heading, ...]
@@ -18,6 +21,16 @@ class Heading(str):
         heading = super().__new__(cls, text)
         heading.level, heading.around = level, around
         return heading
+
+    def __eq__(self, other: object) -> bool:
+        """Whether another is the same text, under the same headings where it knows its own."""
+        return str.__eq__(self, other) is True and (not isinstance(other, Heading) or self.around == other.around)
+
+    def __ne__(self, other: object) -> bool:
+        """Whether another is not the same."""
+        return not self == other
+
+    __hash__ = str.__hash__
 
     def __getnewargs__(self) -> tuple[str, float, tuple[Heading, ...]]:  # type: ignore[override]
         return str(self), self.level, self.around

@@ -21,7 +21,7 @@ _LIMITS = re.compile(
 _NONE = re.compile(
     r"(?<!\S)(?:no|not|without|ignor\S*|neglect\S*|unlimited|sans|aucune?s?|néglig\S*|ohne|keine?n?|sin|senza|sem|non|any) "
 )
-_JOINT = r"(?:\\(?:var)?(?:theta|phi|alpha|beta)|[qθ])(?:\s*_\s*\{?\s*\w+\s*\}?)?"
+_JOINT = r"(?:\\(?:var)?(?:theta|phi|alpha|beta|chi|psi)|[qθ])(?:\s*_\s*\{?\s*\w+\s*\}?)?"
 _FULL = r"(?:-?\s*(?:2\s*)?(?:\\pi|π)|-?\s*(?:180|360)\s*(?:°|\^\s*\{?\s*\\circ\s*\}?)|0)"
 _BOUND = re.compile(
     rf"(?:\||\\lvert|\\left\|)\s*{_JOINT}\s*(?:\||\\rvert|\\right\|)\s*(?:\\leq?(?:slant)?(?![A-Za-z])|≤|<)|(?:\\leq?(?:slant)?(?![A-Za-z])|≤|<)\s*{_JOINT}\s*(?:\\leq?(?:slant)?(?![A-Za-z])|≤|<)"

@@ -39,6 +39,10 @@ _INDENTED = re.compile(
     r"\s*\$\$[ \t]*\n(?:(?!\$\$).)+\n[ \t]*\$\$[ \t]*(?:\n|$)", re.DOTALL
 )  # a display below "Step 3."
 _STOPS = " .,;，。；"
+_NUMBERED = re.compile(r"\s*\(?(?:[IVX]{1,5}|[ivx]{1,5}|\d{1,2}|[A-Za-z])\s*[.):–-]\s*")  # I. $x = …$
+_JOINS = re.compile(
+    r"[\s.,;]*(?:and|et|und|y|e)?[\s.,;:]*"
+)  # what stands behind one of several formulas, each in its paragraph
 _LISTS = re.compile(r",.*=", re.DOTALL)  # a_1 = 0, d_1 = 2: what is given
 ALONE = "$ "  # the opening of a formula between single dollars that has a line of its own
 _DERIVED = re.compile(  # a matrix, or a function of an angle or of a length: no value that is given
@@ -489,7 +493,7 @@ def _inline_displays(
         elif child.type == "math_inline":
             quoted = re.fullmatch(r"`(.*)`", child.content, re.DOTALL)  # GitHub's $`…`$
             latex = quoted[1] if quoted else child.content
-            if quoted and len([each for each in children if each.content.strip()]) == 1:
+            if quoted and _is_only_formula(children):
                 yield Display(base, latex, erratum, cell, section, opening="$`")
             else:
                 measured = with_unit(latex, behind.content if behind is not None and behind.type == "text" else "")
@@ -507,6 +511,16 @@ def _inline_displays(
             return
     for at, latex, alone_ in formulas_in_line(token.children or []):
         yield _of_picture(latex, base + at, erratum, cell, section, alone_)
+
+
+def _is_only_formula(children: Sequence[Token]) -> bool:
+    """Whether a paragraph holds one formula, with its number before it or what joins it to the next behind."""
+    held = [each for each in children if each.content.strip()]
+    place = next(k for k, each in enumerate(held) if each.type == "math_inline")
+    before, behind = held[:place], held[place + 1 :]
+    said = [*zip(before, [_NUMBERED] * len(before), strict=True), *zip(behind, [_JOINS] * len(behind), strict=True)]
+    is_plain = all(each.type == "text" and pattern.fullmatch(each.content) for each, pattern in said)
+    return is_plain and len(before) <= 1 and len(behind) <= 1
 
 
 def _ends_of_texts(token: Token, alone: Collection[int]) -> Iterator[int]:
@@ -588,14 +602,18 @@ def _lines_of(children: Sequence[Token]) -> Iterator[list[int]]:
 def _stands_alone(token: Token) -> bool:
     """Whether a paragraph holds formulas alone, a line each: $T_2^0 = T_1^0 T_2^1$, which many write for displays.
 
-    So does an item of a list whose formulas are matrices, or equations with functions; others there are mostly what is given.
+    So does an item of a list, or behind a number, whose formulas are matrices, or equations with functions; others there are mostly what is given.
     """
     if _broken_formula(token) is not None:
         return True
     held = [each for each in token.children or () if each.content.strip(_STOPS) or each.type == "softbreak"]
+    is_numbered = bool(held) and held[0].type == "text" and _NUMBERED.fullmatch(held[0].content) is not None
+    held = held[is_numbered:]
     kinds = {each.type for each in held}
     formulas = [each.content for each in held if each.type == "math_inline"]
-    may_stand = token.level == 1 or (token.level % 2 == 1 and all(_DERIVED.search(each) for each in formulas))
+    may_stand = (token.level == 1 and not is_numbered) or (
+        token.level % 2 == 1 and all(_DERIVED.search(each) for each in formulas)
+    )
     return may_stand and "math_inline" in kinds and kinds <= {"math_inline", "softbreak"}
 
 

@@ -1,6 +1,6 @@
 r"""What a Markdown text holds and does not show, besides the comments of HTML: it is blank, and every other character at its place.
 
-Elements of HTML that are hidden, MyST's lines that begin with %, Obsidian's %% … %%, Jekyll's and Hugo's comments.
+Elements of HTML that are hidden, MyST's lines that begin with %, Obsidian's %% … %%, Jekyll's and Hugo's comments and tags: {% include figure.html %}.
 Nothing is hidden in code.
 """
 
@@ -26,12 +26,17 @@ _COMMENTS = re.compile(
     r"|(?<![`%\\])%%(?![%`])(?:(?!%%)[^\n])+%%(?![%`])",  # in a line
     re.DOTALL | re.MULTILINE,
 )
+_TAGS = re.compile(  # no sentence: what it puts there is not known
+    r"\{%-?\s*[a-z]\w*\b(?:(?!%\}|[$\\]).)*%\}|\{\{<\s*/?[a-z][\w/-]*(?:(?!>\}\}|[$\\]).)*>\}\}|\{\{%\s*/?[a-z][\w/-]*(?:(?!%\}\}|[$\\]).)*%\}\}"
+    r"|^[ \t]*\{\{-?\s*[a-z][\w.]*(?:\s*\|[^{}$\\\n]*)?\s*-?\}\}[ \t]*$",
+    re.DOTALL | re.MULTILINE,
+)
 _LINE = re.compile(r"(?:\A|(?<=\n))(?P<before>[ \t]*\n|\A)(?P<lines>(?:%(?!%)[^\n]*(?:\n|\Z))+)")
 
 
 def without_hidden(body: str) -> str:
     """Return a text with what it does not show blank."""
-    if "%" not in body and "hidden" not in body.lower() and "none" not in body.lower():
+    if not any(mark in body for mark in ("%", "{{")) and not any(each in body.lower() for each in ("hidden", "none")):
         return body
     shown = list(body)
     searched = body
@@ -47,7 +52,7 @@ def _hidden(text: str) -> Iterator[tuple[int, int]]:
         if (end := _end_of(found["name"], text, found.end())) is not None:
             yield found.start(), end
     dollars = [found.start() for found in re.finditer(r"\$\$", text)]
-    for found in _COMMENTS.finditer(text):
+    for found in (*_COMMENTS.finditer(text), *_TAGS.finditer(text)):
         if bisect_left(dollars, found.start()) % 2 == 0:  # within a display % is TeX's
             yield found.span()
     yield from (found.span("lines") for found in _LINE.finditer(text))

@@ -116,7 +116,10 @@ def _strange(found: Sequence[str]) -> list[str]:
     return [
         word
         for word in found
-        if word not in names and len(word.rstrip("'")) > 1 and not re.search("[0-9_₀-₉]", word) and not _is_known(word)
+        if word not in names
+        and len(word.rstrip("'")) > 1
+        and not re.search("[0-9_₀-₉²³]", word)
+        and not _is_known(word)
     ]
 
 

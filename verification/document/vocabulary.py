@@ -216,100 +216,101 @@ chemin chenille cherche cheville chiffres chimique choisit choix chose choses ch
 cinquième cinématique cinétiques cisaillement clairement classant classique classé clavier cliquant cliquer cliqué clé clôture coaxial codant code
 codent coder codeur codé codée codées codés coefficient cofacteurs cohérente coin colinéaire collant colle collent coller collez collège collé collée
 collés colonne comatrice combien commande comme commence commode commune comparaison compilé complète complément composante comprendre comptant compte
-comptons comptée concentrons concernant concevoir concourant concret concrètement conditionnement conduit configuration confirment confondus
-conjointement connaissant connaît connu connue connus consacré conseils considère consigne constitue constructeur consulter consécutives conséquence
-contenu contient continuons contribution contrôle convention conviennent convoyeur conçu conçue coordonnée copier coplanaire cordialement corps
-correct correspond cosinus cote couche coude coudes couleur coulisse coupant coupe coupent couper coupez couplage couple coupons coupé coupée coupés
-couramment courant courbant courbe courbé couronne courriel courroies cours court courte courts couvrant couvre couvrir couvrons coïncide coûtent
-craie crayon crochet croissent croisé croisée croisées croisés croît croître créant création crée créent créer créera créeront créez crémaillère
-créons créé créée créées créés cube cubes cubique cuisse cuivre cursus câblage câble câbles célèbre cône cônes côte côté côtés d d'où dans davantage
-de dedans degré degrés demain demande demeure demi demi-tour demie dent depuis dernier dernière derrière des descend desquels desservir dessin dessous
-dessus deux deuxième devant devez devient devoir dextérité deçà di diagonale diamètre diaporama diapositive dictionnaire didacticiel diffèrent
-différence dimanche dimension diminuer dira dire direct dirige dirigé discrète discutez dise dispose disque distale distance distribué dit dites
-divisant divise division divisons divisé dix dixième dizaine documents doigt doigts doit domaine donc donne donnent donnez donné donnée dont
+comptons comptée concentrons concernant concevoir concourant concret concrètement conditionnement conduit confie confier configuration confirment
+confondus conjointement connaissant connaît connu connue connus consacré conseils considère consigne constitue constructeur consulter consécutives
+conséquence contenu contient continuons contribution contrôle convention conviennent convoyeur conçu conçue coordonnée copier coplanaire cordialement
+corps correct correspond cosinus cote couche coude coudes couleur coulisse coupant coupe coupent couper coupez couplage couple coupons coupé coupée
+coupés couramment courant courbant courbe courbé couronne courriel courroies cours court courte courts couvrant couvre couvrir couvrons coïncide
+coûtent craie crayon crochet croissent croisé croisée croisées croisés croît croître créant création crée créent créer créera créeront créez
+crémaillère créons créé créée créées créés cube cubes cubique cuisse cuivre cursus câblage câble câbles célèbre cône cônes côte côté côtés d d'où dans
+davantage de dedans degré degrés demain demande demeure demi demi-tour demie dent depuis dernier dernière derrière des descend desquels desservir
+dessin dessous dessus deux deuxième devant devez devient devoir dextérité deçà di diagonale diamètre diaporama diapositive dictionnaire didacticiel
+diffèrent différence dimanche dimension diminuer dira dire direct dirige dirigé discrète discutez dise dispose disque distale distance distribué dit
+dites divisant divise division divisons divisé dix dixième dizaine documents doigt doigts doit domaine donc donne donnent donnez donné donnée dont
 dorénavant dos dossier dotant dote dotent doter doté dotée dotées dotés doublant doublons doublé doucement douzaine douze droit droite droits du dues
 duquel durant durer durée durées dynamique dès débattement débrancher début débute décalage décale décalé décembre décharge décide décompose découle
-découplage découvrir décrit décrivant décroissant dédié déduire déduisons déduit défini dégagé déjà délai démarche démarrer démonstration démontrer
-dénombrable dénominateur dénotant dénote départ dépasse dépend déplace déplaçant dépliant déplier déplié déployé déployée déport déposant déposer
-déposons déposé dépôt dérivant dérivez dérivons dérivée désactiver désigne désormais détaillé détecter détenir déterminer développant déverrouiller dû
-effecteur effet elle elles ellipse embase emboîtement embrayer emmenant emmener emmenons emmené emmène empattement empilant empile empilés emploi
-employer empoigne en encadré encastrement encerclé enchaîne encodé encore endroit enfin engendre englobe engrenage enregistrer enseigne ensemble
-ensuite entamant entame entamons entamé entier entière entouré entrainer entrant entraîner entre entre-temps entrent entrepôt entrer entrez entrons
-entré entrés enveloppe envoyer espace espérons esquisse essai essais essieu est est-à-dire et eu eue euler eurent eus eussent eussions eut exact
-exacte examen excentricité exemple exercer exercice exercé exerçant exerçons existe exosquelette explique exploite exporter exposant exposer exposons
-exposé expression exprime expérience extraire extrémité extérieur exécuter fabrique facette facile facteur factorisant faculté faire faisable faisant
-faisons fait faite faites faits familier famille fasse fassent faut façon façons fenêtre fera fermant ferme ferment fermer fermez fermons fermé fermée
-fermés ferons feront feuille fiche fiches fichier figure figuré figé figée fil filmant filment filmer filmez filmé filmée filmés fils filtrant filtre
-filtré fin finalement fines fini finie finies finir finira finiront finis finissent finit fins fixant fixe fixent fixer fixera fixez fixons fixé fixée
-fixées fixés flèches fléchés focalisons fois fonction font force forces forcée forcément forme forment formes formez formons formule formé formée
-formés fort forum foulée fourche fourni fraiseuse franchit frein freinant freiner freins freiné froide frontière frottement fréquent furent fus fut
-fémur férié février fûmes gagne gagnent gardons garni garnie garnir garnis garnit gauche gazeux genou genoux genre gisement glissant glisse glissière
-glissé glossaire godet gomme graduellement graduée grand grande grandi grands graphe graphie gravitation grecque gris groupant groupement groupés grue
-grâce gré gyroscope génère général générer générique généré géométrie habituel hanche hausse haut haute hautes hauteur heure heures heureusement
-hexagone hier histogramme histoire historiquement hiver homogène homothétie horizontalement hors hui huit huitième humanoïde hydraulique hyperbole
-hypothèse hypoténuse hélice ici icône identifiant idée idées il illimité ils image immobile immédiatement impair implantée implique implémenté
-important imposant impose imprime inchangée inclinaison incluant incluent incluons inclure inclut inconnues incrémental indication indice indique
-indispensable industriel indépendamment inertie infini infra inférieur initiant initier initié injectant inscrire installer instant insère insérant
-insérer inséré interne interprétation interroger interviennent intitulé introduire intuition intègre intégrant intéressant intérieur intérêt inverse
-invisible ira iras irons iront isocèle isolant isole isolent isoler isolons isolé isolée isolés isométrie itinéraire jacobienne jambe jambes janvier
-jaune jaunes jeu jeudi joignant joignent joignons joindre joint jointe jointure jonction joue joule jour journée jours juillet juin jusqu jusque juste
-kilogramme l la laboratoire lacet lagrange laissant laisse lance lancent lancer lancez lancé lancée lancés langage langue lançons laquelle large
-larges largeur laser latéral le lecteur lectrice lecture lemme lendemain lent lente lentement lentes lents lequel les lesquelles lettre leur leurs
-levant levent levez levier levons levé levée levées levés leçon liaison liberté libre librement libres lien liens lieu lieux ligne lignes limite
-limités linéaire lira lire lirons lisant lise lisent lisez lisible lisons lissant lisse lisser lisses lissé lissée lissés listant liste listent lister
-listes listé listées listés lisée lit livre livres lié liée liées logiciel logiquement loi loin lois longe longeant longent longerons longs longue
-longé lors lorsqu losange lot lots lourd lourde lue lues lui lui-même lundi lus lycée là là-bas lève lèvent léger légère machine magnétique mai
-maillon mains maintenant maintient mais majeur majuscule manifestement manip manipulabilité manivelle manivelles manière manuel marche mardi marquant
-marque marquons marqué marron mars marteau masse masses mathématiquement matin matinée matlab matrice matériel membre menant mene mener menez menons
-mentionner menu mené menée menées menés merci mercredi message mesurant mesure mesurons mesurés mettant mettent mettez mettons mettra mettre mettrons
-mi-parcours midi mieux milieu mille milliers millimètre million milliseconde mince minces mineurs minuscules minute mise mises mixte mixtes mobilité
-modèle modélisation moindres moins mois moitié monte montent monter montez montons montrant montre montrons montré monté montée montés moodle morceaux
-morcelé mors mot moteur motif motivation motiver motivé mots mouvement moyen moyens moyeu multipliant muni munie munier munies munir munis munissez
-munit mur mutuellement mât mène mènent mènera mèneront mètre mètres mécanisme médiane médiatrice mémoire méthode même mêmes n nacelle naturel neuf
-neufs neuve neuvième newton niveau noir noire noires noirs nom nombre nommant nomme nomment nommer nommez nommons nommé nommée nommés noms normale
-norme normes normé normés nos notamment notation note noter notons notre noté notée notées notés nous nouveau nouvel novembre noyau nul nulle nulles
-nuls numérateur numériquement numéro nécessaire négatif négligé nôtre nôtres objectif objet objets obtenant obtenir obtenons obtention obtenu
-obtiendra occupe octobre offre offrent offrir on ont onze opposée optique opère opèrent opérant opérateur opérer opérons opéré opérée opérés oral
-orange ordinaire ordonnée ordre organe orientation origine orthogonale orthonormé oscille ou oublier outil outillage outils outre ouverte ouvrage
-ouvrant ouvre ouvrent ouvrer ouvrez ouvrir ouvrons ouvré ouvrées ouvrés où page pages paire paires palette palettes palier panneau pantographe par
-par-dessus parabole paragraphe parallèle paramètre paramétrage parce parcourt pareillement parent parfaitement parfois parler parlons parmi partager
-partant partent partez partie partir partis partons partout parvenons parvient passage passant passe passent passer passez passons patiemment patience
-patte pattes paume pause peindre peint peinture pelle penchant penche penchons penché pend pendant pentagone pente perce percer perceuse percevoir
-percez percé percée percés perd perdent perdu perdue permet perpendiculaire perçage perçant pesanteur pese peser pesez pesé pesée pesées pesés petit
-petite peut peuvent peux phases photo photographie photos phrases physiquement pied pignon pile piles pilotage piloter piloté pince pinces piste pivot
-pivotant pivote pivots pièce pièces place placent placez placé placée placés plafond plafonds plan planaire plane planification planning plans
-plastique plat plateau plats plaçons plein pleinement pliant plie plient plier pliera pliez plié pliée pliées pliés plongeons plupart plus plusieurs
-poids poignet point pointant pointe pointillés points pointé polaire polycopié polygone polynôme pondéré porte portent porter porteur portez portique
-portons porté portée portés posant pose posent poser posera poseront posez position posons possède posture postérieur posé posée posées posés pouce
-poulie pour pourquoi pourra pourrons poursuivons pourtant poussant pousse poussons poussée poutre pouvant pouvez pouvoir pouvons pratique premier
-première prenant prend prendre prenez prennent prenons pression preuve primaire primes primitive pris prises prismatique prisme problème processeur
-prochain proche procède procédure produit profil profondeur programmation progressivement projection projet propre propriété prothèse prototype
-prouvant prouver prouvons prouvé provoquer près préalable préambule précis précède précédent prédiction prédire prédisez préférée préhenseur prémisse
-prémultiplie préparer présente prévaut pu publié puis puisqu puissance puisse puissions pulsation pyramide python pédagogique pédalant pédale période
-pôles qu quand quant quarante quart quarts quatorze quatre quatrième que quel quelconque quelle quelquefois quels question qui quinzaine quitte quoi
-quotidien quotient rabattu rabattue raccourci racine radian raideur raison ralentir ramasser ramenant ramener ramenons ramené ramènent rang rangeant
-rangent rangeons ranger rangez rangé rangée rangés rapide rappel rapport rarement rassemble rayon rayons recevoir recherche reconnaît recouvre
-reculant recule reculons reculé redondance reformuler regarder regroupant rejoignent rejoindre relais relation relever relevons relevé relevée reliant
-relie relient relier relire relisez relié reliées reliés relu relâche relève remarquable remercier remis remise remontant remplace remplies rencontre
-rend rendement rendent rendez-vous rendons rendus rentrant rentrer rentrons rentrée repliant replier replié reportant repos repose reprend repris
-représente repère repérant repérer repéré requis respectifs ressort ressource restant reste restent rester restes restez restons resté restée restés
-retenir retenons retenue retourné retranchez retrouve revanche revenons revenu revient revoyons reçoit reçoivent reçu rigide rivet robot robotique
-rond ronde rondes ronds rotation rotatoire rotoïde rotule roue roues rougissant roulant roule roulement roulent rouler roulez roulis roulons roulé
-roulée roulés routes rubrique rugueux règle règlent règles réalisé récapitulatif récemment réciproque récrit récréation récupère récupérer récurrence
-réducteur réduire réduisant réduite réel réflexion réfléchir référence région réglage réglant régle régler réglez réglons réglé réglée réglés
-régulateur régulièrement réitère réitérer répertorie répond réponse répète répétabilité répéter répétons répété réseau réserver résidant réside résidé
-résolution résolvant résoudre résout résultat résumant résume résumons résumé rétablir réuni réunies réunion réunir réunissent réunit réussi
-révolution réécriture rôle rôles s s'écrit sa sachant saisie sait salle samedi satisfont saura saurons saute sautent sauvegarde savez savoir savons
-scalaire scanner scanné schéma scolaire se seconde secteur section segment seize selon semaine semblable semestre sens sentir sentons sept septembre
-septième sera seras serez seront serrant serre serrent serrer serrez serrons serré serrée serrés sert servent servira servomoteur servomoteurs ses
-session seul seule si sienne signe signification similaire simple simplification simulateur simuler simulé singularité sinus situe situé sitôt six
-sixième socle soient soigneusement soir sois soit soixante sol solidaire solide solution sommaire sommant somme sommes sommet sommons son sons sont
-sors sort sorte sortent sortes sorti sortie sortir sortons soudain soudant soude souder soudure soudé soudée soudés souhaite soulever souligne soulève
-soumis souple souris sous souscrit soustraction souvent soyez soyons spatiale sphère sphérique spirale spécifique statique stockant stocker stocké
-stratégie strictement structure stylo subdivise substituant successivement sues suffisant suffit suit suite suites suivant suivent suivez suivi suivie
-suivis suivons suivra suivre suivrons sujet sujets superposés support supposant supra supérieur sur surface surjective surligner surtout surveiller
-svp symbole symétrique synchronisée système séance sécants séjourné sélectionné séparant sépare séparons séparément séquence série séries t-elle t-il
-ta table tableau tablette tableur tabulé taille tandis tangage tangente tant tantôt tard tas tchat te technique tel telle telles tels temporel temps
+découplage découvrir décrit décrivant décroissant dédié déduire déduisons déduit défini dégager dégagé déjà délai démarche démarrer démonstration
+démontrer dénombrable dénominateur dénotant dénote départ dépasse dépend déplace déplaçant dépliant déplier déplié déployé déployée déport déposant
+déposer déposons déposé dépôt dérivant dérivez dérivons dérivée désactiver désigne désormais détaillé détecter détenir déterminer développant
+déverrouiller dû effecteur effet elle elles ellipse embase emboîtement embrayer emmenant emmener emmenons emmené emmène empattement empilant empile
+empilés emploi employer empoigne en encadré encastrement encerclé enchaîne encodé encore endroit enfin engendre englobe engrenage enregistrer enseigne
+ensemble ensuite entamant entame entamons entamé entier entière entouré entrainer entrant entraîner entre entre-temps entrent entrepôt entrer entrez
+entrons entré entrés enveloppe envisage envisager envoyer espace espérons esquisse essai essais essieu est est-à-dire et eu eue euler eurent eus
+eussent eussions eut exact exacte examen excentricité exemple exercer exercice exercé exerçant exerçons existe exosquelette explique exploite exporter
+exposant exposer exposons exposé expression exprime expérience extraire extrémité extérieur exécuter fabrique facette facile facteur factorisant
+faculté faire faisable faisant faisons fait faite faites faits familier famille fasse fassent faut façon façons fenêtre fera fermant ferme ferment
+fermer fermez fermons fermé fermée fermés ferons feront feuille fiche fiches fichier figure figuré figé figée fil filmant filment filmer filmez filmé
+filmée filmés fils filtrant filtre filtré fin finalement fines fini finie finies finir finira finiront finis finissent finit fins fixant fixe fixent
+fixer fixera fixez fixons fixé fixée fixées fixés flèches fléchés focalisons fois fonction font force forces forcée forcément forme forment formes
+formez formons formule formé formée formés fort forum foulée fourche fourni fraiseuse franchit frein freinant freiner freins freiné froide frontière
+frottement fréquent furent fus fut fémur férié février fûmes gagne gagnent garde garder gardons garni garnie garnir garnis garnit gauche gazeux genou
+genoux genre gisement glissant glisse glissière glissé glossaire godet gomme graduellement graduée grand grande grandi grands graphe graphie
+gravitation grecque gris groupant groupement groupés grue grâce gré gyroscope génère général générer générique généré géométrie habituel hanche hausse
+haut haute hautes hauteur heure heures heureusement hexagone hier histogramme histoire historiquement hiver homogène homothétie horizontalement hors
+hui huit huitième humanoïde hydraulique hyperbole hypothèse hypoténuse hélice ici icône identifiant idée idées il illimité ils image immobile
+immédiatement impair implantée implique implémenté important imposant impose imprime inchangée inclinaison incluant incluent incluons inclure inclut
+inconnues incrémental indication indice indique indispensable industriel indépendamment inertie infini infra inférieur initiant initier initié
+injectant inscrire installer instant insère insérant insérer inséré interne interprétation interroger interviennent intitulé introduire intuition
+intègre intégrant intéressant intérieur intérêt inverse invisible ira iras irons iront isocèle isolant isole isolent isoler isolons isolé isolée
+isolés isométrie issu issue issus itinéraire jacobienne jambe jambes janvier jaune jaunes jeu jeudi joignant joignent joignons joindre joint jointe
+jointure jonction joue joule jour journée jours juillet juin jusqu jusque juste kilogramme l la laboratoire lacet lagrange laissant laisse laissons
+laissé lance lancent lancer lancez lancé lancée lancés langage langue lançons laquelle large larges largeur laser latéral le lecteur lectrice lecture
+lemme lendemain lent lente lentement lentes lents lequel les lesquelles lettre leur leurs levant levent levez levier levons levé levée levées levés
+leçon liaison liberté libre librement libres lien liens lier lieu lieux ligne lignes limite limités linéaire lira lire lirons lisant lise lisent lisez
+lisible lisons lissant lisse lisser lisses lissé lissée lissés listant liste listent lister listes listé listées listés lisée lit livre livres lié
+liée liées logiciel logiquement loi loin lois longe longeant longent longerons longs longue longé lors lorsqu losange lot lots lourd lourde lue lues
+lui lui-même lundi lus lycée là là-bas lève lèvent léger légère machine magnétique mai maillon mains maintenant maintient mais majeur majuscule
+manifestement manip manipulabilité manivelle manivelles manière manuel marche mardi marquant marque marquons marqué marron mars marteau masse masses
+mathématiquement matin matinée matlab matrice matériel membre menant mene mener menez menons mentionner menu mené menée menées menés merci mercredi
+message mesurant mesure mesurons mesurés mettant mettent mettez mettons mettra mettre mettrons mi-parcours midi mieux milieu mille milliers millimètre
+million milliseconde mince minces mineurs minuscules minute mise mises mixte mixtes mobilité modèle modélisation moindres moins mois moitié monte
+montent monter montez montons montrant montre montrons montré monté montée montés moodle morceaux morcelé mors mot moteur motif motivation motiver
+motivé mots mouvement moyen moyens moyeu multipliant muni munie munier munies munir munis munissez munit mur mutuellement mât mène mènent mènera
+mèneront mètre mètres mécanisme médiane médiatrice mémoire méthode même mêmes n nacelle naturel neuf neufs neuve neuvième newton niveau noir noire
+noires noirs nom nombre nommant nomme nomment nommer nommez nommons nommé nommée nommés noms normale norme normes normé normés nos notamment notation
+note noter notons notre noté notée notées notés nous nouveau nouvel novembre noyau nul nulle nulles nuls numérateur numériquement numéro nécessaire
+négatif négligé nôtre nôtres objectif objet objets obtenant obtenir obtenons obtention obtenu obtiendra occupe octobre offre offrent offrir on ont
+onze opposée optique opère opèrent opérant opérateur opérer opérons opéré opérée opérés oral orange ordinaire ordonnée ordre organe orientation
+origine orthogonale orthonormé oscille ou oublier outil outillage outils outre ouverte ouvrage ouvrant ouvre ouvrent ouvrer ouvrez ouvrir ouvrons
+ouvré ouvrées ouvrés où page pages paire paires palette palettes palier panneau pantographe par par-dessus parabole paragraphe parallèle paramètre
+paramétrage parce parcourt pareillement parent parfaitement parfois parler parlons parmi partager partant partent partez partie partir partis partons
+partout parvenons parvient passage passant passe passent passer passez passons patiemment patience patte pattes paume pause peindre peint peinture
+pelle penchant penche penchons penché pend pendant pentagone pente perce percer perceuse percevoir percez percé percée percés perd perdent perdu
+perdue permet perpendiculaire perçage perçant pesanteur pese peser pesez pesé pesée pesées pesés petit petite peut peuvent peux phases photo
+photographie photos phrases physiquement pied pignon pile piles pilotage piloter piloté pince pinces piste pivot pivotant pivote pivots pièce pièces
+place placent placer placez placé placée placés plafond plafonds plan planaire plane planification planning plans plastique plat plateau plats plaçons
+plein pleinement pliant plie plient plier pliera pliez plié pliée pliées pliés plongeons plupart plus plusieurs poids poignet point pointant pointe
+pointillés points pointé polaire polycopié polygone polynôme pondéré porte portent porter porteur portez portique portons porté portée portés posant
+pose posent poser posera poseront posez position posons possède posséder posture postérieur posé posée posées posés pouce poulie pour pourquoi pourra
+pourrons poursuivons pourtant poussant pousse poussons poussée poutre pouvant pouvez pouvoir pouvons pratique premier première prenant prend prendre
+prenez prennent prenons pression preuve primaire primes primitive pris prises prismatique prisme problème processeur prochain proche procède procédure
+produit profil profondeur programmation progressivement projection projet propre propriété prothèse prototype prouvant prouver prouvons prouvé
+provoquer près préalable préambule précis précède précédent prédiction prédire prédisez préférée préhenseur prémisse prémultiplie préparer présente
+prévaut pu publié puis puisqu puissance puisse puissions pulsation pyramide python pédagogique pédalant pédale période pôles qu quand quant quarante
+quart quarts quatorze quatre quatrième que quel quelconque quelle quelquefois quels question qui quinzaine quitte quoi quotidien quotient rabattu
+rabattue raccourci racine radian raideur raison ralentir ramasser ramenant ramener ramenons ramené ramènent rang rangeant rangent rangeons ranger
+rangez rangé rangée rangés rapide rappel rapport rarement rassemble rayon rayons recevoir recherche reconnaît recouvre reculant recule reculons reculé
+redondance reformuler regarder regroupant rejoignent rejoindre relais relation relever relevons relevé relevée reliant relie relient relier relire
+relisez relié reliées reliés relu relâche relève remarquable remercier remis remise remontant remplace remplies rencontre rend rendement rendent
+rendez-vous rendons rendus rentrant rentrer rentrons rentrée repliant replier replié reportant repos repose reprend repris représente repère repérant
+repérer repéré requis respectifs ressort ressource restant reste restent rester restes restez restons resté restée restés retenir retenons retenue
+retourné retranchez retrouve revanche revenons revenu revient revoyons reçoit reçoivent reçu rigide rivet robot robotique rond ronde rondes ronds
+rotation rotatoire rotoïde rotule roue roues rougissant roulant roule roulement roulent rouler roulez roulis roulons roulé roulée roulés routes
+rubrique rugueux règle règlent règles réalisé récapitulatif récemment réciproque récrit récréation récupère récupérer récurrence réducteur réduire
+réduisant réduite réel réflexion réfléchir référence région réglage réglant régle régler réglez réglons réglé réglée réglés régulateur régulièrement
+réitère réitérer répertorie répond réponse répète répétabilité répéter répétons répété réseau réserver résidant réside résidé résolution résolvant
+résoudre résout résultat résumant résume résumons résumé rétablir réuni réunies réunion réunir réunissent réunit réussi révolution réécriture rôle
+rôles s s'écrit sa sachant saisie sait salle samedi satisfont saura saurons saute sautent sauvegarde savez savoir savons scalaire scanner scanné
+schéma scolaire se seconde secteur section segment seize selon semaine semblable semestre sens sentir sentons sept septembre septième sera seras serez
+seront serrant serre serrent serrer serrez serrons serré serrée serrés sert servent servira servomoteur servomoteurs ses session seul seule si sienne
+signe signification similaire simple simplification simulateur simuler simulé singularité sinus situe situer situé sitôt six sixième socle soient
+soigneusement soin soins soir sois soit soixante sol solidaire solide solution sommaire sommant somme sommes sommet sommons son sons sont sors sort
+sorte sortent sortes sorti sortie sortir sortons soudain soudant soude souder soudure soudé soudée soudés souhaite soulever souligne soulève soumis
+souple souris sous souscrit soustraction souvent soyez soyons spatiale sphère sphérique spirale spécifique statique stockant stocker stocké stratégie
+strictement structure stylo subdivise substituant successivement sues suffisant suffit suit suite suites suivant suivent suivez suivi suivie suivis
+suivons suivra suivre suivrons sujet sujets superposés support supposant supra supérieur sur surface surjective surligner surtout surveiller svp
+symbole symétrique synchronisée système séance sécants séjourné sélectionné séparant sépare séparons séparément séquence série séries t-elle t-il ta
+table tableau tablette tableur tabulé taille tandis tangage tangente tant tantôt tard tas tchat te technique tel telle telles tels temporel temps
 tenant tendant tende tender tendez tendons tendu tendue tenez tenons tenseur tension tenu terme termes terminal tes testez texte thermique thèse
 théorie théorème tiendra tiennent tient tiers tige tiges tirant tire tirent tirer tirera tireront tiret tirez tirons tiré tirée tirées tirés titre toi
 tombe ton torche tore torse torseur torseurs torsion total totale totalité touchant touche touchons touché toujours tour tourelle tournant tourne
@@ -318,17 +319,17 @@ traits traité trajectoire tranche transformation translation transmet transpose
 trente triangle triant trie trient trier triez trigonométrique trimestre tripler triplé trièdre trié triée triées triés trois troisième tronc trop
 trouve trouvons trouvée trucs tu tutorat tâche tâches télescopique télécharger téléphone tôle tôt ultrason ultérieure un une unes uni unicité unie
 unies unira uniront unis unissant unissent unissons unitaire unité unités université uns usine usuel usuelle utile utiles utilise va vacances vaille
-valable valant valent valeur valoir valons variable varie vas vaudra vaudront vaut vecteur vectoriel veille venant vendredi venez venons ventouse venu
-venue venus verra verre verrez verrons verrouillé vers versant vert verte vertes verticalement verts veulent veut vibrant vibre vibrent vibrer vibré
-vides vidéo vidéos viennent viens vient vingt violet virgule virtuel vis vise visible visionner visite vissage visse visser visseur visseurs vissé
-vissée vissés visé visée vite vitesse vocabulaire voici voie voient voilà voir voire voit volontiers volume vont vos votre voudrons voulez voulons
-voulue voyage voyez voyons vrai vraie vrillé vu vue vues vus vérification vérin vérins week-end y zone zoome zoomer zoomez zéro à à-dire çà écart
-écarts échange échantillonnage échelle échéance école écoles écoutant écoute écoutons écouté écran écrire écrit écriture écrivez écrivons écrou écrous
-édition éduquer éduqué égal égalant égale également égaler égales égalité égaux élaboré élargir élastique électrique élevant élever élevons éliminant
-élongation élu élégante élément élévation énergie énoncent énoncé énumère énumérer épais épaisse épaule épure équation équilatéral équilibre équipant
-équiper équipé équivaut établi étage étages étaient étais était étalonner étant étape étapes étau éteindre étend étendons étendre étendu étions
-étiquette étirant étire étirent étirer étiré étirée étirés étroit étude étudie étudié été évaluation évaluer évaluons évalué évidemment évident
-évolution êtes être
+valable valant valent valeur valoir valons variable varie vas vaudra vaudront vaut vecteur vectoriel veille venant vendredi venez venir venons
+ventouse venu venue venus verra verre verrez verrons verrouillé vers versant vert verte vertes verticalement verts veulent veut vibrant vibre vibrent
+vibrer vibré vides vidéo vidéos viennent viens vient vingt violet virgule virtuel vis vise visible visionner visite vissage visse visser visseur
+visseurs vissé vissée vissés visé visée vite vitesse vocabulaire voici voie voient voilà voir voire voit volontiers volume vont vos votre voudrons
+voulez vouloir voulons voulue voyage voyez voyons vrai vraie vrillé vu vue vues vus vérification vérin vérins week-end y zone zoome zoomer zoomez zéro
+à à-dire çà écart écarts échange échantillonnage échelle échéance école écoles écoutant écoute écoutons écouté écran écrire écrit écriture écrivez
+écrivons écrou écrous édition éduquer éduqué égal égalant égale également égaler égales égalité égaux élaboré élargir élastique électrique élevant
+élever élevons éliminant élongation élu élégante élément élévation énergie énoncent énoncé énumère énumérer épais épaisse épaule épure équation
+équilatéral équilibre équipant équiper équipé équivaut établi étage étages étaient étais était étalonner étant étape étapes étau éteindre étend
+étendons étendre étendu étions étiquette étirant étire étirent étirer étiré étirée étirés étroit étude étudie étudié été évaluation évaluer évaluons
+évalué évidemment évident évolution êtes être
 """
 GERMAN = """
 ab abbaut abbildung abend abends aber abermals abgabetermin abgeben abgeleitet abgeschlossen abgleichen ablauf ablegen ablegt ablegung ableiten
@@ -336,118 +337,119 @@ ablesen abmessungen abnahme absatz abschließen abschnitt absolut abstand abstä
 addieren addition agenda akku aktiviert aktualisiert aktuator aktuell alle allem allen aller alles allgemein allmählich alphabet als also aluminium am
 an analog andere anfang angeben angegeben angehängt angelenkt angenehm angenommen angeordnet angepasst angeschlossen angesetzt angetrieben angewandt
 angewendet angewinkelt angezeigt anhalten anhand anhang ankathete ankündigung anlage anleitung anliegend anmelden annahme annehmen anordnung anpassung
-anregung ansatz anschauen anschließend ansehen ansicht ansteuerung anteil antrieb antwort anwenden anzahl april arbeit arccos archiv arctan
+anregung ansatz anschauen anschließend ansehen ansetzen ansicht ansteuerung anteil antrieb antwort anwenden anzahl april arbeit arccos archiv arctan
 arcuscosinus arcussinus arcustangens arkuskosinus arkussinus arkustangens arm arme armen armes armlänge art arten artikel aspekte ast auch auf aufbau
 aufeinander aufgabe aufgebaut aufgelöst aufgenommen aufgestellt aufgeteilt auflösen aufmerksam aufnahme aufrecht aufschreiben aufspannen aufstellen
 aufteilen aufzeichnung aufzählung augenblick august aus ausblick ausdruck ausdrücke ausfahrlänge ausführlich ausgabe ausgangspunkt ausgeben
 ausgedrückt ausgefahren ausgehend ausgeklammert ausgelegt ausgerechnet ausgestreckt ausgewertet ausgleichen ausklammern ausladung auslegung auslesen
 ausmultiplizieren ausprobieren ausrechnen ausreichend ausrichtung aussage ausschub auswahl auswerten auswirkung auswählen auszug auszugs auszugslänge
-außen außerdem axiom bachelorarbeit bahn bahnen bahnkurve bald band basiert basis basiskoordinatensystem basissystem basisvektoren batterie baue bauen
-bauende bauform baugruppe baut baute bauten beachten beantworten bearbeiten bedeutet bedient bedingung beenden befasst befehl befestigt befinden
-begannen beginn begleiten begonnen begrenzt begriff begrüßung behandeln behauptung bei beiblatt beide beidem beiden beider beides bein beine beispiel
-beitrag beiträge bekannt bekommt belegung beliebig bemerkung benachbart benannt benennen benutzen benötigen beobachten bequem berechnen bereich bereit
-berücksichtigt beschleunigung beschreibt beschäftigen besitzt besonders besprechen besteht bestimmen bestätigt besuchen betrachte betrag betreuer
-betriebspunkt beträgt beugung bevor bewegen bewegt bewegung beweis bewiesen bezeichnen beziehung bezogen bezug bezugspunkt bezüglich bibliothek biegen
-biegt biegung bijektiv bild bilde bilden bilder bildet bildschirm bildung bindestrich bis bislang bist bitte bitteschön blatt blau blaue blauen
-bleiben bleibt bleistift blick blockmatrix blöcke boden bogen bogenlänge bogenmaß bohrmaschine bolzen brauchen braun breit breite bremse brenner
-bringen bringt brust buch buchstaben bzw bücher charakteristisch chirurgie code computer cosinus dabei dafür dagegen daher dahin dahinter damit danach
-daneben dank danke dann daran darauf daraus darf darfst dargestellt darin darstellung darum darunter darüber das dass datei dateien daten datenblatt
-datum dauer dauert davon davor dazu dazwischen deaktiviert decke decken deckt deckte deckung definiert dehnen dehnte dehnung dein deine deklariert dem
-dementsprechend demnach demnächst demontiert den denavit denen denken denn denselben der derart deren derjenige derselbe des deshalb desselben dessen
-deswegen detail determinante deutlich dezember dh diagonal dich dick die dienen dienstag dient dies diese dieselbe diesem diesen dieser dieses diesmal
-differenz dimension dir direkt diskret dividieren dokument donnerstag doppelt dort dorthin dran drauf draußen drehachse drehgelenk drehmatrix
-drehmoment drehung drehwinkel drei dreibein dreidimensional dreieck dreifach dreizehn dreißig drin drinnen dritte drohne druck drucken druckte durch
-durchführen durchlaufen durchmesser durchnummeriert durchqueren dynamik dämpfer dünn dürfen düse eben ebenda ebene ebenen ebener ebenes ebenfalls
-ebenso echtzeit ecke ecken editor effektor eigene eigenschaft eigenwerte ein einander einbauen einbettung eindeutig eine einem einen einer eines
-einfach einfluss einfügen einführen eingabe eingangs eingeben eingeführt eingeknickt eingesetzt eingezeichnet einheit einige einleitung einmal
-einpassen einrichtung eins einsetzen einteilung eintrag einträge einzelne elastisch elektrische elemente elf ellbogen ellenbogen empfehlen encoder
-ende endeffektor enden endgültig endlich endpunkt endstück energie eng entfernen enthalten enthält entlang entnehmen entnommen entsprechend entsteht
-entweder entwickeln ereignis erfahren erfolgt erfüllt ergab ergaben ergeben ergebnis ergibt ergänzt erhalten erhält erhöhen erhöht erhöhung erinnerung
-erkenn erkennbar erkennen erkennt erklären erkunden erläutern ermitteln ermöglicht erneut erreichbar erste erstellen erstem ersten erster erstes
-erweitert erwähnt erzeugen es etwa etwas euch euklidisch exakt exkurs exoskelett experiment explizit exportiert extrahieren fabriken fach
-fachhochschule fahre fahren fahrgestell fahrt fahrten faktor fakultät fall falten faltung fand fanden fangen farbe farben fasst februar feder federn
-feierabend fenster ferien ferner fertig fest feste festen festes festgelegt festlegen feststehend figur filtern finde finden findet findung fingern
-flach flache flansch fließt fläche folge folgen folglich folgt folie folien form formel fortfahren fortgesetzt fortsetzen foto fotos frage fragen
-fragestellungen fragt fragte frei freie freien freiheit freitag freiwillig freuen fräse früh früher frühjahr funktion fuß fußboden fußes fußpunkt
-fächer fälle fällen führen führt fülle füllen füllt füllte füllung fünf fünfte fünfzig für füße gab gaben gangbar ganz ganze ganzen geben gebeugt
-gebeugte gebildet gebogen gebracht gebraucht gebräuchlich gedanken gedreht geeignet gefaltet gefaltete gefundenen geführt gegeben gegen gegend
-gegenkathete gegenseitig gegenüber gegliedert gehabt gehe gehen gehenden gehoben geht gehäuse gehört geknickt gekonnt gekoppelt gekreuzt gekrümmt
-gekürzt gelb gelbe gelegenheit gelenk gelesen geliefert gelten gemeinsam gemessen gemischt gemäß genannt genau genaue genauso geneigt genug genutzt
-genügen genügt geometrie geprüft gerade geradlinig gerechnet gern gerne gerundet gesamt geschafft geschieht geschlossene geschrieben geschwindigkeit
-gesehen gesenkt gesetz gesichtspunkt gespannt gespeichert gesprochen gestartet gestell gestern gestreckt gesucht geteilt getrennt getriebe gewesen
-gewicht gewinnen gewonnen geworden gewählt gewöhnliche gewünscht gezeichnet gezeigt gezogen gibst gibt gilt glas glatt gleich glied glieder gliedlänge
-glieds globale glätten glättung grad grade grafik grafisch grau greifer greifpunkt greift grenze grenzt grenzwerte griechischen groß großbuchstaben
-große großen großer großes grund grundfläche grundlage grundstellung gruppenarbeit größe größen größer größte grün grüne grünen grüße gut gänzlich
-gültig habe haben habt halb halbe hallo halte halten haltung hand handbuch handelt handfläche handgelenk handout handwurzel hat hatte hatten haupt
-hauptdiagonale hausaufgabe hebe hebel hebelarm heben hebt hebung heft hefte heften heißen heißt helfe helfen helft herab heran herangezogen herauf
-herausfinden herbst hergeleitet herkömmlich herleiten hersteller herum herunterladen hervor herzlich herzuleiten heute hier hieran hieraus hierbei
-hierdurch hierfür hierhin hiermit hierzu hilfe hilfreich hilfs hilfsgröße hilfsvariable hilfswinkel hin hinab hinauf hinaus hindernis hinein
-hinsichtlich hinten hintereinander hinunter hinweis hinzu hoch hochachse hochschule hoffen hohe hohen hoher homogene horizontal hub hubachse hubhöhe
-hubs hundert hydraulisch hyperbel hälfte hänge hängen hängt hängte hängung höhe höhen höre hören hörende hörsaal hört hörte hörten hüfte hüften idee
-ihm ihn ihnen ihr ihre ihren ihrer ihres im immer implementiert implizit in inbetriebnahme indem indirekt industrie info ingenieur inhalt injektiv
-inkrement innen innere innerhalb insbesondere insgesamt installieren interessant inverse invertieren inzwischen isolieren ist jacobi januar jede jedem
-jeden jeder jedes jene jenen jener jenes jetzt jeweils juli juni justieren kabel kalender kalibrierung kam kamen kamera kann kante kanten kapitel
-kardanisch karte kartesisch kategorie kegel kegels keine kennen kennt kennzeichnen kern kette ketten kilogramm kinematik kinetisch kippachse kippen
-kippt klar klasse klassisch klein kleinbuchstaben kleine kleinste klicken knickarmroboter knicken knickt knie knopf knöchel koeffizienten kolben
-kollinear kollision kombination komma komme kommen kompakt kompass kompensieren kompiliert komplett komponente konfiguration konkrete konnte konsole
-konstant konstruieren kontinuierlich konvention konvergiert konzentrisch konzept koordinate kopieren kopplung korollar korrekt kosinus kraft kran
-kreide kreis kreisbogen kreise kreislauf kreisscheibe kreuz kreuzprodukt kräfte krümmen krümmt krümmung kugel kugelgelenk kugelig kugelkoordinaten
-kugeln kunststoff kupfer kurbeln kurs kurse kurve kurven kurz kurze kurzen kurzer kurzform kurzschreibweise können körper kümmern künftig kürzen
-kürzer labor labore labortermin lage lagen lager lagerhalle lang lange langen langer langsam laptop lassen lasten lateral lauf laufe laufen laufzeit
-lauten lautet leeren leerte legen legt lehrbuch lehrbüchern lehre lehren lehrsatz lehrstuhl lehrt lehrte leicht leisten leistung leiten leitet lerne
-lernen lernt lernte lernziel lese lesen lesend lest lesung letzte letztlich lich liefern liege liegen liegt liest ließen lineal linear linie linien
-link linke linken linker links liste listen literatur logik logischerweise lokal lokale lokalisiert lotrecht läge länge längen längs längsachse
-längsrichtung lässt läuft lösbar löse lösen lösende löste lösten lösung machen macht mai man manipulator mappe markieren maschine masse massen
-masterarbeit material mathematik matrix matrizen maximieren maß maße maßen mechanik mehr mehrdeutig mehrere meist meisten menge mengen menü merkblatt
-merken messen messung messwerte meter metern methode mikrocontroller millimeter millionen millisekunde minimieren minute mit mitarbeiten mithilfe
-mithin mitschrift mittag mitte mittels mittlere mittwoch modell moderne modifiziert modul moment monat monate montag montiert morgen motivation
-motiviert motor motoren multiplizieren muss musterlösung märz möglich mündlich müssen nach nachdem nacheinander nachfolgend nachlesen nachmittag
-nachprüfen nachrechnen nachschlagen nacht nachweis nah nahm nahmen namen natürlich navigieren neben nebenbedingung negativ nehmen neige neigen neigt
-neigte neigung nenne nennen nenner nennt nennung netzteil netzwerk neu neue neuen neuer neues neun neunte nimmt noch nochmal nocken normiert notation
-notwendig november null nullstellen numerisch nummer nun nunmehr nutzen nutzlast nutzt nächste nämlich nötige nützlich oben oberarm obere oberen
-oberer oberes oberfläche oberhalb oberschenkel oberste obige obigen obiger objekt oder offen offenbar offene offenkundig offensichtlich oft ohnehin
-oktober online optimierung optisch ordinate ordnen ordner ordnung orientierung original ort orte orthogonal ortsvektor ostern paar paare paarweise
-parabel parallel parameter passiert pause pfad pfade pfeil pfeile phasen physikalisch plan planar planen plattform platz platziert pleuel plätze
-polarkoordinaten polynom portal posen positiv praktikum praxis prinzip prismatisch probieren produkt produziert programm projekt projizieren prothese
-protokoll prozessor präsentation prüfen prüfung punkt punktes punkts pyramide pythagoras pünktlich quadrat quadrieren quaternion quelle quelltext quer
-querachse querrichtung quiz radien radiergummi ragen ragt rahmen rand rang raum raupe realer realisiert rechenregeln rechnen rechnung rechte rechts
-rechtwinklig reduzieren regel regele regelmäßig regeln regelt regelung regler regulär reibung reichen reicht reichweite reihe reihenfolge rein reine
-reinigung relais relativ repositorium repräsentiert respektive rest restliche reziprok rhythmus richten richtig richtung rief riemenscheibe ring ringe
-ritzel roboter roll rolle rollen rosa rotation rotatorische rotieren ruhelage ruhig rumpf rund runde runden räder ränge räumlich rüber rückblick
-rücken rückmeldung rückwärts sah sahen sammeln samstag samt satz satzes schaltet schar scharnier schaubild schauen schaufel schaut scheibe schema
-scherung schicht schicken schieben schiene schlagwort schließlich schlitten schluss schlüssel schmal schneiden schnell schnittpunkt schon schraube
-schreibt schritt schräg schub schubgelenk schule schulter schweißen schwenk schwer schön sechs sechsachsig sechseck sechste segment sehe sehen
-sehenden seht sei seid seien sein seine seinen seiner seit seite seiten seitlich sekunde selbe selben selber selbst semester seminar sende senden
-sendung senken senkrecht senkt senkte senkung sensor september sequenz seriell setzen setzt sich sicht sie sieben siebten siehe sieht simulation
-simulieren sind singulär sinkende sinngemäß sinus sinussatz sitze sitzen sitzt sitzung skalar skizze skizziert skript so sobald sockel sodass soeben
-sofort software sogenannt solche soll somit sommer sonntag sorten sowie sowohl spalte spannend spannung spaß speichern sperren sperrt sperrung
-spezialfall speziell spezifisch sphärisch spiegeln spielen spielt spindel spirale spitze sprache sprechen spur später stab stabil stahl stammfunktion
-stammt standen stange stapeln starr starre start starten statik statisch stecker stehe stehen steht steifigkeit steigen steigt steigung stelle stellt
-stellung stetig steuerung stichwort stift stimmen stimmt stoppen stoppt strecke strom struktur ströme studium stufe stunde stäbe stück stückchen
-stückweise stützen subtrahieren suche suchen sucht suchte summe summen symbolisch symmetrisch system sämtliche sätze säule säulen tabelle tafel tag
-tage tagesordnung takt tangens taschenrechner tastatur taste tausend tcp teil teilaufgabe teile teilen teilnehmer teilproblem teilschritt teilstück
-teilsystem teilt teilte teilung teleskop teleskopachse term terme termin testen thema themen theorem theorie thermisch tief tiefe tiefen tipp tipps
-tisch titel tool tragen trajektorie transformation translation transponierte trapez treffen trennen trennt trennung trete treten tritt trägheit trägt
-tun tutorium typ typen typisch uhr ultraschall um umbauen umbauten umblättern umdrehungen umfahren umfang umfasst umformen umgebung umgeformt
-umgekehrt umgeschrieben umgesetzt umgestellt umkehrung umlauf umlegen umrechnung umschreiben umstellen umwandeln unabhängig unbekannte und unendlich
-universität unmittelbar uns unser unsere unten unter unterarm unterbrechung untere unterhalb unterlagen untermatrix unterricht untersucht unterteilt
-urlaub ursprung ursprünglich variable vektor verallgemeinern veranschaulicht verbindet verbunden vereinfachen verfahren verfolgen verformung verfügbar
-vergleich verglichen vergrößert verhalten verhältnis verkabelung verkettet verkleinert verknüpfen verkürzt verlauf verlängert verläuft verringert
-verschieben versetzt verstehen versuch verteilt vertiefen vertikal verursacht vervollständigt verweis verwenden verzeichnis verzögerung vgl vibriert
-video viel viele vieleck vielen vieles vielfache vier vierfach vierte vierzig voll vollends vollständig vom von voneinander vorangehende voraussetzung
-vorbereiten vorderarm vorgang vorgegeben vorgehen vorgestellt vorhanden vorher vorhin vorlesung vorliegen vormittag vorn vorne vorschau vorstellen
-vorteil vortrag vorwort vorwärts vorzeichens vorzugehen völlig waagerecht waagrecht wagen wahl wahr wand wandern wann war waren warten warum webseiten
-weg wege wegen weihnachten weil weise weisen weist weit weiter weiß weiße welche welle wellen welt weltkoordinatensystem weltsystem wem wen wende
-wenden wendet wendt wendung wenige wenn werden werdet werkstück werkzeug wert werte wertebereich werten wertes wesentlich wessen wichtig widmen
-widmung wie wieder wiege wiegen wiegt wiegte willkommen winkel winter wir wird wirken wirkt wirkung wirst wissen wo wobei woche wochen wodurch wofür
-wogegen woher wohin wollen womit wonach woran worauf woraus worden worin wort worte wortschatz worum worüber wovon wozu wurde wurden wurzel wähle
-wählen wählt wählte während wälzlager wörter wünschen würde würfel z zahl zahlen zahnrad zahnriemen zahnräder zahnstange zehn zehnte zeichenkette
-zeichnung zeige zeigen zeigt zeigte zeile zeilen zeit zeitabhängig zeitgleich zeitlich zeitplan zeitpunkt zeitraum zelle zentral zentrum zerlegen
-zerteilt zettel ziehe ziehen zieht ziehung ziel ziele zielen zielpose zielpunkt zielsetzung zielt zielte ziffer zitat zitiert zog zu zuallererst zudem
-zueinander zuerst zugehörig zugeordnet zugänglich zuletzt zum zunahme zunächst zuordnen zur zurück zusammen zusatzaufgabe zustand zusätzlich zuvor
-zuwendung zwanzig zwar zweck zwecke zwei zweiargumentige zweidimensional zweig zweige zweigliedrig zweimal zweite zwischen zwölf zyklus zylinder
-zählen zähler zählt ähnlich äquivalent äste äußere öffne öffnen öffnung öfter übe üben übenden über überblick überein überführt übergang überlagerung
-überlegen übernehmen übernommen überprüfen überschreiten übersicht übertragen üblich übrigen übt übte übung übungen übungsblatt
+außen außerdem außerhalb axiom bachelorarbeit bahn bahnen bahnkurve bald band basiert basis basiskoordinatensystem basissystem basisvektoren batterie
+baue bauen bauende bauform baugruppe baut baute bauten beachten beantworten bearbeiten bedeutet bedient bedingung beenden befasst befehl befestigt
+befinden begannen beginn begleiten begonnen begrenzt begriff begrüßung behandeln behauptung bei beiblatt beide beidem beiden beider beides bein beine
+beispiel beitrag beiträge bekannt bekommt belegung beliebig bemerkung benachbart benannt benennen benutzen benötigen beobachten bequem berechnen
+bereich bereit berücksichtigt beschleunigung beschreibt beschäftigen besitzt besonders besprechen besteht bestimmen bestätigt besuchen betrachte
+betrag betreuer betriebspunkt beträgt beugung bevor bewegen bewegt bewegung beweis bewiesen bezeichnen beziehung bezogen bezug bezugspunkt bezüglich
+bibliothek biegen biegt biegung bijektiv bild bilde bilden bilder bildet bildschirm bildung bindestrich bis bislang bist bitte bitteschön blatt blau
+blaue blauen bleiben bleibt bleistift blick blockmatrix blöcke boden bogen bogenlänge bogenmaß bohrmaschine bolzen brauchen braun breit breite bremse
+brenner bringen bringt brust buch buchstaben bzw bücher charakteristisch chirurgie code computer cosinus dabei dafür dagegen daher dahin dahinter
+damit danach daneben dank danke dann daran darauf daraus darf darfst dargestellt darin darstellung darum darunter darüber das dass datei dateien daten
+datenblatt datum dauer dauert davon davor dazu dazwischen deaktiviert decke decken deckt deckte deckung definiert dehnen dehnte dehnung dein deine
+deklariert dem dementsprechend demnach demnächst demontiert den denavit denen denken denn denselben der derart deren derjenige derselbe des deshalb
+desselben dessen deswegen detail determinante deutlich dezember dh diagonal dich dick die dienen dienstag dient dies diese dieselbe diesem diesen
+dieser dieses diesmal differenz dimension dir direkt diskret dividieren dokument donnerstag doppelt dort dorthin dran drauf draußen drehachse
+drehgelenk drehmatrix drehmoment drehung drehwinkel drei dreibein dreidimensional dreieck dreifach dreizehn dreißig drin drinnen dritte drohne druck
+drucken druckte drücken durch durchführen durchlaufen durchmesser durchnummeriert durchqueren dynamik dämpfer dünn dürfen düse eben ebenda ebene
+ebenen ebener ebenes ebenfalls ebenso echtzeit ecke ecken editor effektor eigene eigenschaft eigenwerte ein einander einbauen einbettung eindeutig
+eine einem einen einer eines einfach einfluss einfügen einführen eingabe eingangs eingeben eingeführt eingeknickt eingesetzt eingezeichnet einheit
+einige einleitung einmal einpassen einrichtung eins einsetzen einteilung eintrag einträge einzelne elastisch elektrische elemente elf ellbogen
+ellenbogen empfehlen encoder ende endeffektor enden endgültig endlich endpunkt endstück energie eng entfernen enthalten enthält entlang entnehmen
+entnommen entsprechend entsteht entweder entwickeln ereignis erfahren erfolgt erfüllt ergab ergaben ergeben ergebnis ergibt ergänzt erhalten erhält
+erhöhen erhöht erhöhung erinnerung erkenn erkennbar erkennen erkennt erklären erkunden erläutern ermitteln ermöglicht erneut erreichbar erste
+erstellen erstem ersten erster erstes erweitert erwähnt erzeugen es etwa etwas euch euklidisch exakt exkurs exoskelett experiment explizit exportiert
+extrahieren fabriken fach fachhochschule fahre fahren fahrgestell fahrt fahrten faktor fakultät fall falten faltung fand fanden fangen farbe farben
+fasst februar feder federn feierabend fenster ferien ferner fertig fest feste festen festes festgelegt festlegen feststehend figur filtern finde
+finden findet findung fingern flach flache flansch fließt fläche folge folgen folglich folgt folie folien form formel fortfahren fortgesetzt
+fortsetzen foto fotos frage fragen fragestellungen fragt fragte frei freie freien freiheit freitag freiwillig freuen fräse früh früher frühjahr
+funktion fuß fußboden fußes fußpunkt fächer fälle fällen führen führt fülle füllen füllt füllte füllung fünf fünfte fünfzig für füße gab gaben gangbar
+ganz ganze ganzen geben gebeugt gebeugte gebildet gebogen gebracht gebraucht gebräuchlich gedanken gedreht geeignet gefaltet gefaltete gefundenen
+geführt gegeben gegen gegend gegenkathete gegenseitig gegenüber gegliedert gehabt gehe gehen gehenden gehoben geht gehäuse gehört geknickt gekonnt
+gekoppelt gekreuzt gekrümmt gekürzt gelb gelbe gelegenheit gelenk gelesen geliefert gelten gemeinsam gemessen gemischt gemäß genannt genau genaue
+genauso geneigt genug genutzt genügen genügt geometrie geprüft gerade geradlinig gerechnet gern gerne gerundet gesamt geschafft geschieht geschlossene
+geschrieben geschwindigkeit gesehen gesenkt gesetz gesichtspunkt gespannt gespeichert gesprochen gestartet gestell gestern gestreckt gesucht geteilt
+getrennt getriebe gewesen gewicht gewinnen gewonnen geworden gewählt gewöhnliche gewünscht gezeichnet gezeigt gezogen gibst gibt gilt glas glatt
+gleich glied glieder gliedlänge glieds globale glätten glättung grad grade grafik grafisch grau greifer greifpunkt greift grenze grenzt grenzwerte
+griechischen groß großbuchstaben große großen großer großes grund grundfläche grundlage grundstellung gruppenarbeit größe größen größer größte grün
+grüne grünen grüße gut gänzlich gültig habe haben habt halb halbe hallo halte halten haltung hand handbuch handelt handfläche handgelenk handout
+handwurzel hat hatte hatten haupt hauptdiagonale hausaufgabe hebe hebel hebelarm heben hebt hebung heft hefte heften heißen heißt helfe helfen helft
+herab heran herangezogen herauf herausfinden herbst hergeleitet herkömmlich herleiten hersteller herum herunterladen hervor herzlich herzuleiten heute
+hier hieran hieraus hierbei hierdurch hierfür hierhin hiermit hierzu hilfe hilfreich hilfs hilfsgröße hilfsvariable hilfswinkel hin hinab hinauf
+hinaus hindernis hinein hinsichtlich hinten hintereinander hinunter hinweis hinzu hoch hochachse hochschule hoffen hohe hohen hoher homogene
+horizontal hub hubachse hubhöhe hubs hundert hydraulisch hyperbel hälfte hänge hängen hängt hängte hängung höhe höhen höre hören hörende hörsaal hört
+hörte hörten hüfte hüften idee ihm ihn ihnen ihr ihre ihren ihrer ihres im immer implementiert implizit in inbetriebnahme indem indirekt industrie
+info ingenieur inhalt injektiv inkrement innen innere innerhalb insbesondere insgesamt installieren interessant inverse invertieren inzwischen
+isolieren ist jacobi januar jede jedem jeden jeder jedes jene jenen jener jenes jetzt jeweils juli juni justieren kabel kalender kalibrierung kam
+kamen kamera kann kante kanten kapitel kardanisch karte kartesisch kategorie kegel kegels keine kennen kennt kennzeichnen kern kette ketten kilogramm
+kinematik kinetisch kippachse kippen kippt klar klasse klassisch klein kleinbuchstaben kleine kleinste klicken knickarmroboter knicken knickt knie
+knopf knöchel koeffizienten kolben kollinear kollision kombination komma komme kommen kompakt kompass kompensieren kompiliert komplett komponente
+konfiguration konkrete konnte konsole konstant konstruieren kontinuierlich konvention konvergiert konzentrisch konzept koordinate kopieren kopplung
+korollar korrekt kosinus kraft kran kreide kreis kreisbogen kreise kreislauf kreisring kreisringes kreisrings kreisscheibe kreuz kreuzprodukt kräfte
+krümmen krümmt krümmung kugel kugelgelenk kugelig kugelkoordinaten kugeln kunststoff kupfer kurbeln kurs kurse kurve kurven kurz kurze kurzen kurzer
+kurzform kurzschreibweise können körper kümmern künftig kürzen kürzer labor labore labortermin lage lagen lager lagerhalle lang lange langen langer
+langsam laptop lassen lasten lateral lauf laufe laufen laufzeit lauten lautet leeren leerte legen legt lehrbuch lehrbüchern lehre lehren lehrsatz
+lehrstuhl lehrt lehrte leicht leisten leistung leiten leitet lerne lernen lernt lernte lernziel lese lesen lesend lest lesung letzte letztlich lich
+liefern liege liegen liegt liest ließen lineal linear linie linien link linke linken linker links liste listen literatur logik logischerweise lokal
+lokale lokalisiert lotrecht läge länge längen längs längsachse längsrichtung lässt läuft lösbar löse lösen lösende löste lösten lösung machen macht
+mai man manipulator mappe markieren maschine masse massen masterarbeit material mathematik matrix matrizen maximieren maß maße maßen mechanik mehr
+mehrdeutig mehrere meist meisten menge mengen menü merkblatt merken messen messung messwerte meter metern methode mikrocontroller millimeter millionen
+millisekunde minimieren minute mit mitarbeiten mithilfe mithin mitschrift mittag mitte mittels mittlere mittwoch modell moderne modifiziert modul
+moment monat monate montag montiert morgen motivation motiviert motor motoren multiplizieren muss musterlösung märz möglich mündlich müssen nach
+nachdem nacheinander nachfolgend nachlesen nachmittag nachprüfen nachrechnen nachschlagen nacht nachweis nah nahm nahmen namen natürlich navigieren
+neben nebenbedingung negativ nehmen neige neigen neigt neigte neigung nenne nennen nenner nennt nennung netzteil netzwerk neu neue neuen neuer neues
+neun neunte nimmt noch nochmal nocken normiert notation notwendig november null nullstellen numerisch nummer nun nunmehr nutzen nutzlast nutzt nächste
+nämlich nötige nützlich oben oberarm obere oberen oberer oberes oberfläche oberhalb oberschenkel oberste obige obigen obiger objekt oder offen
+offenbar offene offenkundig offensichtlich oft ohnehin oktober online optimierung optisch ordinate ordnen ordner ordnung orientierung original ort
+orte orthogonal ortsvektor ostern paar paare paarweise parabel parallel parameter passiert pause pfad pfade pfeil pfeile phasen physikalisch plan
+planar planen plattform platz platziert pleuel plätze polarkoordinaten polynom portal posen positiv praktikum praxis prinzip prismatisch probieren
+produkt produziert programm projekt projizieren prothese protokoll prozessor präsentation prüfen prüfung punkt punktes punkts pyramide pythagoras
+pünktlich quadrat quadrieren quaternion quelle quelltext quer querachse querrichtung quiz radien radiergummi ragen ragt rahmen rand rang raum raupe
+realer realisiert rechenregeln rechnen rechnung rechte rechts rechtwinklig reduzieren regel regele regelmäßig regeln regelt regelung regler regulär
+reibung reichen reicht reichweite reihe reihenfolge rein reine reinigung relais relativ repositorium repräsentiert respektive rest restliche reziprok
+rhythmus richten richtig richtung rief riemenscheibe ring ringe ritzel roboter roll rolle rollen rosa rotation rotatorische rotieren ruhelage ruhig
+rumpf rund runde runden räder ränge räumlich rüber rückblick rücken rückmeldung rückwärts sah sahen sammeln samstag samt satz satzes schaltet schar
+scharnier schaubild schauen schaufel schaut scheibe schema scherung schicht schicken schieben schiene schlagwort schließlich schlitten schluss
+schlüssel schmal schneiden schnell schnittpunkt schon schraube schreibt schritt schräg schub schubgelenk schule schulter schweißen schwenk schwer
+schön sechs sechsachsig sechseck sechste segment sehe sehen sehenden seht sei seid seien sein seine seinen seiner seit seite seiten seitlich sekunde
+selbe selben selber selbst semester seminar sende senden sendung senken senkrecht senkt senkte senkung sensor september sequenz seriell setzen setzt
+sich sicht sie sieben siebten siehe sieht simulation simulieren sind singulär sinkende sinngemäß sinus sinussatz sitze sitzen sitzt sitzung skalar
+skizze skizziert skript so sobald sockel sodass soeben sofort software sogenannt solche soll somit sommer sonntag sorten sowie sowohl spalte spannend
+spannt spannung spaß speichern sperren sperrt sperrung spezialfall speziell spezifisch sphärisch spiegeln spielen spielt spindel spirale spitze
+sprache sprechen spur später stab stabil stahl stammfunktion stammt standen stange stapeln starr starre start starten statik statisch stecker stehe
+stehen steht steifigkeit steigen steigt steigung stelle stellt stellung stetig steuerung stichwort stift stimmen stimmt stoppen stoppt strecke strom
+struktur ströme studium stufe stunde stäbe stück stückchen stückweise stützen subtrahieren suche suchen sucht suchte summe summen symbolisch
+symmetrisch system sämtliche sätze säule säulen tabelle tafel tag tage tagesordnung takt tangens taschenrechner tastatur taste tausend tcp teil
+teilaufgabe teile teilen teilnehmer teilproblem teilschritt teilstück teilsystem teilt teilte teilung teleskop teleskopachse term terme termin testen
+thema themen theorem theorie thermisch tief tiefe tiefen tipp tipps tisch titel tool tragen trajektorie transformation translation transponierte
+trapez treffen trennen trennt trennung trete treten tritt trägheit trägt tun tutorium typ typen typisch uhr ultraschall um umbauen umbauten umblättern
+umdrehungen umfahren umfang umfasst umformen umgebung umgeformt umgekehrt umgeschrieben umgesetzt umgestellt umkehrung umlauf umlegen umrechnung
+umschreiben umstellen umwandeln unabhängig unbekannte und unendlich universität unmittelbar uns unser unsere unten unter unterarm unterbrechung untere
+unterhalb unterlagen untermatrix unterricht untersucht unterteilt urlaub ursprung ursprünglich variable vektor verallgemeinern veranschaulicht
+verbindet verbunden vereinfachen verfahren verfolgen verformung verfügbar vergleich verglichen vergrößert verhalten verhältnis verkabelung verkettet
+verkleinert verknüpfen verkürzt verlauf verlängert verläuft verringert verschieben versetzt verstehen versuch verteilt vertiefen vertikal verursacht
+vervollständigt verweis verwenden verzeichnis verzögerung vgl vibriert video viel viele vieleck vielen vieles vielfache vier vierfach vierte vierzig
+voll vollends vollständig vom von voneinander vorangehende voraussetzung vorbereiten vorderarm vorgang vorgeben vorgegeben vorgehen vorgestellt
+vorhanden vorher vorhin vorlesung vorliegen vormittag vorn vorne vorschau vorstellen vorteil vortrag vorwort vorwärts vorzeichens vorzugehen völlig
+waagerecht waagrecht wagen wahl wahr wand wandern wann war waren warten warum webseiten weg wege wegen weihnachten weil weise weisen weist weit weiter
+weiß weiße welche welle wellen welt weltkoordinatensystem weltsystem wem wen wende wenden wendet wendt wendung wenige wenn werden werdet werkstück
+werkzeug wert werte wertebereich werten wertes wesentlich wessen wichtig widmen widmung wie wieder wiege wiegen wiegt wiegte willkommen winkel winter
+wir wird wirken wirkt wirkung wirst wissen wo wobei woche wochen wodurch wofür wogegen woher wohin wollen womit wonach woran worauf woraus worden
+worin wort worte wortschatz worum worüber wovon wozu wurde wurden wurzel wähle wählen wählt wählte während wälzlager wörter wünschen würde würfel z
+zahl zahlen zahnrad zahnriemen zahnräder zahnstange zehn zehnte zeichenkette zeichnung zeige zeigen zeigt zeigte zeile zeilen zeit zeitabhängig
+zeitgleich zeitlich zeitplan zeitpunkt zeitraum zelle zentral zentrum zerlegen zerteilt zettel ziehe ziehen zieht ziehung ziel ziele zielen zielpose
+zielpunkt zielsetzung zielt zielte ziffer zitat zitiert zog zu zuallererst zudem zueinander zuerst zugehörig zugeordnet zugänglich zuletzt zum zunahme
+zunächst zuordnen zur zurück zusammen zusatzaufgabe zustand zusätzlich zuvor zuwendung zwanzig zwar zweck zwecke zwei zweiargumentige zweidimensional
+zweig zweige zweigliedrig zweimal zweite zwischen zwölf zyklus zylinder zählen zähler zählt ähnlich äquivalent äste äußere öffne öffnen öffnung öfter
+übe üben übenden über überblick überein überführt übergang übergehen überlagerung überlegen übernehmen übernommen überprüfen überschreiten übersicht
+übertragen üblich übrigen übt übte übung übungen übungsblatt
 """
 SPANISH = """
 a abajo abarca abarcó abduccion abducción abierta abordar aborde abordo abordó abra abramos abran abre abren abriendo abril abrimos abrir abriremos
@@ -517,15 +519,15 @@ incluir incluye incorpora incógnita independiente indica industria inercia infe
 inmediata inscripción insertar instalar integrando interesante interior intermedia interna intersección interés introdujo inversa invertido invertir
 invierno invirtiendo involucra inyectiva ir iremos isometría isotrópica itera iteraciones itinerario izquierda jacobiana jueves julio junio juntado
 juntamos juntan juntar juntemos junten junto juntos justificación la laboratorio lado lados lagrange larga largas largo largos las latitud lazo le
-lecciones lección lectura lee leemos leer lema lenguaje lentamente letra letras levanta ley leyes liberen libertad liberó libre librería libres libro
-libros ligada limpian limpie limpió lineal liso lista listado listan listar listas listen listo llama llamada llamamos llamando llamar llame llamemos
-llamen llamo llamó llave llaves llega llegada llegamos llegan llegar llego llegue llegó llena llenado llenamos llenan llenar llene llenemos llenen
-lleno llenó lleva llevado llevamos llevan llevar lleve llevemos lleven llevo llevó lo local localización logra logrado logramos logran lograr logre
-logremos logren logro logró longitud los lote luego lugar lugares lunes lápiz láser límite línea líneas lógicamente madera magnético maneja maneje
-manejo manejó manera manipuladores mano manos mantiene manualmente mapa marca marcación marcado marcamos marcan marcar marco marcos marcó martes
-martillo marzo masa masas matemática matemáticamente matemáticas matemático material matrices matriz mayo mayor mayúsculas mañana mecanismo mecánica
-mecánico mecánicos mediante mediatriz medición medida medido medimos medio medios memoria mencionar menor menores menos mensaje menú mes mesa mesas
-meses meta metas metro metros mide miden miembro mil milisegundo millón milímetros minuto minúscula mira mirada mirado miramiento miramos miran
+lecciones lección lectura lee leemos leer lejos lema lenguaje lentamente letra letras levanta ley leyes liberen libertad liberó libre librería libres
+libro libros ligada limpian limpie limpió lineal liso lista listado listan listar listas listen listo llama llamada llamamos llamando llamar llame
+llamemos llamen llamo llamó llave llaves llega llegada llegamos llegan llegar llego llegue llegó llena llenado llenamos llenan llenar llene llenemos
+llenen lleno llenó lleva llevado llevamos llevan llevar lleve llevemos lleven llevo llevó lo local localización logra logrado logramos logran lograr
+logre logremos logren logro logró longitud los lote luego lugar lugares lunes lápiz láser límite línea líneas lógicamente madera magnético maneja
+maneje manejo manejó manera manipuladores mano manos mantiene manualmente mapa marca marcación marcado marcamos marcan marcar marco marcos marcó
+martes martillo marzo masa masas matemática matemáticamente matemáticas matemático material matrices matriz mayo mayor mayúsculas mañana mecanismo
+mecánica mecánico mecánicos mediante mediatriz medición medida medido medimos medio medios memoria mencionar menor menores menos mensaje menú mes mesa
+mesas meses meta metas metro metros mide miden miembro mil milisegundo millón milímetros minuto minúscula mira mirada mirado miramiento miramos miran
 mirando mirar miraremos miraron mirará mire miremos miren miro miró misma mismas mismo mismos mitad mitades mixto mixtos miércoles modelar modelo
 modifica modos momento monta montada montaje montamos montar monto montó montón mostrar mostremos mostro mostró motivación motive motivo motivó motor
 motores mover movimiento mucha muchas mucho muchos muelle muestra mueve mueven multiplica mundo muslo muslos mutua mutuo muñeca máquina más máxima
@@ -536,48 +538,49 @@ obtuvo obviamente ocasiona ocasión ocho octavo octubre ocupa ocurre opciones op
 opuesta opuesto oral orden ordenada ordene ordeno ordenó orientación origen ortogonal ortonormal oruga orígenes oscila osciló otoño otra otras otro
 otros oímos pala palabras palma pantalla pantorrilla pantorrillas par para parada parados paralela paramos paran parando parar pararemos pararon
 parará parcial pared paremos pares paro parte particular partida partimos partir parto parábola parámetros paró pasa pasador pasamos pasan pasando
-pasar pasaremos pasaron pasará pase pasemos pasen paso pasos pasó pata patas pausa pedazo pedestal pendiente perfil periodo permanece permiso permite
-perno pero perpendicular perímetro pesa pesada pesado pesan pesando pesaron pesará pese peso pesos pie pierna pies pieza piezas pila piloto pinza
-pirámide piso pistón pitágoras pizarra piñón plan plana planar planas planificación plano planos planta plantea planteamiento plantilla plataforma
-plazo plegable plegado plegamiento plegar plenamente pliegue pluma plumas plástico poca pocas poco pocos podemos podido podremos podrá podrán polares
-polea poleas polinomio polígono pondremos pondrá ponemos ponen pongamos pongan pongo poniendo por portátil posibilidad posible posición positiva
-positivo posmultiplicando posterior postura potencia practique precedente pregunta preparar presenta presión previa previo primario primavera primer
-primitiva principal prismática probado probamos probando probar probemos problema probó procede proceso producto produzca profundizar programa
-progresivamente pronto propia propiedad propio propone proporciona propuesto propósito prototipo proyecciones proyección proyecta prueba pruebe pruebo
-práctica prólogo prótesis próxima publicado pudiendo pudimos pudo pueda puedan puede pueden puedes puedo puerta pues puesta puesto pulgar pulsación
-punta puntas punto puntos pura puras puro página párrafo pórtico que queda quedan quedando quedaron queremos querer querido quiera quiere quiero
-quinto quisimos quitando qué químico rad radial radianes radio radios raiz rama rango rangos ratón razonamiento razones razón raíces raíz reagrupación
-realiza receta recibe recoge recogidos reconocimiento recordar recta rectas recto rectos rectángulo recuerda recuperar recurre recurso recuérdese
-recíproca red redactar redefinir reduccion reducción reduce reducida reductor reemplazando reescribe reescribiendo referencia refiere refleja
-reflexión regiones región regla reglas regresa regulación regule reguló relación rellena relé remache rendimiento renglón reordena repasar repasemos
-repaso repasó repetir repita repite repitiendo repito repositorio representa representan reserva resolución resolver resorte respecto responde
-respuesta resta restamos restando restar resto resuelta resuelve resulta resultado resultante resuma resumen resumida retardo retomar retroceder
-reunamos reunan reunen reunido reuniendo reunimos reunir reunión revolución riel rieles ritmo robot robots robótica rodamientos rodea rodeado rodeamos
-rodean rodear rodeen rodeo rodilla rol rombo rosa rota rotación rotada rotado rotamos rotan rotando rotar rotativa rotatoria rueda ruedas ruta rutina
-rápidamente rápido rígida rígido rótula sabe sabemos saber sabido sabiendo sabremos sabrá sabíamos sala sale salen salida salido saliendo salimos
-salir salió saludos se sea sean secciones sección secuencia secundaria segmento seguida seguimiento segunda segura seguro seguros según seis selección
-semana semejante semestre sencilla sendas sendos seno senos sensor sentido sepa sepamos separa separe separo separó septiembre ser serie servomotor
-servomotores será serán sesenta sesiones sesión sexta sexto señal señala señales señalo señaló si sido siempre siendo siete sigamos significa signo
-signos sigue siguen siguiente siguió simbólica simetría similar simple simplifica simulador simule simultáneamente simuló singular sintetizar sistema
-sitio sitios situación situado sitúa sobre software soldador soldando soldar solidaria solucion soluciones somos son soporte soy su suave suavemente
-suavizar suba subamos suban subcadena subcadenas subconjunto subdivide sube suben subespacio subida subido subiendo subimos subir subiremos subirá
-subió submatriz subo subproblema subrayar subrobot subsección subsistema sucesiva suele suelo suficiente sujeta sujete sujeto sujetó suma sumada
-sumamos suman sumando sumar sumaron sumará sumas sumemos sumo sumó superen superficie superior superíndice supongamos supóngase surge surgen surgido
-surgiendo surgimiento surgir surgió sus sustitución sustituir sustituyendo sábado sé séptimo sólido tabla tablas tablero tablet tal taladro tales
-taller también tangencial tangente tanta tantas tanto tantos tarde tardes tarea tareas tarjeta te techo teclado teléfono tema temario temas temporal
-tendremos tendrá tenemos tener tenga tengamos tengan tengo tenida tenidos teniendo tensiones tensión tensor tenía teníamos teorema teoría tercer
-tercio tesis texto textos teórico ti tiempo tiene tienen tipo tipos tiza tobillo toda todas todavía todos toma tomada tomado tomamos toman tomando
-tomar tomaremos tomaron tomará tome tomemos tomen tomo tomó tope tornillo torno torque torre torsión total totalidad totalmente trabajo traducción
-trae traemos traer traigo trama tramo tranquilamente transforma transponer trapecio tras traslada traspuesta trata tratamiento tratan tratará tratemos
-través trayectoria traza trazado trazamos trazando trazar trazo treinta tres tridimensional triedro trigonométrica trimestre triples triángulo tronco
-trozo trozos tuerca tuercen tutoría tuvimos tuvo térmico término típicos tú ubica ubicación ubicada ubicamos ubican ubicar ubicó ubique ultrasonido un
-una unamos unan unen unida unidad unidas unido unidos uniendo unimos uniones unir uniremos unirá unirán unitario universidad unió unión usamos usando
-usar usaremos usará usual usuario utiliza vacaciones vaciado vaciamiento vaciando vaciar vacio vacío vale valer valor valores van vara variable
-varilla varía vas vaya vayamos vea veamos vean veces vector veinte velocidad vendrá venga vengan venimos ventaja ventana veníamos veo ver verano
-verdadero veremos verifica verificación verificamos vertical verán vez veámoslo vibra vibraciones vibrador vibrando vibrar vidrio viene viernes vimos
-viniendo vino vio visita vista vistas visto vocabulario volvemos volveremos volviendo volúmenes vosotros voy vuelta vuelve válida válido vástago véase
-vértice vía vídeo vídeos vínculo x y ya yace yo yugo zona zonas ángulo ánimo árbol árboles área áreas él émbolo éramos ésa ése ésos ésta éstas éste
-éstos índice óptico órdenes última último única único útil útiles
+pasar pasaremos pasaron pasará pase pasemos pasen paso pasos pasó pata patas pausa pedazo pedestal pedir pendiente perfil periodo permanece permiso
+permite perno pero perpendicular perímetro pesa pesada pesado pesan pesando pesaron pesará pese peso pesos pie pierna pies pieza piezas pila piloto
+pinza pirámide piso pistón pitágoras pizarra piñón plan plana planar planas planificación plano planos planta plantea planteamiento plantilla
+plataforma plazo plegable plegado plegamiento plegar plenamente pliegue pluma plumas plástico poca pocas poco pocos podemos podido podremos podrá
+podrán polares polea poleas polinomio polígono pondremos pondrá ponemos ponen pongamos pongan pongo poniendo por portátil posee poseer posibilidad
+posible posición positiva positivo posmultiplicando posterior postura potencia practique precedente pregunta preparar presenta presión previa previo
+primario primavera primer primitiva principal prismática probado probamos probando probar probemos problema probó procede proceso producto produzca
+profundizar programa progresivamente pronto propia propiedad propio propone proporciona propuesto propósito prototipo proyecciones proyección proyecta
+prueba pruebe pruebo práctica prólogo prótesis próxima publicado pudiendo pudimos pudo pueda puedan puede pueden puedes puedo puerta pues puesta
+puesto pulgar pulsación punta puntas punto puntos pura puras puro página párrafo pórtico que queda quedan quedando quedaron queremos querer querido
+quiera quiere quiero quinto quisimos quitando qué químico rad radial radianes radio radios raiz rama rango rangos ratón razonamiento razones razón
+raíces raíz reagrupación realiza receta recibe recoge recogidos reconocimiento recordar recta rectas recto rectos rectángulo recuerda recuperar
+recurre recurso recuérdese recíproca red redactar redefinir reduccion reducción reduce reducida reductor reemplazando reescribe reescribiendo
+referencia refiere refleja reflexión regiones región regla reglas regresa regulación regule reguló relación rellena relé remache rendimiento renglón
+reordena repasar repasemos repaso repasó repetir repita repite repitiendo repito repositorio representa representan reserva resolución resolver
+resorte respecto responde respuesta resta restamos restando restar resto resuelta resuelve resulta resultado resultante resuma resumen resumida
+retardo retomar retroceder reunamos reunan reunen reunido reuniendo reunimos reunir reunión revolución riel rieles ritmo robot robots robótica
+rodamientos rodea rodeado rodeamos rodean rodear rodeen rodeo rodilla rol rombo rosa rota rotación rotada rotado rotamos rotan rotando rotar rotativa
+rotatoria rueda ruedas ruta rutina rápidamente rápido rígida rígido rótula sabe sabemos saber sabido sabiendo sabremos sabrá sabíamos sacamos sacar
+sala sale salen salida salido saliendo salimos salir salió saludos se sea sean secciones sección secuencia secundaria segmento seguida seguimiento
+segunda segura seguro seguros según seis selección semana semejante semestre sencilla sendas sendos seno senos sensor sentido sepa sepamos separa
+separe separo separó septiembre ser serie servomotor servomotores será serán sesenta sesiones sesión sexta sexto señal señala señales señalo señaló si
+sido siempre siendo siete sigamos significa signo signos sigue siguen siguiente siguió simbólica simetría similar simple simplifica simulador simule
+simultáneamente simuló singular sintetizar sistema sitio sitios situación situado situar sitúa sobre software soldador soldando soldar solidaria
+solucion soluciones somos son soporte soy su suave suavemente suavizar suba subamos suban subcadena subcadenas subconjunto subdivide sube suben
+subespacio subida subido subiendo subimos subir subiremos subirá subió submatriz subo subproblema subrayar subrobot subsección subsistema sucesiva
+suele suelo suficiente sujeta sujete sujeto sujetó suma sumada sumamos suman sumando sumar sumaron sumará sumas sumemos sumo sumó superen superficie
+superior superíndice supongamos supóngase surge surgen surgido surgiendo surgimiento surgir surgió sus sustitución sustituir sustituyendo sábado sé
+séptimo sólido tabla tablas tablero tablet tal taladro tales taller también tangencial tangente tanta tantas tanto tantos tarde tardes tarea tareas
+tarjeta te techo teclado teléfono tema temario temas temporal tendremos tendrá tenemos tener tenga tengamos tengan tengo tenida tenidos teniendo
+tensiones tensión tensor tenía teníamos teorema teoría tercer tercio tesis texto textos teórico ti tiempo tiene tienen tipo tipos tiza tobillo toda
+todas todavía todos toma tomada tomado tomamos toman tomando tomar tomaremos tomaron tomará tome tomemos tomen tomo tomó tope tornillo torno torque
+torre torsión total totalidad totalmente trabajo traducción trae traemos traer traigo trama tramo tranquilamente transforma transponer trapecio tras
+traslada traspuesta trata tratamiento tratan tratará tratemos través trayectoria traza trazado trazamos trazando trazar trazo treinta tres
+tridimensional triedro trigonométrica trimestre triples triángulo tronco trozo trozos tuerca tuercen tutoría tuvimos tuvo térmico término típicos tú
+ubica ubicación ubicada ubicamos ubican ubicar ubicó ubique ultrasonido un una unamos unan unen unida unidad unidas unido unidos uniendo unimos
+uniones unir uniremos unirá unirán unitario universidad unió unión usamos usando usar usaremos usará usual usuario utiliza vacaciones vaciado
+vaciamiento vaciando vaciar vacio vacío vale valer valor valores van vara variable varilla varía vas vaya vayamos vea veamos vean veces vector veinte
+velocidad vemos vendrá venga vengan venimos venir ventaja ventana veníamos veo ver verano verdadero veremos verifica verificación verificamos vertical
+verán vez veámoslo vibra vibraciones vibrador vibrando vibrar vidrio viene viernes vimos viniendo vino vio visita vista vistas visto vocabulario
+volvemos volveremos volviendo volúmenes vosotros voy vuelta vuelve válida válido vástago véase vértice vía vídeo vídeos vínculo x y ya yace yo yugo
+zona zonas ángulo ánimo árbol árboles área áreas él émbolo éramos ésa ése ésos ésta éstas éste éstos índice óptico órdenes última último única único
+útil útiles
 """
 ITALIAN = """
 a abbia abbiamo abbiano abbracci abituale accanto accelerazione accendere accessibile acciaio accoppiamento accorciare accuratamente ad addizione
@@ -612,171 +615,172 @@ domanda domani domenica dominio dopo dopodiché doppi doppia doppio dov dove dri
 effettore efficace egli elementi elencati elenchi elenco elettrica eleva elevando elevata elevazione elica elimina ella ellisse encoder energia entra
 entrambe entrano entrare entrata entrerà entri entriamo entrino entro entrò equazione equivale era erano eravamo esagono escano esce esco escono
 esegua esegue eseguita eseguono esempio esercizi esoscheletro espandere esperimenti esplicita esplorare esponenziale esporre esportazioni esposto
-espressa esprime essendo essere essi estate estende estensione esteriore esterno estesa estese estesi esteso estrae estraggo estrai estratta estremità
-evidente fa fabbrica facce facci faccia faccino faccio facendo facili facilmente facoltà fanno fare faremo farà fasi fatta fatte fatti fatto favore
-febbraio fece ferma fermano fermare fermato fermerà fermi fermiamo fermino fermo fermò figura figure file filtrare filtri filtro finali finché fine
-finestra finire finisce finita finiti finito fino fissa fissando fissare fissata fissazione fisse fisserà fissi fissiamo fisso flangia flessione fogli
-foglio fondamentale forma formano formula fornire fornisce fornito forum forza forze fosse fossero foto fotografia fra frase frasi frazione frecce
-freccia frequenza fresatrice fretta fronte fu funzione fuori furono gamba gambe ganasce gdl generale genere generi genero generò gennaio geometria
-giacché gialla giallo ginocchio gioco giorni giorno giovedì gira giugno giunti giunto già gli gomiti gomito gomma gradi grado grafica gran grandezza
-grandi gravità grazie greca greche greci greco grigio gru guardare guarderà guardi guardo guardò guida ha hanno ho i icona idea idee identica
-idraulico ieri il illustrata immagine imparare imparerà impariamo imparo imparò impiego impilati implementata imponendo imporre imposto in includono
-incognita incontro incrociato indica indice indichiamo indietro indipendente indirizzo industria inerzia infatti inferiore infine ingranaggi iniettiva
-inizia inizierà inizio iniziò innanzitutto inoltre insegnamento inserendo inseriamo insieme installare integrale interamente interessante interna
-interrompere intersezione intorno introdotto invece inverno inversa invertire invia inviando inviare inviato invii invio inviò io iperbole ipotenusa
-ipotesi isola isolamento isolando isolato isometria istante istanza iterazione itinerario jacobiana la laboratorio larga lati latitudine lato lavagna
-lavorare lavorerà lavori lavoro lavorò le lega legame legate legati legato legga leggano legge leggere leggi leggiamo leggibile leggo leggono legno
-lentamente lettere letti lettura leva leve lezione libera libererà liberi libero liberò libreria libri libro limitata limite limiti linea lineare
-linee linguaggio lingue link liscio lista livello lo locale logicamente loro lotto luglio lunedì lunga lunghezza lunghi lungo ma magazzino maggio
-maiuscola mandrino mani maniera manipolatore mano manovella mappa marca marcano marcato marce marciamo marcisce marte martedì martello marzo massa
-masse massima matematica materiale matrice mattina meccanica medesimo mediante membri membro memorizzare meno mensile mentre menzionato mercoledì mese
-mesi messa messaggio messe messi messo metodi metodo metri mette mettere mettiamo metto mettono metà mezzi mezzo milione mille millimetri millisecondo
-minima minimo minuti minuto misti misto misura misure misuri misuro misurò mobile modello modi modificata modo moduli molla molle molta molte molti
-moltiplica molto momento mondo monta montante montanti montare montati monti montiamo montino mostrata mostrerà mostri mostro mostrò moti motivazione
-motivi motivo moto motore motori movimenti muove muovono mutua mutuo nasce navigazione navigo navigò ne necessita negativa negli nei nel nell nella
-nelle nodo noi nono norma normale nostra nostre nostri nostro nota notare notazione note noti noto notte novembre nozioni nullo numeratore numerica
-numero nuova nuovo obiettivi obliquo occasione occorre officina oggetto oggi ogni omogenea opera operabile operare operata operazione opererà operiamo
-operino oppure ora orale oraria orario ordine ordini ordino ordinò ore organizza orientamento origine orizzontale ortogonale ortonormale oscilli
-osserva ossia ostacoli ottavo ottenere ottengono otteniamo ottenuta ottico ottiene ottimizzare otto ottobre ovvero ovviamente pagina pagine pala
-pallettizzatore palmo pantografo parabola paragrafi parallela parametri pari parla parlando parlare parlato parli parliamo parlino parlo parlò parola
-parole parte partecipazione partendo parti particolare parziale passaggi passare passatore passi passiamo passino passo passò pausa pavimento pedice
-pedici penna pensiero per perché perciò percorso perfino perimetro pertanto pesa pesando pesano pesare pesata pesate pesati pesato peserà pesi pezzi
-pezzo piacere piana piani pianificazione piano piattaforma piatto piede piega piegamento piegando piegare piegata piegato pieghe pieghi pienamente
-pignone pila piloti piloto pinza pinze piramide pistone pistoni pitagora più plastica poca poche pochi poco poi poiché polari poligono polinomio
-pollice polsi polso pomeriggio pone ponendo ponga pongono poniamo porre porta portabile portale portamento portare portata porterà porti portiamo
-portino porto portò posa positiva posizione possa possano possiamo possibile posso possono posta poste posti posto postura potenza poteva potranno
-potremo potrà potuto precedente prefazione premoltiplicando prenda prende prendi prendo preparare presenta pressione presso presto prima primario
-primavera prime primi primitiva primo prismatici problema procede prodotti profilo progetto programma progressivamente proiettando proiezione
-promemoria propone proposta proprietà prosegue prossima prototipo prova provano provare provato proverà provi proviamo provino provo provocare provò
-pubblicato puleggia pulsante pulsazione punta puntamento puntando puntare puntata punte punterà punti puntiamo puntino punto puoi pure può quaderno
-quadrati qualche quale quali qualsiasi qualunque quando quanta quante quantità quanto quaranta quarta quarti quarto quattro quegli quei quell quella
-quelli quello quesito questa queste questionario questo quindi quinto quotidiano quoziente raccogliendo raccolti radianti radice radici raggi raggio
-raggiunge raggruppando ragione rame rango rapidamente rapporto rappresenta reali reazione reazioni regione regola regolerà regoli relativa relazione
-relè rende rendimento repository resta restanti rete retta rettangolare rette riassunto ricava ricaverà ricaviamo ricavo ricavò ricerca richiamo
-richiesta riconoscimento ricorda ricorre ridefinire riduca riduce riduciamo riducono riduttore riempe riempire riempono riepilogo riesca riesce riesci
-riesco riferita riflessione riga righe righello rigidi rigido riguardo rileggere rimanda rimane ripasso ripeta ripetere ripetiamo ripeto ripetuto
-ripiegata ripiegato riportata riprendere riquadro riscaldamento riscrivere risolta risolve risorsa rispetto risposta risulta ritardo ritmo ritroviamo
-riunione riunisce rivetto rivista rivolta rivolto robot robotica rombo rosa rotazione rotoidale rotondo rotore ruoli ruolo ruota ruotano ruotare
-sabato sala saldando saldare saldati salendo saliamo salire salirà salita salite saliti salito saluti salvare sanno sapendo sapere sappiamo sapremo
-saprà saputo saranno saremo sarà sbloccare sbracci sbraccio scalare scaricare scegliamo scelga scelgono scelta scelto scenda scendere scendiamo
-scendono scheda schede schema schemi schermo schizzo scollegato scomposizione scopi scopo scorre scorrevole scorrono scritta scrive scriviamo scrivono
-scuola se seconda segna segnali segnano segnare segnato segnerà segniamo segue seguendo seguito sei selezionati semestre seminario semplice sempre
-seni seno sensi senso sensore separa separerà separi separo separò sequenza sera serie sessanta sesta sesto sette settembre settimana sezione sfera
-sfere sferica sfili sfilo sfogliare sforzi sforzo sfruttare si sia siano siccome simboli simile simili similmente simmetrica simulatore singolare
-sinistra sino sintetizzare sistema situazione slitta slitte smontare smonti smonto snodi snodo soddisfa solidale solito sollevato soluzione somma
-sommando sommare sommo sono sopra soprattutto sorge sorgendo sorgere sorgono sostituire sottile sotto sottomatrice sottraendo sovrappongono spalla
-spalle spazi spaziale spazio specifica sperimentale spesso spiegato spieghi spiego spiegò spigoli spinga spinge spingiamo spingono spinta spirale
-spostata sposterà sposti sposto spostò sta stampare stampi stampo stampò stando stanno stantuffo stare stata state stati statica stato stava stazione
-stelo stenda stendere stendiamo stendo stesa steso stessa stesse stessi stesso stiamo strati strato stringa struttura studia studio su sua subito
-successiva suddividere sugli sui sul sull sulla sulle suo supponiamo sviluppando svolgere svolgimento svuotare svuoti svuoto tabella tablet tale tali
-tangente tanta tante tanti tanto tarata tarati tarato tardi tastiera tavola tavolo te tecnica telai telaio telecamere telefono tempo tenendo tensione
-teorema teoria teorico teorie termine terna terne terza terzi terzo tesi testi testo tetto ti tiene tieni tipi tipica tipici tipo titolo torcenti
-torcia tornio torre totale totalità totalmente tra traccia trae traiamo traiettoria tramite tranquillamente trapano trapezio trarre trasforma trasla
-trasposta trasversale trattata trattino tratto trazione tre trenta triangoli triedro trigonometrica trimestre tripla triplo tronco trova trovano
-trovare trovato troverà trovi troviamo trovino trovo trovò tu tutte tutti tutto ugello uguale uguali ugualmente ultima ultime ultimi ultimo ultrasuoni
-umanoide un una undici unendo uniamo unire uniremo unisca unisce unisci uniscono unita unitaria unite uniti unito unità università uno usa usando
-usare usata usate usati usato uso utensile utente utenti utile utili utilizza vacanza vada vado vale valgono valida valide validi valido valore valori
-valutata valuterà valuti valuto valutò vantaggio varia variabile veda vedano vede vedendo vedere vediamo vedo vedono vedremo veduta vedute veduto
-velocemente velocità venendo venerdì vengo vengono veniamo venire venti ventosa venuta venuto vera verde verdi verifica vero verranno verremo verrà
-verso versore verticale vetro vettore vi via vibrano vibrare vibratore vibrazioni viene vincoli viola virgola visita vista viste visto viti
-vocabolario vogliamo voglio voi volentieri volevasi volta volte volumi voluto vorrà vuole zampa zampe zeri zero è
+espressa esprime essendo essere essi estate estende estensione esteriore esterno estesa estese estesi esteso estrae estraggo estrai estrarre estratta
+estremità evidente fa fabbrica facce facci faccia faccino faccio facendo facili facilmente facoltà fanno fare faremo farà fasi fatta fatte fatti fatto
+favore febbraio fece ferma fermano fermare fermato fermerà fermi fermiamo fermino fermo fermò figura figure file filtrare filtri filtro finali finché
+fine finestra finire finisce finita finiti finito fino fissa fissando fissare fissata fissazione fisse fisserà fissi fissiamo fisso flangia flessione
+fogli foglio fondamentale forma formano formula fornire fornisce fornito forum forza forze fosse fossero foto fotografia fra frase frasi frazione
+frecce freccia frequenza fresatrice fretta fronte fu funzione fuori furono gamba gambe ganasce gdl generale genere generi genero generò gennaio
+geometria giacché gialla giallo ginocchio gioco giorni giorno giovedì gira giugno giunti giunto già gli gomiti gomito gomma gradi grado grafica gran
+grandezza grandi gravità grazie greca greche greci greco grigio gru guardare guarderà guardi guardo guardò guida ha hanno ho i icona idea idee
+identica idraulico ieri il illustrata immagine imparare imparerà impariamo imparo imparò impiego impilati implementata imponendo imporre imposto in
+includono incognita incontro incrociato indica indice indichiamo indietro indipendente indirizzo industria inerzia infatti inferiore infine ingranaggi
+iniettiva inizia inizierà inizio iniziò innanzitutto inoltre insegnamento inserendo inseriamo insieme installare integrale interamente interessante
+interna interrompere intersezione intorno introdotto invece inverno inversa invertire invia inviando inviare inviato invii invio inviò io iperbole
+ipotenusa ipotesi isola isolamento isolando isolato isoliamo isometria istante istanza iterazione itinerario jacobiana la laboratorio laddove larga
+lascia lasciando lasciare lati latitudine lato lavagna lavorare lavorerà lavori lavoro lavorò le lega legame legate legati legato legga leggano legge
+leggere leggi leggiamo leggibile leggo leggono legno lentamente lettere letti lettura leva leve lezione libera libererà liberi libero liberò libreria
+libri libro limitata limite limiti linea lineare linee linguaggio lingue link liscio lista livello lo locale logicamente loro lotto luglio lunedì
+lunga lunghezza lunghi lungo ma magazzino maggio maiuscola mandrino mani maniera manipolatore mano manovella mappa marca marcano marcato marce
+marciamo marcisce marte martedì martello marzo massa masse massima matematica materiale matrice mattina meccanica medesimo mediante membri membro
+memorizzare meno mensile mentre menzionato mercoledì mese mesi messa messaggio messe messi messo metodi metodo metri mette mettere mettiamo metto
+mettono metà mezzi mezzo milione mille millimetri millisecondo minima minimo minuti minuto misti misto misura misure misuri misuro misurò mobile
+modello modi modificata modo moduli molla molle molta molte molti moltiplica molto momento mondo monta montante montanti montare montati monti
+montiamo montino mostrata mostrerà mostri mostro mostrò moti motivazione motivi motivo moto motore motori movimenti muove muovono mutua mutuo nasce
+navigazione navigo navigò ne necessita negativa negli nei nel nell nella nelle nodo noi nominare nono norma normale nostra nostre nostri nostro nota
+notare notazione note noti noto notte novembre nozioni nullo numeratore numerica numero nuova nuovo obiettivi obliquo occasione occorre officina
+oggetto oggi ogni omogenea opera operabile operare operata operazione opererà operiamo operino oppure ora orale oraria orario ordine ordini ordino
+ordinò ore organizza orientamento origine orizzontale ortogonale ortonormale oscilli osserva ossia ostacoli ottavo ottenere ottengono otteniamo
+ottenuta ottico ottiene ottimizzare otto ottobre ove ovvero ovviamente pagina pagine pala pallettizzatore palmo pantografo parabola paragrafi
+parallela parametri pari parla parlando parlare parlato parli parliamo parlino parlo parlò parola parole parte partecipazione partendo parti
+particolare parziale passaggi passare passatore passi passiamo passino passo passò pausa pavimento pedice pedici penna pensiero per perché perciò
+percorso perfino perimetro pertanto pesa pesando pesano pesare pesata pesate pesati pesato peserà pesi pezzi pezzo piacere piana piani pianificazione
+piano piattaforma piatto piede piega piegamento piegando piegare piegata piegato pieghe pieghi pienamente pignone pila piloti piloto pinza pinze
+piramide pistone pistoni pitagora più plastica poca poche pochi poco poi poiché polari poligono polinomio pollice polsi polso pomeriggio pone ponendo
+ponga pongono poniamo porre porta portabile portale portamento portare portata porterà porti portiamo portino porto portò posa positiva posizione
+possa possano possiamo possibile posso possono posta poste posti posto postura potenza poteva potranno potremo potrà potuto precedente prefazione
+premoltiplicando prenda prende prendi prendo preparare presenta pressione presso presto prima primario primavera prime primi primitiva primo
+prismatici problema procede prodotti profilo progetto programma progressivamente proiettando proiezione promemoria propone proposta proprietà prosegue
+prossima prototipo prova provano provare provato proverà provi proviamo provino provo provocare provò pubblicato puleggia pulsante pulsazione punta
+puntamento puntando puntare puntata punte punterà punti puntiamo puntino punto puoi pure può quaderno quadrati qualche quale quali qualsiasi qualunque
+quando quanta quante quantità quanto quaranta quarta quarti quarto quattro quegli quei quell quella quelli quello quesito questa queste questionario
+questo quindi quinto quotidiano quoziente raccogliendo raccolti radianti radice radici raggi raggio raggiunge raggruppando ragione rame rango
+rapidamente rapporto rappresenta reali reazione reazioni regione regola regolerà regoli relativa relazione relè rende rendimento repository resta
+restanti rete retta rettangolare rette riassunto ricava ricaverà ricaviamo ricavo ricavò ricerca richiamo richiesta riconoscimento ricorda ricorre
+ridefinire riduca riduce riduciamo riducono riduttore riempe riempire riempono riepilogo riesca riesce riesci riesco riferita riflessione riga righe
+righello rigidi rigido riguardo rileggere rimanda rimane ripasso ripeta ripetere ripetiamo ripeto ripetuto ripiegata ripiegato riportata riprendere
+riquadro riscaldamento riscrivere risolta risolve risorsa rispetto risposta risulta ritardo ritmo ritroviamo riunione riunisce rivetto rivista rivolta
+rivolto robot robotica rombo rosa rotazione rotoidale rotondo rotore ruoli ruolo ruota ruotano ruotare sabato sala saldando saldare saldati salendo
+saliamo salire salirà salita salite saliti salito saluti salvare sanno sapendo sapere sappiamo sapremo saprà saputo saranno saremo sarà sbloccare
+sbracci sbraccio scalare scaricare scegliamo scelga scelgono scelta scelto scenda scendere scendiamo scendono scheda schede schema schemi schermo
+schizzo scollegato scomposizione scopi scopo scorre scorrevole scorrono scritta scrive scriviamo scrivono scuola se seconda segna segnali segnano
+segnare segnato segnerà segniamo segue seguendo seguito sei selezionati semestre seminario semplice sempre seni seno sensi senso sensore separa
+separerà separi separo separò sequenza sera serie sessanta sesta sesto sette settembre settimana sezione sfera sfere sferica sfili sfilo sfogliare
+sforzi sforzo sfruttare si sia siano siccome simboli simile simili similmente simmetrica simulatore singolare sinistra sino sintetizzare sistema
+situazione slitta slitte smontare smonti smonto snodi snodo soddisfa solidale solito sollevato soluzione somma sommando sommare sommiamo sommo sono
+sopra soprattutto sorge sorgendo sorgere sorgono sostituire sottile sotto sottomatrice sottraendo sovrappongono spalla spalle spazi spaziale spazio
+specifica sperimentale spesso spiegato spieghi spiego spiegò spigoli spinga spinge spingiamo spingono spinta spirale spostata sposterà sposti sposto
+spostò sta stampare stampi stampo stampò stando stanno stantuffo stare stata state stati statica stato stava stazione stelo stenda stendere stendiamo
+stendo stesa steso stessa stesse stessi stesso stiamo strati strato stringa struttura studia studio su sua subito successiva suddividere sugli sui sul
+sull sulla sulle suo supponiamo sviluppando svolgere svolgimento svuotare svuoti svuoto tabella tablet tale tali tangente tanta tante tanti tanto
+tarata tarati tarato tardi tastiera tavola tavolo te tecnica telai telaio telecamere telefono tempo tenendo tenere tensione teorema teoria teorico
+teorie termine terna terne terza terzi terzo tesi testi testo tetto ti tiene tieni tipi tipica tipici tipo titolo torcenti torcia tornio torre totale
+totalità totalmente tra traccia trae traiamo traiettoria tramite tranquillamente trapano trapezio trarre trasforma trasla trasposta trasversale
+trattata trattino tratto trazione tre trenta triangoli triedro trigonometrica trimestre tripla triplo tronco trova trovano trovare trovato troverà
+trovi troviamo trovino trovo trovò tu tutte tutti tutto ugello uguale uguali ugualmente ultima ultime ultimi ultimo ultrasuoni umanoide un una undici
+unendo uniamo unire uniremo unisca unisce unisci uniscono unita unitaria unite uniti unito unità università uno usa usando usare usata usate usati
+usato uso utensile utente utenti utile utili utilizza vacanza vada vado vale valgono valida valide validi valido valore valori valutata valuterà
+valuti valuto valutò vantaggio varia variabile veda vedano vede vedendo vedere vediamo vedo vedono vedremo veduta vedute veduto velocemente velocità
+venendo venerdì vengo vengono veniamo venire venti ventosa venuta venuto vera verde verdi verifica vero verranno verremo verrà verso versore verticale
+vetro vettore vi via vibrano vibrare vibratore vibrazioni viene vincoli viola virgola visita vista viste visto viti vocabolario vogliamo voglio voi
+volentieri volevasi volta volte volumi voluto vorrà vuole zampa zampe zeri zero è
 """
 PORTUGUESE = """
 a abaixo aberta abordar abordem abordou abra abram abrange abre abrem abreviaturas abril abrimos abrindo abrir abriremos abrirá abriu abro acabado
-acabando acabar acabe acabem acabo acabou aceleração acenda acender acendimento acendo acerca acesso acessível acha achamos achar acima acionar acione
-acionou acoplada acrescentou ademais adiante adicionando adição adota adotado adotam adotando adotar adotem adotou afasta agarrar agarre agarrou
-agenda agora agosto agrupando ainda ajuda ajudado ajudam ajudando ajudar ajude ajudem ajudo ajudou ajustes ajustou ajustável alcança alfabeto
-algarismos algum alguns algébrica alimentar alinhada alinhe alinhou altas altos altura alumínio alvo além amanhã amarelo ambas ambos amortecedor
-amostragem analisando analogamente analítica andar androide anexo angular anotado anotando anotações anote anotem anotou antebraço anterior antes
-anti-horário análise análoga ao aonde aos aplica aplicou aplicável aplique aponta aponte apontou apostila aprender apresenta aprofundar apêndice após
-aquela aquele aqui aquilo arbitrária arco arcotangente arestas armazenamento armazém arquivo arrancar arranjo artigo as aspectos aspeto assim assistir
-associada assíntota atenção atinge atingir atinja ativa ativado ativam ativando ativar ativação ativem atividade ativo ativou atraso atravessar
-através atribuição atrito atuador aula aulas aumento autovetores autômato avaliação avalie avaliou avançar avanço aviso axioma azuis azul aço baixa
-baixada baixam baixando baixar baixe baixem baixo baixos baixou baricentro base bases bastam bastará bateria batizado batizou biblioteca bico bielas
-binário bissetriz bloco blocos borracha botão branca branco braço braços breve brevemente busca básico bússola cabeamento cabeça cabo cabos cada
-cadeia caderno calcula calendário camada came caminho caneta canto capítulo característica carcaça carregar carro cartesiana caso casos cateto cem
-cento centro chama chamada chamamos chamando chamar chame chamem chamo chamou chassi chave chaves chega chegada chegamos chegando chegar chego chegou
-chegue ciclo cilindro cinco cinemática cinquenta cinza cinzento cinética circunferência cisalhamento cita citada citado citamos citando citar citaram
-citação citações citou claramente classe clicar clássica cobra cobram cobre cobrem cobrimos cobrindo cobrir cobriu coeficientes coincide coisa coisas
-colaboração colchetes colineares colisão colisões colocando colocou coloque coluna com combinando comecar comece comecou começa começe começou como
-compara compilação completa componente composição comprimento computador compõe comum comuns concatenando conceito concêntricos condição conduzir
-configurações conforme conhecida conjunto connosco consequentemente considera consiste constante construir conta contam contando contar contação conte
-contempla conteúdo continuar contornar contou controle contém contínua convenção convém coordenada copiar cor cores coroa corolário corpo corpos
-correias corresponde correta corta cortado cortam cortando cortar corte cortem corto cortou cosseno cotovelo coxa cremalheira cria criada criado criam
-criamos criando criar criaram criaremos criará criarão criação criações crie criou cronometrado croqui cruza cruzado cruzamento cruzando cruzar cruzem
-cruzou cubo cubos cuja cujas cujo cujos curiosidade curso cursos curta curtas curto curtos curva curvado curvam curvando curvar curvas curvo curvou
-cálculo câmera círculo código cômodo cônico da dada dadas dado dados dali damos daqui dar daremos dará das data daí de decomposição dedo dedos deduzem
-deduzir deduzo dedução defina define definir defino dela delas dele deles demais demonstrada denavit denominador denota dentro depende depois
-depositar derivar desce descem descerá desceu descida descreve descrita desejada desenhar desenvolvendo desligar desliza deslocamento desmontar dessa
-dessas desse desses desta deste destes detalhes determina detrás deu devagar dever dez dezembro dh dia diagonal diagrama diante dias dicionário
-diferença difíceis diga digamos dimensão diminuir dinâmica direita diremos direta direto diretório direção direções dirige dirigir dirigível dirija
-dirijo disciplina discos dispomos disponível dispor dispõe disso distinto disto distância ditas ditos divergência divida dividindo divido divisão
-dizemos dizendo diâmetro do dobra dobrado dobram dobrando dobrar dobro dobrou dobráveis documento dois domingo domínio dos dou doze duas dupla duplas
-duplo durante duração décimo dê e editor edição efetiva efetuador efetuou eixo eixos elas elege elegem elegendo eleger elegeu elegível elemento eles
-eletrónica eletrônica elevado elevam elevando elevação elevem elevou elimina elipse elo elos elétrica em empilhados emprego empurrar encoder encolher
-encontra energia ensaio ensinar ensine ensino entender entra entrando entrar entre entrega entrem entro entrou então enumerar enunciado envia enviado
-enviamos enviando enviar envie enviem envio enviou equação equações equivale era eram ergue erguem erguendo erguer ergueu erguida escalar escola
-escolha escreve escrita escutar escute escuto esfera esforço esférica espaço especial específica espiral esquema esquerda essa essas esse esses esta
-estamos estaremos estará estava estação este esteira esteja estende estes esteve esticar esticou estive estou estreito estrutura estuda estudo
-estática estão esvaziar etapa etapas eu euclidiana exata executar exemplo exercício existe exoesqueleto experimento explicar exploramos expor
-exportação exposto expressa externa extrai extremidade fabricante facilmente faculdade faremos fará farão fases fator fatorando fatores favor faz
-fazem fazemos fazendo fazer faça façam façamos faço fechado fechamento fechando fechar feche fechem fecho fechou feita feito feriado ferramenta
-fevereiro fez fica ficam ficha fichas figura filme filtrar filtro fim final finalmente finita finito fino fins fixa fixada fixado fixamos fixando
-fixar fixaram fixação fixações fixo fixos fizemos flexão foi folha folhas fomos fonte fora foram forma formado formam formas formato fornece força
-forças fosse fossem foto fotografia fotos frase frases fração frações frequência fresadora fui função funções furadeira fuso futuro fábrica fáceis
-fácil fórmula fórum garra geometria geométrica gera gerada gerado gerais geral geralmente geram geramos gerando gerar geraram gerará gerarão geração
-gerações gere gerou gira giram giro giz grandeza grau graus gravação gravidade grega gregas grego gregos gráfico guardar guarde guardo guia guias
-guindaste gênero haja haste havendo haverá havia hexágono hidráulico hipotenusa hipérbole hipótese história hoje homogénea homogênea hora horas
-horizontal horário houve hélice hífen ideia ideias identidade ido idêntico iguais igual igualar igualou ilustra imagem imediatamente implementa
-imprimir impõe inclua incluem incluo incógnita indica indo industrial indústria inferior informação inicial inicie inserindo insira instalar instância
-inteiramente interessante interior intermediária interna interromper interseção introduzida inverno inversa inverter inércia início iremos irá isolado
-isolamento isolando isolar isolação isolou isometria isso iteração itinerário jacobiana janeiro janela joelho julho junho junta juntado juntam
-juntando juntar juntas junte juntem juntou já laboratório lado lados lagrange laranja larga latitude laço laços lei leis leitura lema lembrando lembre
-lembro lentamente letra letras levam levamos levando levantar levar levaram levaremos levará levarão levem levo levou lhe lhes liberdade liberem liga
-ligada ligado ligam ligamento ligamos ligando ligar ligaram ligará ligação ligações ligo ligou limite linear linguagem linha linhas liso lista listam
-listando listar listas listou livre livres livro livros lição lições local logicamente logo longa longas longo longos losango lote lousa lugares lápis
-língua madeira magnético maio maior mais maiúsculas maneira manhã manipulador manuais marca marcado marcam marcando marcar marcação marcou martelo
-março mas massa massas material matricial matriz mecanismo mecânica mede medida medido medindo medir medição medições medo meio meios memória
-mencionado menor menos mensagem menu meses mesma mesmas mesmo mesmos meta metade metas metro metros mil milhão milissegundo milímetros minuto
-minúscula misto mistos modelo modificada modos mola molas momento monta montamos montar montem montou mostra mostre mostrou motivação motive motivo
-motor motores move movem movimento muita muitas muito muitos multiplica mundo mão mãos método mês múltiplas mútua mútuo na naquele naquilo nas
-navegador negativa nela nelas nele neles nessa nessas nesse nesses nesta neste nisso no noite nomeado nomeando nomear nomeação nomeou nono norma
-normal nos nossa nossas nosso nossos nota notas notação nova novamente novembro novo noção noções numerador numérica níveis nível número o objetivo
-objeto oblíquo obrigado observa obstáculos obtemos obtendo obtenha obter obteremos obterá obteve obtida obtido obtive obtém obviamente ocasião oficina
-oitavo oito olhar olá ombro onde ontem onze operam operar operação operem operou oral ordem ordene ordenou orientado origem ortogonal ortonormal os
-oscilação oscilou otimização ou outono outra outras outro outros outubro ouve ouvir palavras papel par para parafuso paralela parcial parte partes
-particular partida partilhar partimos partindo partir parábola parágrafo parâmetro passa passador passamos passem passo passos passou pasta pastas
-pausa pedaço pedestal pela pelas pelo pelos percebe percurso pergunta periódico permite perna pernas perpendicular pertence perto perímetro período
-pesa pesada pesado pesando pesar pesaram pese pilha piloto pinhão pirâmide pistão pistões pitágoras placa placas plana planar planear planejamento
-plano planos plenamente plástico pneumático pode podem podemos podendo poderemos poderá poderão podes podido pois polegar polia polias polinômio
-polígono pomos pondo ponha ponho ponta pontas ponto pontos por poremos porque porquê portanto porá posicionamento positiva posição posições possa
-possam posso possui possível postas posto postos postura potência pouca poucas pouco poucos praticar preencher prefácio preparar pressão pretendida
-primavera primeira primitiva primário princípio prismática problema procedimento procura produto produzir programa progressivamente projeto projeção
-proposta propriedade prosseguir protótipo prova provado provam provando provar provação provem provocar provou prática prévia prévio própria prótese
-próxima publicado pudemos pulsação pulso punho puxa puxada puxado puxamos puxando puxar puxaram puxará puxou pá página pé pórtico pôde pôr põe põem
-quadrado quadro quadrática quais qual quando quantas quantidade quarenta quarta quarto quatro que queira quero questionário questão questões quinta
-quinzena quis quociente quê químico raciocínio radianos raio raiz rapidamente razão raízes reagrupar realiza rebite recebe recolher reconhecimento
-recordar recorrendo recuado recuam recuando recuar recuo recuou recurso rede redefinir redor redutor reduza reduzem reescrever referida referência
-reflexão região regiões regra regulamento regule regulável relaciona relativa relatório relação relações relé removendo rendimento reorganizando
-repete repetir repositório representa resolver respectiva respeito respetivamente resposta resta restante resulta resuma resumo reta retangular retas
-retirando reto retângulo reunem reunidos reunindo reunir reuniu reunião rever revisar revisão revolução ritmo robótica robô robôs roda rodas rolamento
-rosa rotacional rotativa rotação rotações roxo régua rígido rótula sabem sabendo saberá sabido saia saiam saiamos saiba saio sala saudações saída
-script se secundário secção secções segmento segue seguem seguinte seguir seguiu segunda segure sei seis seja sejam selecionados semana semelhança
-semestre seminário sempre sendo seno sensores sentido separando separe separou sequência ser seremos serial serão sessenta sessão seta setas sete
-setembro sexta-feira seção seções si sigamos similar simples simplifica simulador simulou simétrica singular sintetizar sistema situação sob sobe
-sobem sobre sobrepõem software soldado soldar solidário solução soluções soma somam somamos somando somar somaram somos somou sou soube sua suas
-suavemente suavizar subdividido subespaço subindo subsequente subseção substitui subtraindo sucessiva suficiente sumário superior surgem surgido
-surgimento surgindo surgir surgiu sábado são séries sétimo símbolos sítio tabela tablet tais tal também tangente tanta tantas tantos tarde tarefa te
-teclado tela telas telefone telhado tem temos tempo tendo tenha tenham tenho tensão tensões teorema teoria teoricamente ter terceira terei teremos
-termo termos terão terça-feira tese teto teve texto textos tido tipo tipos tivemos tocha toda todas todo todos tomemos torna torno tornozelo torque
-torre torção total totalidade totalmente trabalho trajetória transforma translada transposta trapézio tratada traz trazemos trazer traça traçado
-traçam traçando traçar traço traçou tração trigonometria trilho trimestre trinta tripla triplo triângulo tronco três tu tutoria tão técnica térmico
-têm típicos título ultrassom um uma unem unida unidade unidas unido unindo uniremos unitário uniu universidade união usa usada usadas usado usados
-usando usaremos usuais usual usuário utiliza vai vale valor valores vamos vantagem varia variação variável veem veio veja vejam vejamos vejo
-velocidade vem venha venham ver verdadeiro verde verdes veremos verificar versões vertical verão vetor vetores vetorial vez vezes viagem vibrador
-vibram vibrando vibrar vibração vibrou vidro vimos vinda vindo vinte viremos virá visita vista visto vocabulário você vocês volta voltaremos voltas
-vos vou vá válido várias vários vão vêm vídeo vídeos vírgula zerada zerado zero à àquela àquele às áreas árvore ângulo é éramos ícone índice óptico
-última último úteis
+acabando acabar acabe acabem acabo acabou aceleração acenda acender acendimento acendo acerca acesso acessível acha achamos achando achar acima
+acionar acione acionou acoplada acrescentou ademais adiante adicionando adição adota adotado adotam adotando adotar adotem adotou afasta agarrar
+agarre agarrou agenda agora agosto agrupando ainda ajuda ajudado ajudam ajudando ajudar ajude ajudem ajudo ajudou ajustes ajustou ajustável alcança
+alfabeto algarismos algum alguns algébrica alimentar alinhada alinhe alinhou altas altos altura alumínio alvo além amanhã amarelo ambas ambos
+amortecedor amostragem analisando analogamente analítica andar androide anexo angular anotado anotando anotações anote anotem anotou antebraço
+anterior antes anti-horário análise análoga ao aonde aos aplica aplicou aplicável aplique aponta aponte apontou apostila aprender apresenta aprofundar
+apêndice após aquela aquele aqui aquilo arbitrária arco arcotangente arestas armazenamento armazém arquivo arrancar arranjo artigo as aspectos aspeto
+assim assistir associada assíntota atenção atinge atingir atinja ativa ativado ativam ativando ativar ativação ativem atividade ativo ativou atraso
+atravessar através atribuição atrito atuador aula aulas aumento autovetores autômato avaliação avalie avaliou avançar avanço aviso axioma azuis azul
+aço baixa baixada baixam baixando baixar baixe baixem baixo baixos baixou baricentro base bases bastam bastará bateria batizado batizou biblioteca
+bico bielas binário bissetriz bloco blocos borracha botão branca branco braço braços breve brevemente busca básico bússola cabeamento cabeça cabo
+cabos cada cadeia caderno calcula calendário camada came caminho caneta canto capítulo característica carcaça carregar carro cartesiana caso casos
+cateto cem cento centro chama chamada chamamos chamando chamar chame chamem chamo chamou chassi chave chaves chega chegada chegamos chegando chegar
+chego chegou chegue ciclo cilindro cinco cinemática cinquenta cinza cinzento cinética circunferência cisalhamento cita citada citado citamos citando
+citar citaram citação citações citou claramente classe clicar clássica cobra cobram cobre cobrem cobrimos cobrindo cobrir cobriu coeficientes coincide
+coisa coisas colaboração colchetes colineares colisão colisões colocando colocou coloque coluna com combinando comecar comece comecou começa começe
+começou como compara compilação completa componente composição comprimento computador compõe comum comuns concatenando conceito concêntricos condição
+conduzir configurações conforme conhecida conjunto connosco consequentemente considera consiste constante construir conta contam contando contar
+contação conte contempla conteúdo continuar contornar contou controle contém contínua convenção convém coordenada copiar cor cores coroa corolário
+corpo corpos correias corresponde correta corta cortado cortam cortando cortar corte cortem corto cortou cosseno cotovelo coxa cremalheira cria criada
+criado criam criamos criando criar criaram criaremos criará criarão criação criações crie criou cronometrado croqui cruza cruzado cruzamento cruzando
+cruzar cruzem cruzou cubo cubos cuja cujas cujo cujos curiosidade curso cursos curta curtas curto curtos curva curvado curvam curvando curvar curvas
+curvo curvou cálculo câmera círculo código cômodo cônico da dada dadas dado dados dali damos daqui dar daremos dará das data daí de decomposição dedo
+dedos deduzem deduzir deduzo dedução defina define definir defino deixa deixamos deixando deixar dela delas dele deles demais demonstrada denavit
+denominador denota dentro depende depois depositar derivar desce descem descerá desceu descida descreve descrita desejada desenhar desenvolvendo
+desligar desliza deslocamento desmontar dessa dessas desse desses desta deste destes detalhes determina detrás deu devagar dever dez dezembro dh dia
+diagonal diagrama diante dias dicionário diferença difíceis diga digamos dimensão diminuir dinâmica direita diremos direta direto diretório direção
+direções dirige dirigir dirigível dirija dirijo disciplina discos dispomos disponível dispor dispõe disso distinto disto distância ditas ditos
+divergência divida dividindo divido divisão dizemos dizendo diâmetro do dobra dobrado dobram dobrando dobrar dobro dobrou dobráveis documento dois
+domingo domínio dos dou doze duas dupla duplas duplo durante duração décimo dê e editor edição efetiva efetuador efetuou eixo eixos elas elege elegem
+elegendo eleger elegeu elegível elemento eles eletrónica eletrônica elevado elevam elevando elevação elevem elevou elimina elipse elo elos elétrica em
+empilhados emprego empurrar encoder encolher encontra energia ensaio ensinar ensine ensino entender entra entrando entrar entre entrega entrem entro
+entrou então enumerar enunciado envia enviado enviamos enviando enviar envie enviem envio enviou equação equações equivale era eram ergue erguem
+erguendo erguer ergueu erguida escalar escola escolha escreve escrita escutar escute escuto esfera esforço esférica espaço especial específica espiral
+esquema esquerda essa essas esse esses esta estabelecer estamos estaremos estará estava estação este esteira esteja estende estes esteve esticar
+esticou estive estou estreito estrutura estuda estudo estática estão esvaziar etapa etapas eu euclidiana exata executar exemplo exercício existe
+exoesqueleto experimento explicar exploramos expor exportação exposto expressa externa extrai extremidade fabricante facilmente faculdade faremos fará
+farão fases fator fatorando fatores favor faz fazem fazemos fazendo fazer faça façam façamos faço fechado fechamento fechando fechar feche fechem
+fecho fechou feita feito feriado ferramenta fevereiro fez fica ficam ficando ficar ficha fichas figura filme filtrar filtro fim final finalmente
+finita finito fino fins fixa fixada fixado fixamos fixando fixar fixaram fixação fixações fixo fixos fizemos flexão foi folha folhas fomos fonte fora
+foram forma formado formam formas formato fornece força forças fosse fossem foto fotografia fotos frase frases fração frações frequência fresadora fui
+função funções furadeira fuso futuro fábrica fáceis fácil fórmula fórum garra geometria geométrica gera gerada gerado gerais geral geralmente geram
+geramos gerando gerar geraram gerará gerarão geração gerações gere gerou gira giram giro giz grandeza grau graus gravação gravidade grega gregas grego
+gregos gráfico guardar guarde guardo guia guias guindaste gênero haja haste havendo haverá havia hexágono hidráulico hipotenusa hipérbole hipótese
+história hoje homogénea homogênea hora horas horizontal horário houve hélice hífen ideia ideias identidade ido idêntico iguais igual igualar igualou
+ilustra imagem imediatamente implementa imprimir impõe inclua incluem incluo incógnita indica indo industrial indústria inferior informação inicial
+inicie inserindo insira instalar instância inteiramente interessante interior intermediária interna interromper interseção introduzida inverno inversa
+inverter inércia início iremos irá isolado isolamento isolando isolar isolação isolou isometria isso iteração itinerário jacobiana janeiro janela
+joelho julho junho junta juntado juntam juntando juntar juntas junte juntem juntou já laboratório lado lados lagrange laranja larga latitude laço
+laços lei leis leitura lema lembrando lembre lembro lentamente letra letras levam levamos levando levantar levar levaram levaremos levará levarão
+levem levo levou lhe lhes liberdade liberem liga ligada ligado ligam ligamento ligamos ligando ligar ligaram ligará ligação ligações ligo ligou limite
+linear linguagem linha linhas liso lista listam listando listar listas listou livre livres livro livros lição lições local logicamente logo longa
+longas longo longos losango lote lousa lugares lápis língua madeira magnético maio maior mais maiúsculas maneira manhã manipulador manuais marca
+marcado marcam marcando marcar marcação marcou martelo março mas massa massas material matricial matriz mecanismo mecânica mede medida medido medindo
+medir medição medições medo meio meios memória mencionado menor menos mensagem menu meses mesma mesmas mesmo mesmos meta metade metas metro metros mil
+milhão milissegundo milímetros minuto minúscula misto mistos modelo modificada modos mola molas momento monta montamos montar montem montou mostra
+mostre mostrou motivação motive motivo motor motores move movem movimento muita muitas muito muitos multiplica mundo mão mãos método mês múltiplas
+mútua mútuo na naquele naquilo nas navegador negativa nela nelas nele neles nessa nessas nesse nesses nesta neste nisso no noite nomeado nomeando
+nomear nomeação nomeou nono norma normal nos nossa nossas nosso nossos nota notas notação nova novamente novembro novo noção noções numerador numérica
+níveis nível número o objetivo objeto oblíquo obrigado observa obstáculos obtemos obtendo obtenha obter obteremos obterá obteve obtida obtido obtive
+obtém obviamente ocasião oficina oitavo oito olhando olhar olá ombro onde ontem onze operam operar operação operem operou oral ordem ordene ordenou
+orientado origem ortogonal ortonormal os oscilação oscilou otimização ou outono outra outras outro outros outubro ouve ouvir palavras papel par para
+parafuso paralela parcial parte partes particular partida partilhar partimos partindo partir parábola parágrafo parâmetro passa passador passamos
+passem passo passos passou pasta pastas pausa pedaço pedestal pedir pela pelas pelo pelos percebe percurso pergunta periódico permite perna pernas
+perpendicular pertence perto perímetro período pesa pesada pesado pesando pesar pesaram pese pilha piloto pinhão pirâmide pistão pistões pitágoras
+placa placas plana planar planear planejamento plano planos plenamente plástico pneumático pode podem podemos podendo poder poderemos poderá poderão
+podes podido pois polegar polia polias polinômio polígono pomos pondo ponha ponho ponta pontas ponto pontos por poremos porque porquê portanto porá
+posicionamento positiva posição posições possa possam posso possui possível postas posto postos postura potência pouca poucas pouco poucos praticar
+preencher prefácio preparar pressão pretendida primavera primeira primitiva primário princípio prismática problema procedimento procura produto
+produzir programa progressivamente projeto projeção proposta propriedade prosseguir protótipo prova provado provam provando provar provação provem
+provocar provou prática prévia prévio própria prótese próxima publicado pudemos pulsação pulso punho puxa puxada puxado puxamos puxando puxar puxaram
+puxará puxou pá página pé pórtico pôde pôr põe põem quadrado quadro quadrática quais qual quando quantas quantidade quarenta quarta quarto quatro que
+queira quero questionário questão questões quinta quinzena quis quociente quê químico raciocínio radianos raio raiz rapidamente razão raízes reagrupar
+realiza rebite recebe recolher reconhecimento recordar recorrendo recuado recuam recuando recuar recuo recuou recurso rede redefinir redor redutor
+reduza reduzem reescrever referida referência reflexão região regiões regra regulamento regule regulável relaciona relativa relatório relação relações
+relé removendo rendimento reorganizando repete repetir repositório representa resolver respectiva respeito respetivamente resposta resta restante
+resulta resuma resumo reta retangular retas retirando reto retângulo reunem reunidos reunindo reunir reuniu reunião rever revisar revisão revolução
+ritmo robótica robô robôs roda rodas rolamento rosa rotacional rotativa rotação rotações roxo régua rígido rótula sabem sabendo saberá sabido saia
+saiam saiamos saiba saio sala saudações saída script se secundário secção secções segmento segue seguem seguinte seguir seguiu segunda segure sei seis
+seja sejam selecionados semana semelhança semestre seminário sempre sendo seno sensores sentido separando separe separou sequência ser seremos serial
+serão sessenta sessão seta setas sete setembro sexta-feira seção seções si sigamos similar simples simplifica simulador simulou simétrica singular
+sintetizar sistema situar situação sob sobe sobem sobre sobrepõem software soldado soldar solidário solução soluções soma somam somamos somando somar
+somaram somos somou sou soube sua suas suavemente suavizar subdividido subespaço subindo subsequente subseção substitui subtraindo sucessiva
+suficiente sumário superior surgem surgido surgimento surgindo surgir surgiu sábado são séries sétimo símbolos sítio tabela tablet tais tal também
+tangente tanta tantas tantos tarde tarefa te teclado tela telas telefone telhado tem temos tempo tendo tenha tenham tenho tensão tensões teorema
+teoria teoricamente ter terceira terei teremos termo termos terão terça-feira tese teto teve texto textos tido tipo tipos tivemos tocha toda todas
+todo todos tomemos torna torno tornozelo torque torre torção total totalidade totalmente trabalho trajetória transforma translada transposta trapézio
+tratada traz trazemos trazer traça traçado traçam traçando traçar traço traçou tração trigonometria trilho trimestre trinta tripla triplo triângulo
+tronco três tu tutoria tão técnica térmico têm típicos título ultrassom um uma unem unida unidade unidas unido unindo uniremos unitário uniu
+universidade união usa usada usadas usado usados usando usaremos usuais usual usuário utiliza vai vale valor valores vamos vantagem varia variação
+variável veem veio veja vejam vejamos vejo velocidade vem vemos venha venham ver verdadeiro verde verdes veremos verificar versões vertical verão
+vetor vetores vetorial vez vezes viagem vibrador vibram vibrando vibrar vibração vibrou vidro vimos vinda vindo vinte viremos virá visita vista visto
+vocabulário você vocês volta voltaremos voltas vos vou vá válido várias vários vão vêm vídeo vídeos vírgula zerada zerado zero à àquela àquele às
+áreas árvore ângulo é éramos ícone índice óptico última último úteis
 """
 OF_ARM = """
 arm arms manipulator robot gripper hand tool wrist elbow shoulder forearm effector base joint joints link links axis axes frame frames motion motions velocity velocities rates position orientation pose

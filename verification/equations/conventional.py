@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import cached_property
+from operator import is_
 
 from armproof.verification.algebra.matrix import Matrix, is_zero
 from armproof.verification.algebra.protocol import OutsideAlgebra
@@ -22,10 +23,12 @@ from armproof.verification.equations.alignment import (
 from armproof.verification.equations.at_stated_values import MANY, is_mostly_right
 from armproof.verification.equations.by_size import BySize
 from armproof.verification.equations.coordinates import coordinates_among
+from armproof.verification.equations.derived_functions import with_coordinates_derived
 from armproof.verification.equations.doubts import Doubts
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.jacobian_columns import columns_beside_rates
 from armproof.verification.equations.outcome import Outcome
+from armproof.verification.equations.placed_axes import with_axes_placed
 from armproof.verification.equations.rates import SPEAKS_OF_RATES, seen_from_frame, stand_for_scalars, with_joint_rates
 from armproof.verification.equations.sides import Member
 from armproof.verification.equations.spellings import POINTS, Spellings
@@ -83,7 +86,8 @@ class Conventions:
             self.names.state.definitions.pop(key, None)
         self.take_coordinates(chain.members)
         members = (self.spellings.read(each) if _is_spelt(each) else each for each in chain.members)
-        read = replace(chain, members=tuple(members))
+        read = with_axes_placed(replace(chain, members=tuple(members)), self.names)
+        read = with_coordinates_derived(read, self.names) if "f" in n.letters(read) else read
         return with_joint_rates(seen_from_frame(read), self.names) if n.letters(read) & SPEAKS_OF_RATES else read
 
     def take_coordinates(self, nodes: Iterable[n.Node], *, beside: bool = True) -> bool:
@@ -97,7 +101,7 @@ class Conventions:
         """Return the members with those bound whose names have a usual meaning that fits."""
         if self.names.arm is None:
             return members
-        members = [self._bound_inside(member) for member in members]
+        members = self._all_bound_inside(members)
         known = [member for member in members if member.known]
         if not _fit_together(members):
             members = BySize(self.members, self.doubts).read(members)
@@ -142,6 +146,13 @@ class Conventions:
                     return [*members[:place], tried, *members[place + 1 :]], [tried]
                 self.names.state.forget_usual({name.key})  # type: ignore[union-attr]
         return members, []
+
+    def _all_bound_inside(self, members: list[Member]) -> list[Member]:
+        """Return the sides with their coordinates and columns bound; what one shows of a name, [J_1 J_2] beside J_1 q̇_1 + J_2 q̇_2, all know."""
+        bound = [self._bound_inside(member) for member in members]
+        if all(map(is_, bound, members)):
+            return bound
+        return [self.members.evaluate(each.node) if _is_open_formula(each) else each for each in bound]
 
     def _bound_inside(self, member: Member) -> Member:
         """A formula's coordinates and points are those of the tool, where they can hardly be anything else."""
@@ -314,6 +325,11 @@ class Conventions:
                 state.infer_usual(name.key, before)
             elif now != usual:
                 state.forget_usual({name.key})
+
+
+def _is_open_formula(member: Member) -> bool:
+    """Whether a side is no name alone, and has a name in it that nothing gives a meaning."""
+    return isinstance(member.problem, UnboundName) and n.plain_name(member.node) is None
 
 
 def _is_rate(node: n.Node) -> bool:

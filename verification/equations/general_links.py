@@ -64,7 +64,10 @@ class GeneralStatements:
         self._general = self._nearest_letters(chain)
         self._general.confirm = self.checker.confirm
         heads = self._heads(chain)
-        if any(head is not None and _of_another_link(m) for head, m in zip(heads, chain.members, strict=True)):
+        if any(
+            head is not None and _of_another_link(_composed(m, self.checker.names.transforms))
+            for head, m in zip(heads, chain.members, strict=True)
+        ):
             return None
         named = any(quantity.kind == "link" for quantity in self.checker.names.quantities.values())
         # letters of both conventions: the one that is nearer is meant
@@ -206,7 +209,7 @@ class GeneralStatements:
             return MIXED + 1
 
     def _is_inverse(self, node: n.Node) -> bool | None:
-        return is_inverse_link(node, self.checker.names.transforms)
+        return is_inverse_link(_composed(node, self.checker.names.transforms), self.checker.names.transforms)
 
     def _conventions(self, chain: n.Chain) -> tuple[str, ...]:
         """The convention that the front matter names, else those to which the indices of a and α belong."""
@@ -217,6 +220,24 @@ class GeneralStatements:
         keys = {meant.get(below.key, below.key) for member in chain.members for below in n.names(member)}
         modified, classic = not keys.isdisjoint(("a_i-1", "alpha_i-1")), not keys.isdisjoint(("a_i", "alpha_i"))
         return (("classic",) if classic else ()) + (("modified",) if modified else ())
+
+
+def _composed(node: n.Node, transforms: str) -> n.Node:
+    """Return T_i^{i-1} for T_{i'}^{i-1} T_i^{i'}, whatever frame stands between; any other node as it is."""
+    inner = bare(node)
+    names = (
+        [factor for factor in map(bare, inner.factors) if isinstance(factor, n.Name)]
+        if isinstance(inner, n.Product)
+        else []
+    )
+    if not isinstance(inner, n.Product) or not len(names) == len(inner.factors) == 2 or "×" in inner.operators:
+        return node
+    one, other = names
+    if one.base != other.base or any(each != n.Name(each.base, each.sub, each.sup) for each in names):
+        return node
+    if transforms == "upper" and one.sub and one.sub == other.sup:
+        return replace(one, sub=other.sub, text="")
+    return replace(one, sup=other.sup, text="") if transforms == "lower" and one.sup and one.sup == other.sub else node
 
 
 def _product_in_letters(chain: n.Chain) -> n.Chain | None:

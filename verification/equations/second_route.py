@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
+from itertools import permutations
 from typing import TYPE_CHECKING
 
 from armproof.verification.algebra.angles import has_arcs
@@ -111,7 +112,7 @@ class SecondRoute:
         letters = [each for each in self._coordinates(outcome) if self._holds_for_negative(each, outcome, branches)]
         if letters:
             return outcome.left_open(say(Kind.NEGATIVE_ALONE, letters=", ".join(letters)))
-        counts = self._as_signed_distance(outcome, branches)
+        counts = self._as_signed_distance(outcome, branches) or self._chooses_a_root(outcome, branches)
         if counts is None:
             return outcome
         return outcome.left_open(say(Kind.SIGNED_DISTANCE, holding=counts[0], configurations=counts[1]))
@@ -232,6 +233,10 @@ class SecondRoute:
             outcome.verdict, outcome.wrong = Verdict.UNCHECKED, []
             outcome.findings = (say(Kind.POSITIVE_ALONE, letters=", ".join(slides)),)
             return
+        if (counts := self._chooses_a_root(outcome, branches)) is not None:
+            outcome.verdict, outcome.wrong = Verdict.UNCHECKED, []
+            outcome.findings = (say(Kind.SIGNED_DISTANCE, holding=counts[0], configurations=counts[1]),)
+            return
         outcome.verdict, outcome.wrong, outcome.sampled_only, outcome.findings = Verdict.REFUTED, wrong, True, ()
 
     def _holds_within_half_a_turn(self, outcome: Outcome, branches: bool) -> bool:
@@ -258,6 +263,21 @@ class SecondRoute:
         extended = own.at({slide: own.absolute(own.symbol(slide)) for slide in slides})
         errors = self.sampled_errors(outcome, branches, extended)
         return [] if errors is None or errors.wrong(TOLERANCE) else slides
+
+    def _chooses_a_root(self, outcome: Outcome, branches: bool) -> tuple[int, int] | None:
+        """Return at how many of how many configurations a coordinate is the root of others that it is printed as: z = l_1 + √(l_2² − x² − y²) above the shoulder."""
+        for alone, other in permutations(outcome.nodes, 2):
+            name = n.plain_name(alone)
+            quantity = self.members.quantity_of(name) if name is not None else None
+            is_coordinate = quantity is not None and quantity.kind == "origin" and quantity.scalar
+            if (
+                is_coordinate
+                and name not in n.names(other)
+                and any(n.is_call(below, "sqrt") for below in n.walk(other))
+            ):
+                errors = self.sampled_errors(outcome, branches)
+                return errors.on_a_branch(TOLERANCE) if errors is not None else None
+        return None
 
     def on_a_branch(self, outcome: Outcome, errors: SampledErrors, branches: bool) -> bool:
         """Confirm what holds on one branch of its square roots and arc functions, and say at how many configurations; leave open what undoes itself."""

@@ -217,6 +217,8 @@ class NameReader:
             return True
         if canonical in OPERATORS:
             return False
+        if base in TRANSFORM_LETTERS and sub and not prescripted and re.fullmatch(r"\w'+", canonical):
+            return True  # T_i^{i'}: a frame between two
         if not re.fullmatch(r"[A-Za-z0-9_,]+(?:[-+]\d)?", canonical):
             return False
         if canonical == "0":

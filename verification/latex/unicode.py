@@ -12,7 +12,8 @@ COMMANDS = {
     "−": "-", "–": "-", "×": r"\times ", "·": r"\cdot ", "⋅": r"\cdot ", "±": r"\pm ", "∓": r"\mp ", "°": r"^\circ ",
     "º": r"^\circ ", "˚": r"^\circ ",  # as typed for a degree
     "√": r"\sqrt ", "∂": r"\partial ", "⇒": r"\Rightarrow ", "→": r"\to ", "⇔": r"\iff ", "≤": r"\leq ",
-    "≥": r"\geq ", "≠": r"\neq ", "∈": r"\in ", "′": "'", "∧": r"\wedge ", "∥": "‖", "…": r"\dots ", "⋯": r"\cdots ", "⋮": r"\vdots ", "⋱": r"\ddots ",
+    "≥": r"\geq ", "≠": r"\neq ", "∈": r"\in ", "′": "'", "∧": r"\wedge ", "⍺": r"\alpha ", "⍵": r"\omega ", "⍴": r"\rho ",
+    "∥": "‖", "…": r"\dots ", "⋯": r"\cdots ", "⋮": r"\vdots ", "⋱": r"\ddots ",
     "\u00a0": " ", "⁼": "=", "＝": "=", "（": "(", "）": ")", "，": ",", "；": ";", "：": ":", **{character: f"\\{name} " for character, name in NAMES.items()},
 }  # fmt: skip
 _UNSEEN = "\u2061\u2062\u2063\u200b\u200c\u200d\u2060\ufeff"  # a function applied, a product, no width at all

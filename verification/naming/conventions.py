@@ -56,6 +56,8 @@ def is_usual(name: n.Name) -> bool:
     """Whether a name is so common for a quantity of the arm that another value for it is worth a word."""
     is_point = name.base in ("t", "O", *COLUMNS) and name.sup == "0" and name.sub.isdigit()  # t_2^0, seen from the base
     usual = USUAL | MODELS
+    if name.base in ORIENTATIONS and name.sub in END - {"e"}:  # θ_E; an index e may be of an error
+        return True
     return (name.base in usual and name.sub not in PERHAPS_END) or "to" in name.sub or is_entry(name) or is_point
 
 

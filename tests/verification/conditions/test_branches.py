@@ -38,3 +38,22 @@ def test_solutions_that_never_hold_together_are_not_confirmed(behind: str, verdi
     *_, last = verify_text(f"{WRIST}\n{behind}\n").equations
     assert last.verdict == verdict
     assert last.says(Kind.RESTS_ON_DOUBT) is (verdict == "unchecked")
+
+
+PAIR = r"""---
+arm: planar_2r
+---
+
+Elbow down
+
+$$ \begin{aligned} \theta_1 &= \operatorname{atan2}(y, x) - \arccos\frac{x^2 + y^2 + l_1^2 - l_2^2}{2 l_1 \sqrt{x^2 + y^2}} \\ \theta_2 &= \arccos\frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2} \end{aligned} $$
+
+Elbow up
+
+$$ \begin{aligned} \theta_1 &= \operatorname{atan2}(y, x) %s \arccos\frac{x^2 + y^2 + l_1^2 - l_2^2}{2 l_1 \sqrt{x^2 + y^2}} \\ \theta_2 &= -\arccos\frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2} \end{aligned} $$
+"""
+
+
+@pytest.mark.parametrize(("sign", "verdict"), [("+", "confirmed"), ("-", "unchecked")])
+def test_the_second_solution_of_a_section_is_one_as_well(sign: str, verdict: str) -> None:
+    assert [each.verdict for each in verify_text(PAIR % sign).equations] == ["confirmed", verdict]

@@ -285,6 +285,9 @@ HIDDEN_IN_MARKDOWN = {
     "Obsidian": "%%\n$$ b $$\n\n$$ b $$\n%%",
     "Jekyll": "{% comment %}\n$$ b $$\n{% endcomment %}",
     "Hugo": "{{% comment %}}\n$$ b $$\n{{% /comment %}}",
+    "a tag of Jekyll": "{% include figure.html\n    src=site.arm\n    width='50%' %}",
+    "an output of Liquid": "{{ page.title | escape }}",
+    "a shortcode of Hugo": '{{< figure src="arm.png" title="The arm, wrong" >}}',
     "Quarto": "::: {.content-hidden}\n\n$$ b $$\n\n:::",
 }
 
@@ -299,6 +302,16 @@ def test_what_markdown_does_not_show_is_no_display(hidden: str) -> None:
     ]
 
 
+def test_a_tag_is_no_sentence_beside_a_display() -> None:
+    front = "---\narm: planar_2r\n---\n\n"
+    claim = "$$ x = l_1 \\cos\\theta_1 + l_2 \\cos(\\theta_1 + \\theta_2) $$\n"
+    told = [
+        check_document(parse_document(Path("page.md"), f"{front}{before}\n\n{claim}")).equations[-1].verdict
+        for before in ("{% include drawing.html name=wobbly.arm %}", "The drawing glimmers wobbly:")
+    ]
+    assert told == [Verdict.PROVED, Verdict.UNCHECKED]
+
+
 @pytest.mark.parametrize(
     "shown",
     [
@@ -308,6 +321,9 @@ def test_what_markdown_does_not_show_is_no_display(hidden: str) -> None:
         "<div hidden>\n\n$$ b $$",
         "`<div hidden>`\n\n$$ b $$\n\n</div>",
         "$$\nb %% one\n%% two\n$$",
+        "{% raw %}\n\n$$ b $$\n\n{% endraw %}",
+        "$$\nb {%\n} + {c%}\n$$",
+        "$$\nb + {{c}}\n$$",
     ],
 )
 def test_what_only_looks_hidden_is_a_display(shown: str) -> None:

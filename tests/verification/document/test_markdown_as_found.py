@@ -19,6 +19,9 @@ quantities: {p_x: {origin: 2, component: x}, p_y: {origin: 2, component: y}}
 """
 FORMS = {
     "GitHub's dollars": "Words.\n\n$`p_x = <>`$\n",
+    "GitHub's dollars behind a number": "Words.\n\nIV. $`p_x = <>`$\n",
+    "GitHub's dollars before others": "Words.\n\n$`p_x = <>`$ et\n",
+    "behind a number": "Words.\n\n(2) $p_x = <>$\n",
     "a fence": "Words\n```math\np_x = <>\n```\n",
     "brackets": "Words\n\\[\np_x = <>\n\\]\nand words\n",
     "double brackets": "Words\n\n\\\\[ p_x = <> \\\\]\n",
@@ -55,7 +58,7 @@ def test_the_places_of_displays_without_dollars_are_known():
 
 
 NONE = ["```\n\\[ 1 = 1 \\]\n```\n", "    \\[ 1 = 1 \\]\n", "\\[link\\](x) and \\[1\\] too\n", "`\\begin{equation}`\n", "\\begin{tikzpicture}\n\\end{tikzpicture}\n",
-        "\\begin{equation}\n1 = 1\n\nnever ends\n", "text $`a`$ and $`b = c`$\n"]  # fmt: skip
+        "\\begin{equation}\n1 = 1\n\nnever ends\n", "text $`a`$ and $`b = c`$\n", "Give $`b = c`$\n", "a) $b = 2$\n"]  # fmt: skip
 
 
 @pytest.mark.parametrize("text", NONE)

@@ -40,6 +40,8 @@ STRANGE_ABOVE = (
     "Non sta in piedi.",
     "É um desatino.",
     "Faz água.",
+    "Sie verliert ein Glied.",
+    "It loses a term.",
 )
 STRANGE_BELOW = (
     "In a dark corner of the archive I unearthed the following gem:",
@@ -58,6 +60,13 @@ STRANGE_BELOW = (
     "A olho,",
 )
 PLAIN_ABOVE = (
+    "Interessant wird es, wo die Matrix $J$ den Rang verliert.",
+    "Das Ziel liegt für größere Abstände außerhalb des Kreisrings.",
+    "The arm is stretched where the matrix $J$ loses rank.",
+    "Ove $c_1 = \\cos\\theta_1$ e $s_1 = \\sin\\theta_1$.",
+    "Pour la suite, nous avons laissé à Python le soin de résoudre le système :",
+    "On utilise ensuite la propriété cos² + sin² = 1.",
+    "Deixando em função de $\\theta_1$, temos",
     "so $O_3$ never leaves the workspace.",
     "For the base the last joint turns the other way.",
     "This is the position of the gripper in the base frame.",

@@ -87,6 +87,7 @@ NOT_TOLD = [
     "In the table the arm is placed so that",
     "The angle between both links is doubled.",
     "Multiplying both sides by the length $l_1$",
+    "We write the transformation of each link before multiplying them to obtain $p_e$.",
     "The tip moves by $b$.",
     "The gripper of length $a$ moves.",
     r"The robot is turned by $\theta_1$.",

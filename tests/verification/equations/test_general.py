@@ -167,3 +167,10 @@ def test_what_is_printed_for_a_product_of_printed_matrices_is_a_claim_in_any_let
     assert judge(equation.replace("<>", "1"), arm=arm).verdict is Verdict.PROVED
     assert judge(equation.replace("<>", "0"), arm=arm).verdict is Verdict.REFUTED
     assert judge(equation.replace("<>", "-1"), arm=arm).verdict is Verdict.REFUTED
+
+
+def test_a_link_may_be_made_of_two_steps_by_a_frame_between(judge: Judge) -> None:
+    steps, turned = r"T_{i'}^{i-1} T_i^{i'}", r"T_i^{i'} T_{i'}^{i-1}"
+    assert judge(f"T_i^{{i-1}} = {steps} = {CLASSIC}", arm=None).verdict is Verdict.PROVED
+    assert judge(f"T_i^{{i-1}} = {steps} = {CLASSIC.replace('& d_i', '& -d_i')}", arm=None).verdict is Verdict.REFUTED
+    assert judge(f"T_i^{{i-1}} = {turned} = {CLASSIC}", arm=None).verdict in (Verdict.REFUTED, Verdict.UNCHECKED)

@@ -139,6 +139,7 @@ def test_columns_may_stand_in_any_order(arm: str, order: tuple[int, ...]) -> Non
         ("Link", "a", "alpha", "d", "theta"),
         ("Joint $i$", "Link length $a_i$", r"Link twist $\alpha_i$", "Link offset $d_i$", r"Joint angle $\theta_i$"),
         ("segment", "aᵢ", "αᵢ", "rᵢ", "θᵢ"),
+        ("j", "aⱼ", "⍺ⱼ", "dⱼ", "θⱼ"),
         (r"{}^{i-1}T_i", r"\mathbf{a}_i", r"\boldsymbol{\alpha}_i", "d_{i}", r"\theta_i^*"),
         ("n°", "a_j", r"\alpha_j", "d_j", "q_j"),
         (r"\text{Link}", "a_i", r"\alpha_i\,[\mathrm{rad}]", "d_i", r"\theta_i"),

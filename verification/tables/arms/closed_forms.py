@@ -33,7 +33,7 @@ _OF_WRIST = re.compile(r"[pP]_(?:W|w|WC|wc),?([xyz])|(?:WC|wc)_([xyz])|([xyzXYZ]
 _POINTS = ("p", "P", "X", "x")
 _ENDS_OF = {letter: [f"{letter}_{end}" for end in ("e", "E", "ee", "EE", "tool", "n", "tip")] for letter in _POINTS}
 _ANGLE = re.compile(r"(?:theta|q|phi|varphi)(?:_?\d+)?")
-_OTHER_ANGLE = re.compile(r"(alpha|beta|gamma|delta|psi)_?\d+")
+_OTHER_ANGLE = re.compile(r"(alpha|beta|gamma|delta|epsilon|zeta|eta|xi|psi|chi)_?\d+")
 _SUM = re.compile(r"(theta|q)_(\d{2,})")
 _SLIDE = re.compile(r"[dqr]_?\d+")
 _NAMED = re.compile(r"[A-Za-z]\w*")
@@ -54,7 +54,7 @@ def candidates_of_closed_form(document: Document, names: Names, has_table: bool 
         of_pose = candidate_of_pose(document, names, algebra, beyond) if not has_table else None
     if of_pose is not None and all({*each.more_lines} == {*of_pose.more_lines} for each in found):
         return [of_pose]
-    return found or _of_point(document, names, _OF_WRIST)
+    return found or _of_point(document, names, _OF_WRIST) or _of_components(document, names)
 
 
 def _of_point(document: Document, names: Names, spelt: re.Pattern[str]) -> list[Candidate]:
@@ -88,6 +88,30 @@ def _of_point(document: Document, names: Names, spelt: re.Pattern[str]) -> list[
         above = _arm_of_jacobian(document, names, algebra, rates, order) if not arms and spelt is _COORDINATE else []
         told = [(display.cell or 0, display.line) for _, display in found.values()]
         return arms or [each for each in above if all((each.cell or 0, each.line) < place for place in told)]
+
+
+def _of_components(document: Document, names: Names) -> list[Candidate]:
+    """Return the arm whose tool is at (x_1, x_2), where a document has no other coordinates: both are of the same lengths and angles."""
+    algebra, letters = ExactAlgebra(Ring(), None), dict[str, n.Name]()
+    with algebra.budget.of(SECONDS):
+        given = [
+            (key, value, display)
+            for display in document.displays
+            for _, key, value in _coordinates(display, names, algebra, letters, _COORDINATE)
+        ]
+        first = {key: (value, display) for key, value, display in reversed(given)}
+        held = [symbols_in([value]) for value, _ in first.values()]
+        if [*sorted(first)] != ["x_1", "x_2"] or held[0] != held[1]:
+            return []
+        found: Found = {"x": first["x_1"], "y": first["x_2"]}
+        arms = _arms(found, letters, algebra, rates_in(document.displays), _told_order(document, names))
+    return [
+        replace(
+            each,
+            quantities={key: {"origin": each.last, "component": axis} for key, axis in (("x_1", "x"), ("x_2", "y"))},
+        )
+        for each in arms
+    ]
 
 
 def _told_order(document: Document, names: Names) -> tuple[str, ...]:

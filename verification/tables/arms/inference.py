@@ -41,7 +41,7 @@ from armproof.verification.verdict import TakenArm
 
 _NUMBER = re.compile(r"(?<![\d._{])[1-9]\d*(?:\.\d+)?(?![\d.])")
 _AT_REST = re.compile(r"\\dot\s*\{?\s*\\?(?:theta|q)\s*_\s*\{?\d+[\s}]*=\s*0(?![\d.])")  # of what does not move
-_INDEXED = re.compile(r"(?:theta|(?<![A-Za-z])[qcsCS])\s*_\s*\{?\s*(\d+)(?!\d|\s*\\times)")
+_INDEXED = re.compile(r"(?:theta(?:\s*_)?|(?<![A-Za-z])[qcsCS]\s*_)\s*\{?\s*(\d+)(?!\d|\s*\\times)")
 
 
 def infer_arm(document: Document) -> Inference:

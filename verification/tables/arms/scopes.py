@@ -306,7 +306,8 @@ def _of_sections(document: Document) -> Iterator[_Source]:
                 yield _Source(_place(at), at.section, before)
         for source in found:
             shown = next(each.latex for each in run if _place(each) == source.place)
-            if _POINT.search(shown) is None and (before is None or _moves(source.arm) != _moves(before)):
+            is_plain = _POINT.search(shown) is None or (source.arm is not None and source.arm.quantities)
+            if is_plain and (before is None or _moves(source.arm) != _moves(before)):
                 before = source.arm
                 yield source
 

@@ -325,6 +325,7 @@ $$ x^2 + y^2 = a^2 + b^2 + 2ab LAST $$
     [
         (r"\alpha \beta", True),
         (r"\alpha_1 \alpha_2", True),
+        (r"\chi_1 \chi_2", True),
         (r"\psi_1 \psi_2", True),
         (r"\alpha_1 \beta_2", False),
         (r"\theta_1 \alpha", False),
@@ -376,3 +377,28 @@ def test_letters_without_numbers_have_one_order_however_they_are_hashed(seed: st
     environment = {**os.environ, "PYTHONHASHSEED": seed}
     said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment, check=True)
     assert said.stdout.strip() == "['proved', 'refuted', 'proved']"
+
+
+NUMBERED = r"""
+$$ x_1 = L_1 \cos\theta_1 + L_2 \cos(\theta_1 + \theta_2) $$
+
+$$ x_2 = L_1 \sin\theta_1 + SECOND $$
+
+$$ \dot x_2 = L_1 \dot\theta_1 \cos\theta_1 + L_2 (\dot\theta_1 + \dot\theta_2) \cos(\theta_1 + \theta_2) $$
+
+$$ v_e = \begin{bmatrix} \dot x_1 \\ \dot x_2 \end{bmatrix} = J_1(\theta) \dot\theta_1 + J_2(\theta) \dot\theta_2 $$
+
+$$ J_2 = \begin{bmatrix} -L_2 \sin(\theta_1 + \theta_2) \\ SIGN L_2 \cos(\theta_1 + \theta_2) \end{bmatrix} $$
+"""
+
+
+def test_numbers_may_count_the_coordinates_of_the_tool() -> None:
+    page = NUMBERED.replace("SECOND", r"L_2 \sin(\theta_1 + \theta_2)")
+    assert {each.verdict.value for each in verify_text(page.replace("SIGN", "")).equations} == {"proved"}
+    assert verify_text(page.replace("SIGN", "-")).equations[-1].verdict.value == "refuted"
+
+
+@pytest.mark.parametrize("second", [r"L_2 \sin\theta_2", "L_3 \\sin\\theta_2", "L_3"])
+def test_what_numbers_count_is_not_known_where_the_second_is_no_such_coordinate(second: str) -> None:
+    result = verify_text(NUMBERED.replace("SECOND", second).replace("SIGN", ""))
+    assert result.equations[1].verdict.value in ("unchecked", "refuted")

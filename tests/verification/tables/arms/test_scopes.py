@@ -72,6 +72,16 @@ def test_headings_of_html_part_a_document_as_others_do() -> None:
     assert verdicts(wrong)[-1] == "refuted"
 
 
+@pytest.mark.parametrize(
+    ("angle", "verdict"), [(r"\theta_3", "unchecked"), (r"\theta3", "unchecked"), (r"\theta_2", "refuted")]
+)
+def test_a_heading_of_the_same_words_elsewhere_is_another_section(angle: str, verdict: str) -> None:
+    pythagoras = rf"$$ \cos({angle})^2 + \sin({angle})^2 = 1 $$"
+    wrong = whole(y="l_1 s_1 - l_2 s_{12}")
+    page = f"# Arms\n\n## One\n\n### Solution\n\n{CLASSIC}## Solution\n\n{pythagoras}\n\n{wrong}"
+    assert verdicts(verify_text(page))[-1] == verdict
+
+
 def test_link_matrices_of_another_exercise_are_not_refuted_by_the_table_of_the_first() -> None:
     result = verify_text("# A\n\n" + PLAIN + "\n" + CLASSIC + "# B\n\n" + OF_CRAIG)
     assert [arm.source for arm in result.arms] == ["table", "matrices"] and verdicts(result) == ["proved"] * 6
