@@ -228,6 +228,7 @@ class Heeding:
             self.names.state.compare(bound, self.given.lengths)
         if self.names.arm is not None:
             heard.bounds += (bound for bound in bounding if "≠" not in bound.relations)
+            heard.bounds = [each for each in heard.bounds if _opposite(each) not in heard.bounds]  # both branches
         if any(map(self.moves, bounding)):  # where θ_2 ≠ 0, nothing is said of θ_2 = π any more
             heard.names |= {*self.given.joints}
             self.names.state.told = replace(self.names.state.told, conditions=(), earlier=())
@@ -448,6 +449,12 @@ def _of_root(chain: n.Chain) -> n.Chain:
 def _is_bound(chain: n.Chain) -> bool:
     in_interval = chain.relations == ("∈",) and n.interval_of("∈", chain.members[1]) is not None
     return in_interval or (bool(chain.relations) and set(chain.relations).issubset("<>≤≥≠"))
+
+
+def _opposite(bound: n.Chain) -> n.Chain | None:
+    """Return the other sign than that which a bound tells: θ_3 > 0 of θ_3 < 0."""
+    turned = {"<": ">", ">": "<"}.get(bound.relations[0]) if len(bound.relations) == 1 else None
+    return replace(bound, relations=(turned,)) if turned is not None else None
 
 
 def _equated(chain: n.Chain) -> Iterator[str]:

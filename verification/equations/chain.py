@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, NoReturn
 
+from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import is_near
@@ -70,7 +71,7 @@ from armproof.verification.errors import NotSampled, UnboundName
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare_key, has_branches
+from armproof.verification.latex.nodes import bare, bare_key, has_branches
 from armproof.verification.naming.conventions import ENTRIES, ENTRY, WRIST
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Definition
@@ -334,11 +335,27 @@ class ChainChecker:
         outcome = unless_skewed(outcome, self.names)
         if outcome.true is not None and _is_vanishing_determinant(outcome.true):
             doubt = say(Kind.DEFINES_ZERO, name=outcome.defines[0] if outcome.defines else "")
+            if outcome.defines and self._is_of_shape(outcome.true.node):
+                self.names.forget(outcome.defines)
+                return replace(outcome, verdict=Verdict.REFUTED, findings=(doubt,), defines=())
             for key in outcome.defines:
                 self.names.leave_open(key, doubt)
             return replace(outcome.left_open(doubt), defines=())
         is_of_forces = self.names.state.adopted and outcome.verdict is Verdict.DEFINED
         return Torques(self.members).judge(outcome) if is_of_forces else outcome
+
+    def _is_of_shape(self, node: n.Node) -> bool:
+        """Whether a determinant is zero by the shape of a Jacobian that the document shows: det(J J^T) of six rows and five columns."""
+        for below in (each for each in n.walk(node) if n.is_call(each, "det")):
+            name, inner = next(iter(n.names(below)), None), bare(below.arguments[0])
+            first = bare(inner.factors[0]) if isinstance(inner, n.Product) else None
+            shown = name is not None and (
+                name.key in self.names.state.shown or name.key in self.names.state.definitions
+            )
+            value = self.members.evaluate(first).value if shown and first is not None else None
+            if isinstance(value, Matrix) and value.shape[0] > value.shape[1]:
+                return True
+        return False
 
     def _evaluated(self, chain: n.Chain, define: bool) -> tuple[list[Member], frozenset[str]]:
         """Return the sides with their values, and the new letters that the chain defines: the names alone of these have none."""
