@@ -152,11 +152,17 @@ class WordsAround:
         plain = [replace(name, dots=0) for name in _names_in(outcome)]
         if outcome.conditions or outcome.verdict is Verdict.REFUTED:  # what a name means there is forgotten behind them
             by_convention |= {name.key for name in plain if is_usual(name) and self.names.is_open(name)}
-        named = {name.key for name in plain} & by_convention
+        named = {name.key for name in plain} & by_convention - self._of_inner_frames()
         is_open = outcome.as_usual is None and all(re.search(r"[\d^]|_[bs]\b", key) for key in named)
         if is_open or (outcome.as_usual is None and outcome.verdict not in DECIDED):
             return outcome
         return replace(outcome.left_open(say(Kind.OF_OTHER_POINT)), as_usual=None)
+
+    def _of_inner_frames(self) -> set[str]:
+        """Return the names that convention binds to the origin of another frame than the last: P_w of the wrist."""
+        arm, inferred = self.names.arm, self.names.state.inferred
+        last = arm.frames[-1] if arm is not None else ""
+        return {key for key, each in inferred.items() if arm is not None and each.kind == "origin" and each.frame != last}
 
     def _is_joint(self, node: n.Node) -> bool:
         if isinstance(node, n.Call) and node.function in _OF_ANGLES and len(node.arguments) == 1:
