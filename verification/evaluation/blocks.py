@@ -11,6 +11,9 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 
 
+_LINEAR, _ANGULAR, _AXES = ("v", "V"), ("omega", "w", "Omega"), ("x", "y", "z")
+
+
 @dataclass(frozen=True)
 class Block:
     """A printed cell and the rows and columns (from 0) of the whole that it stands for."""
@@ -66,9 +69,9 @@ def cells_of(node: n.Node) -> Sequence[n.Node]:
 def partition(printed: Sequence[Sequence[n.Node]], size: tuple[int, int]) -> list[Block] | None:
     """Return the blocks of a value of that size, or None where the printed rows cannot be laid over it.
 
-    One cell an entry; R, p, 0, 1 over a 4×4 pose; n, o, a, p over its columns; J_v over J_ω; columns of a Jacobian.
+    One cell an entry; R, p, 0, 1 over a 4×4 pose; n, o, a, p over its columns; J_v over J_ω; v over ω of the plane; columns of a Jacobian.
     """
-    heights = _shares(len(printed), size[0])
+    heights = _of_the_plane(printed, size) or _shares(len(printed), size[0])
     if heights is None:
         return None
     blocks: list[Block] = []
@@ -83,6 +86,21 @@ def partition(printed: Sequence[Sequence[n.Node]], size: tuple[int, int]) -> lis
             left += width
         top += height
     return blocks
+
+
+def is_twist_of_plane(node: n.Node) -> bool:
+    """Whether a tree is [v; ω] of a planar arm, of which v may have two components."""
+    return _of_the_plane(written_rows(node), (3, 1)) is not None
+
+
+def _of_the_plane(printed: Sequence[Sequence[n.Node]], size: tuple[int, int]) -> tuple[int, ...] | None:
+    """How three rows fall to a velocity in the plane and to the rate of its one angle: [v; ω], or [ω; v]."""
+    cells = [bare(cell) for row in printed for cell in row] if size == (3, 1) else []
+    if len(cells) != 2 or not all(isinstance(cell, n.Name) for cell in cells):
+        return None
+    of_angle = [cell.base in _ANGULAR for cell in cells if isinstance(cell, n.Name)]
+    of_point = [cell.base in _LINEAR and not cell.sub.startswith(_AXES) for cell in cells if isinstance(cell, n.Name)]
+    return {(True, False): (2, 1), (False, True): (1, 2)}.get(tuple(of_point)) if of_angle != of_point and any(of_angle) else None
 
 
 def _shares(parts: int, whole: int) -> tuple[int, ...] | None:
