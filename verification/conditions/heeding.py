@@ -250,7 +250,7 @@ class Heeding:
         """The text behind a display says what a letter of it is: "p_x = ρ c_1", where ρ = …."""
         chains = [each for each in statements if isinstance(each, n.Chain)]
         alone = {bare_key(member) for chain in chains for member in chain.members}
-        held = {b.key for chain in chains for b in n.names(chain) if self.names.is_open(b)}
+        held = {b.key for chain in chains for b in n.names(chain) if self.names.is_open(b.undotted)}
         if not (held := held - alone):
             return
         for latex in said:
@@ -264,6 +264,8 @@ class Heeding:
         """x_p = x − l_3 cos α: a letter that has no meaning gets one, until a display gives it another."""
         chain = _of_root(chain)
         name = chain.members[0]
+        if self._is_rate_of_none(chain):
+            self.names.define(name.key, self.checker.members.meaning(chain.members[1]), line, in_text=True)
         if chain.relations != ("=",) or not isinstance(name, n.Name) or name.dots:
             return
         if self.names.quantity(name) is not None and rows_of_letters(chain.members[1]):  # T = [s n a P; 0 0 0 1]
@@ -290,6 +292,14 @@ class Heeding:
         scalars = [cell for cell in cells if isinstance(cell, Scalar)]
         if len(scalars) == len(cells) and symbols_in(scalars):
             self.names.define(name.key, members.meaning(value), line, node=value, in_text=True)
+
+    def _is_rate_of_none(self, chain: n.Chain) -> bool:
+        r"""Whether the rate of a joint that the arm has not is said to be zero: "There is no joint 3: $\dot\theta_3 = 0$"."""
+        name = chain.members[0]
+        if chain.relations != ("=",) or not isinstance(name, n.Name) or name.dots != 1 or not n.is_nought(chain.members[1:]):
+            return False
+        is_joint = name.base in ("theta", "q", "d") and name.sub.isdigit() and int(name.sub) > len(self.names.joints)
+        return is_joint and name.key not in self.names.state.definitions and self.names.is_open(name.undotted)
 
     def _introduces(self, chain: n.Chain) -> bool:
         """Whether a text about no arm says what a letter is that stands nowhere above: a formula of what the document defines, or of angles."""

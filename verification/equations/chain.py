@@ -64,6 +64,7 @@ from armproof.verification.equations.second_route import SecondRoute, is_distanc
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.equations.signed_distances import named_with_sign
 from armproof.verification.equations.skew import unless_skewed
+from armproof.verification.equations.spelt_names import with_spelt_names
 from armproof.verification.equations.table_angles import TableAngles
 from armproof.verification.equations.torques import Torques
 from armproof.verification.equations.worked_numbers import as_added_up
@@ -169,6 +170,7 @@ class ChainChecker:
         A chain is read, its sides are evaluated and compared with the one that is true, and each outcome is judged by what
         the document says beside it. Another reading is checked in the same way, from the beginning.
         """
+        chain = with_spelt_names(chain, self.names)
         if not n.letters(chain).isdisjoint((*ENTRIES, ENTRY.upper())):  # few chains hold letters of a pose
             chain = with_last_row(with_entries_of_capitals(chain, self.names))
         now = self._begun(chain, first_equation, line, define)
@@ -274,7 +276,7 @@ class ChainChecker:
                 outcomes.append(OfPoints(self.members).judge(now.definitions.define(true, member, equation)))
         if now.define and any(finding.kind is Kind.SIGNED_DISTANCE for each in outcomes for finding in each.findings):
             outcomes = named_with_sign(self.names, self.members, now.chain, outcomes, is_distance)
-        return outcomes
+        return _of_one_value(outcomes)
 
     def _judged(self, now: _Pass, outcomes: list[Outcome]) -> list[Outcome]:
         """Return the outcomes, left open where the chain may be read otherwise, or a name means something else there."""
@@ -367,9 +369,10 @@ class ChainChecker:
             else self.members.evaluate(node)
             for node in chain.members
         ]
-        if not (fresh and len(members) > 1 and all(member.known for member in members)):
-            is_named = any(bare_key(each.node) and isinstance(each.problem, UnboundName) for each in members)
-            if is_named and len(unused) >= FEWEST_LETTERS:
+        named = [each for each in members if bare_key(each.node) and isinstance(each.problem, UnboundName)]
+        known = [member for member in members if member.known]  # p = [x; y; z] = […] says both what p is and what x is
+        if not (fresh and len(known) > 1 and len(known) + len(named) == len(members)):
+            if named and len(unused) >= FEWEST_LETTERS:
                 self.names.used.difference_update(unused)  # T = [n o a p] says nothing of them
             return members, frozenset()
         unbound = UnboundName(min(fresh))
@@ -558,6 +561,16 @@ def _labels(now: _Pass) -> Iterator[Outcome]:
             if isinstance(brace, n.Labelled):
                 equation = now.first + max(0, index - 1)
                 yield from now.definitions.label(brace, equation, partial(now.check, first_equation=equation))
+
+
+def _of_one_value(outcomes: list[Outcome]) -> list[Outcome]:
+    """Let what p = [x; y; z] = f defines stand for one value: what uses x uses p."""
+    entries = {key for each in outcomes if each.tells(Kind.DEFINES_ENTRIES) for key in each.defines}
+    names = {key for each in outcomes if each.tells(Kind.DEFINES) for key in each.defines}
+    if not (entries and names):
+        return outcomes
+    both = tuple(sorted(entries | names))
+    return [replace(each, defines=both) if each.defines else each for each in outcomes]
 
 
 def _is_vanishing_determinant(member: Member) -> bool:

@@ -10,7 +10,6 @@ from armproof.verification.algebra.protocol import Value
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 
-
 _LINEAR, _ANGULAR, _AXES = ("v", "V"), ("omega", "w", "Omega"), ("x", "y", "z")
 
 
@@ -100,7 +99,11 @@ def _of_the_plane(printed: Sequence[Sequence[n.Node]], size: tuple[int, int]) ->
         return None
     of_angle = [cell.base in _ANGULAR for cell in cells if isinstance(cell, n.Name)]
     of_point = [cell.base in _LINEAR and not cell.sub.startswith(_AXES) for cell in cells if isinstance(cell, n.Name)]
-    return {(True, False): (2, 1), (False, True): (1, 2)}.get(tuple(of_point)) if of_angle != of_point and any(of_angle) else None
+    return (
+        {(True, False): (2, 1), (False, True): (1, 2)}.get(tuple(of_point))
+        if of_angle != of_point and any(of_angle)
+        else None
+    )
 
 
 def _shares(parts: int, whole: int) -> tuple[int, ...] | None:
