@@ -296,7 +296,12 @@ class Heeding:
     def _is_rate_of_none(self, chain: n.Chain) -> bool:
         r"""Whether the rate of a joint that the arm has not is said to be zero: "There is no joint 3: $\dot\theta_3 = 0$"."""
         name = chain.members[0]
-        if chain.relations != ("=",) or not isinstance(name, n.Name) or name.dots != 1 or not n.is_nought(chain.members[1:]):
+        if (
+            chain.relations != ("=",)
+            or not isinstance(name, n.Name)
+            or name.dots != 1
+            or not n.is_nought(chain.members[1:])
+        ):
             return False
         is_joint = name.base in ("theta", "q", "d") and name.sub.isdigit() and int(name.sub) > len(self.names.joints)
         return is_joint and name.key not in self.names.state.definitions and self.names.is_open(name.undotted)
