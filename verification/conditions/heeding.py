@@ -264,7 +264,7 @@ class Heeding:
         """x_p = x − l_3 cos α: a letter that has no meaning gets one, until a display gives it another."""
         chain = _of_root(chain)
         name = chain.members[0]
-        if self._is_rate_of_none(chain):
+        if isinstance(name, n.Name) and self._is_rate_of_none(chain):
             self.names.define(name.key, self.checker.members.meaning(chain.members[1]), line, in_text=True)
         if chain.relations != ("=",) or not isinstance(name, n.Name) or name.dots:
             return

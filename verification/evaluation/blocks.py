@@ -95,15 +95,16 @@ def is_twist_of_plane(node: n.Node) -> bool:
 def _of_the_plane(printed: Sequence[Sequence[n.Node]], size: tuple[int, int]) -> tuple[int, ...] | None:
     """How three rows fall to a velocity in the plane and to the rate of its one angle: [v; ω], or [ω; v]."""
     cells = [bare(cell) for row in printed for cell in row] if size == (3, 1) else []
-    if len(cells) != 2 or not all(isinstance(cell, n.Name) for cell in cells):
-        return None
-    of_angle = [cell.base in _ANGULAR for cell in cells if isinstance(cell, n.Name)]
-    of_point = [cell.base in _LINEAR and not cell.sub.startswith(_AXES) for cell in cells if isinstance(cell, n.Name)]
-    return (
-        {(True, False): (2, 1), (False, True): (1, 2)}.get(tuple(of_point))
-        if of_angle != of_point and any(of_angle)
-        else None
-    )
+    kinds = "".join(map(_velocity_of, cells))
+    return {"vω": (2, 1), "ωv": (1, 2)}.get(kinds)
+
+
+def _velocity_of(cell: n.Node) -> str:
+    """Return whether a letter is a velocity, v, or an angular one, ω; its component is neither."""
+    if not isinstance(cell, n.Name):
+        return "?"
+    is_whole = cell.base in _LINEAR and not cell.sub.startswith(_AXES)
+    return "v" if is_whole else "ω" if cell.base in _ANGULAR else "?"
 
 
 def _shares(parts: int, whole: int) -> tuple[int, ...] | None:
