@@ -60,7 +60,9 @@ class WordsAround:
         if is_elsewhere or (outcome.as_usual is not None and outcome.as_usual.of_another):
             self.names.state.elsewhere.add(display.line)
         if is_elsewhere:
-            outcome = self._unless_of_the_tool(outcome)
+            outcome = self._unless_of_the_tool(
+                outcome, is_of_wrist=not display.of_other_point and _is_of_wrist(display)
+            )
         if display.in_other_frame and outcome.verdict in DECIDED and any(map(self._is_in_base, _names_in(outcome))):
             outcome = outcome.left_open(say(Kind.OF_OTHER_POINT))
         if display.meant and not display.erratum and outcome.verdict is not Verdict.UNCHECKED:
@@ -141,10 +143,10 @@ class WordsAround:
             and not re.search(r"\^|_[bs]\b", name.key)
         )
 
-    def _unless_of_the_tool(self, outcome: Outcome) -> Outcome:
+    def _unless_of_the_tool(self, outcome: Outcome, *, is_of_wrist: bool) -> Outcome:
         """Leave open what is decided by a name that convention alone binds to the tool, where the text speaks of another point.
 
-        What is solved for a joint, "Base: q_1 = atan2(y, x)", is of no point.
+        What is solved for a joint, "Base: q_1 = atan2(y, x)", is of no point, and P_w is of the wrist where the text is.
         """
         if any(map(self._is_joint, outcome.nodes)):
             return outcome
@@ -152,17 +154,31 @@ class WordsAround:
         plain = [replace(name, dots=0) for name in _names_in(outcome)]
         if outcome.conditions or outcome.verdict is Verdict.REFUTED:  # what a name means there is forgotten behind them
             by_convention |= {name.key for name in plain if is_usual(name) and self.names.is_open(name)}
-        named = {name.key for name in plain} & by_convention
+        of_wrist = self._of_inner_frames() if is_of_wrist else set()
+        named = {name.key for name in plain} & by_convention - of_wrist
         is_open = outcome.as_usual is None and all(re.search(r"[\d^]|_[bs]\b", key) for key in named)
         if is_open or (outcome.as_usual is None and outcome.verdict not in DECIDED):
             return outcome
         return replace(outcome.left_open(say(Kind.OF_OTHER_POINT)), as_usual=None)
+
+    def _of_inner_frames(self) -> set[str]:
+        """Return the names that convention binds to the origin of another frame than the last: P_w of the wrist."""
+        arm, inferred = self.names.arm, self.names.state.inferred
+        last = arm.frames[-1] if arm is not None else ""
+        return {
+            key for key, each in inferred.items() if arm is not None and each.kind == "origin" and each.frame != last
+        }
 
     def _is_joint(self, node: n.Node) -> bool:
         if isinstance(node, n.Call) and node.function in _OF_ANGLES and len(node.arguments) == 1:
             node = node.arguments[0]  # cos θ_3 = …
         key = bare_key(node)
         return key is not None and self.names.known_symbol(key) in self.names.joints
+
+
+def _is_of_wrist(display: Display) -> bool:
+    """Whether the words beside a display are of the wrist, and of no other place."""
+    return {each for each in display.meant if each.startswith(FRAME)} == {f"{FRAME} {WRIST}"}
 
 
 def _is_told_otherwise(outcome: Outcome, meant: Sequence[str]) -> bool:

@@ -48,7 +48,9 @@ class Circumstances:
         told = self.names.state.told
         if outcome.true is None or outcome.printed is None or outcome.states_values:
             return outcome
-        if all(map(is_number, outcome.nodes)):  # 0.2 + 0.2898 is what it is, wherever
+        if all(map(is_number, outcome.nodes)) or outcome.tells(
+            Kind.DEFINES_ZERO
+        ):  # 0.2 + 0.2898 is what it is, wherever
             return outcome
         if not self._is_wrong_at(told, outcome) and any(self._follows(each, outcome) for each in self._told(told)):
             return self._proved_there(outcome) or outcome.left_open(say(Kind.HOLDS_AS_TOLD))

@@ -228,6 +228,7 @@ class Heeding:
             self.names.state.compare(bound, self.given.lengths)
         if self.names.arm is not None:
             heard.bounds += (bound for bound in bounding if "≠" not in bound.relations)
+            heard.bounds = [each for each in heard.bounds if _opposite(each) not in heard.bounds]  # both branches
         if any(map(self.moves, bounding)):  # where θ_2 ≠ 0, nothing is said of θ_2 = π any more
             heard.names |= {*self.given.joints}
             self.names.state.told = replace(self.names.state.told, conditions=(), earlier=())
@@ -249,7 +250,7 @@ class Heeding:
         """The text behind a display says what a letter of it is: "p_x = ρ c_1", where ρ = …."""
         chains = [each for each in statements if isinstance(each, n.Chain)]
         alone = {bare_key(member) for chain in chains for member in chain.members}
-        held = {b.key for chain in chains for b in n.names(chain) if self.names.is_open(b)}
+        held = {b.key for chain in chains for b in n.names(chain) if self.names.is_open(b.undotted)}
         if not (held := held - alone):
             return
         for latex in said:
@@ -263,6 +264,8 @@ class Heeding:
         """x_p = x − l_3 cos α: a letter that has no meaning gets one, until a display gives it another."""
         chain = _of_root(chain)
         name = chain.members[0]
+        if isinstance(name, n.Name) and self._is_rate_of_none(chain):
+            self.names.define(name.key, self.checker.members.meaning(chain.members[1]), line, in_text=True)
         if chain.relations != ("=",) or not isinstance(name, n.Name) or name.dots:
             return
         if self.names.quantity(name) is not None and rows_of_letters(chain.members[1]):  # T = [s n a P; 0 0 0 1]
@@ -295,6 +298,19 @@ class Heeding:
     def _is_joint(self, node: n.Node) -> bool:
         """Whether a name is that of a joint's variable: α = θ_1 says what α is, and a display that uses it none of its own."""
         return isinstance(node, n.Name) and not node.dots and self.names.known_symbol(node.key) in self.names.joints
+
+    def _is_rate_of_none(self, chain: n.Chain) -> bool:
+        r"""Whether the rate of a joint that the arm has not is said to be zero: "There is no joint 3: $\dot\theta_3 = 0$"."""
+        name = chain.members[0]
+        if (
+            chain.relations != ("=",)
+            or not isinstance(name, n.Name)
+            or name.dots != 1
+            or not n.is_nought(chain.members[1:])
+        ):
+            return False
+        is_joint = name.base in ("theta", "q", "d") and name.sub.isdigit() and int(name.sub) > len(self.names.joints)
+        return is_joint and name.key not in self.names.state.definitions and self.names.is_open(name.undotted)
 
     def _introduces(self, chain: n.Chain) -> bool:
         """Whether a text about no arm says what a letter is that stands nowhere above: a formula of what the document defines, or of angles."""
@@ -454,6 +470,12 @@ def _of_root(chain: n.Chain) -> n.Chain:
 def _is_bound(chain: n.Chain) -> bool:
     in_interval = chain.relations == ("∈",) and n.interval_of("∈", chain.members[1]) is not None
     return in_interval or (bool(chain.relations) and set(chain.relations).issubset("<>≤≥≠"))
+
+
+def _opposite(bound: n.Chain) -> n.Chain | None:
+    """Return the other sign than that which a bound tells: θ_3 > 0 of θ_3 < 0."""
+    turned = {"<": ">", ">": "<"}.get(bound.relations[0]) if len(bound.relations) == 1 else None
+    return replace(bound, relations=(turned,)) if turned is not None else None
 
 
 def _equated(chain: n.Chain) -> Iterator[str]:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
 from armproof.verification.document.named_quantities import NAMED, named_quantity
 from armproof.verification.document.other_arms import OF_ARM, arms_named
@@ -42,6 +43,7 @@ BASE base basis world ground fixed inertial reference origin 0 monde fixe absolu
 BE is are reads becomes equals est sont s'écrit vaut ist lautet liegt sind es está son è sono é
 AT at in en bei liegt auf em
 RELATIVE relative relativ relativa relativo respect rapport seen vue bezüglich respecto rispetto
+VARIABLE variable~ angle~ coordinate~ parameter~ displacement~ winkel~ variablen ángulos
 TIME time temps zeit tiempo tempo
 IN in dans im en nel nella no
 KIND manipulator~ robot~ arm arms configuration~ type singularit~
@@ -279,6 +281,8 @@ def _seen_from(said: Sequence[str], place: int) -> Iterator[str]:
     behind = behind[:end]
     if any(_is(each, "TIME") for each in behind[:3]):
         return  # "Differentiating with respect to time relates the joint velocities"
+    if any(word in _JOINT and _is(then, "VARIABLE") for word, then in pairwise(behind)):
+        return  # "with respect to the joint variables"
     for word in behind:
         if _is(word, "BASE") or word in _ENDS or (_is(word, "NUMBERED") and _number(behind) == "0"):
             return

@@ -16,6 +16,7 @@ ABOVE_ZERO, BELOW_ZERO = ">", "<"
 
 MAY_TELL_BRANCH = re.compile(  # what no such sentence lacks, in small letters
     r"positi|negati|négati|sqrt|between|entre|zwischen|minus|moins|plus|flip|back|behind|other side|opposite side|(?:left|right)[- ]hand|lefty|righty|left|right|arrière|derrière|gauche|droit|retourn"
+    "|elbow|wrist|shoulder|coude|épaule|poignet|ellbogen|codo|gomito|cotovelo"
 )
 _ANGLE = r"(?:\\(?:var)?theta|\\(?:var)?phi|\\psi|q|d)\s*_\s*\{?\s*\w+\s*\}?"
 _LETTER = re.compile(  # of which a branch has one sign: a joint, its sine or cosine, a coordinate of the target
@@ -24,6 +25,10 @@ _LETTER = re.compile(  # of which a branch has one sign: a joint, its sine or co
 _EXTENT = re.compile(r"-?\s*(?:\d+(?:\.\d+)?\s*(?:\^\s*\{?\s*\\circ\s*\}?|°)?|(?:\d\s*)?\\pi(?:\s*/\s*\d)?)")
 _OF_ROOT = re.compile(r"(?P<name>[^=]+)=\s*(?P<sign>[+-]?)\s*\\sqrt\b.*")
 _COMPARED = re.compile(r"(?P<name>[^<>=]+?)\s*(?P<relation><|>|\\lt|\\gt|\\leq?(?:slant)?|\\geq?(?:slant)?)\s*0")
+_BENT = r"elbow|wrist|shoulder|coude|épaule|poignet|ellbogen|codo|gomito|cotovelo"
+_CALLED = re.compile(  # two branches exist: elbow-up (¤) and elbow-down (¤)
+    rf"(?<!\S)(?P<label>(?:{_BENT})[ -](?:up|down|left|right|above|below|haut|bas|gauche|droite|oben|unten|links|rechts|arriba|abajo|alto|basso|cima|baixo)) (?:(?:solution|branch|configuration|posture|case) )?¤"
+)
 _ON_CONDITION = re.compile(
     r"(?<!\S)(?:if|when(?:ever)?|in case|si|s' il|quand|lorsque|lorsqu'|wenn|falls|cuando|quando|se) "
 )
@@ -93,12 +98,26 @@ def told_branches(words: str, formulas: Sequence[str]) -> Iterator[ToldBranch]:
         return
     is_brief = _ON_CONDITION.search(small) is not None
     compared = () if is_brief else _of_comparisons(plain)
+    if both := called_branches(words, formulas):
+        yield from (replace(each, bound="") for each in both.values())
+        return
     found = [*_of_signs(small, plain), *_of_roots(plain), *_of_extents(small, plain), *compared]
     yield from (replace(each, is_brief=is_brief) for each in found)
     if not found and (root := _ROOT.search(small)) is not None:
         yield ToldBranch(bound=MINUS_ROOT if _MINUS.search(root.group()) else PLUS_ROOT, is_brief=True)
     elif not found and _UNCLEAR.search(small):
         yield ToldBranch(is_brief=is_brief)
+
+
+def called_branches(words: str, formulas: Sequence[str]) -> dict[str, ToldBranch]:
+    """Return the two branches that a sentence names, each by what it calls it: "elbow-up ($q_2 < 0$) or elbow-down ($q_2 > 0$)"."""
+    small, plain = words.lower(), [each.strip() for each in formulas]
+    found: dict[str, ToldBranch] = {}
+    for called in _CALLED.finditer(small) if small.count("¤") == len(plain) else ():
+        told = next(_of_comparisons(plain[small.count("¤", 0, called.start()) :][:1]), None)
+        found |= {called["label"]: told} if told is not None else {}
+    letters, signs = {each.letter for each in found.values()}, {each.bound[-3] for each in found.values()}
+    return found if len(found) == len(signs) == 2 and len(letters) == 1 else {}
 
 
 def _of_signs(words: str, formulas: Sequence[str]) -> Iterator[ToldBranch]:

@@ -20,7 +20,7 @@ from armproof.verification.document.joint_limits import (
 )
 from armproof.verification.document.locked_joints import LOCKED, MAY_LOCK, locks
 from armproof.verification.document.model import Display
-from armproof.verification.document.told_branches import MAY_TELL_BRANCH, told_branches
+from armproof.verification.document.told_branches import MAY_TELL_BRANCH, ToldBranch, called_branches, told_branches
 from armproof.verification.document.told_builds import (
     MAY_TELL_BUILD,
     OTHER_BUILD,
@@ -155,7 +155,7 @@ def _of_maps(displays: Sequence[Display], reach: Reach) -> Iterator[Since]:
 
 def _of_branches(heard: Sequence[_Heard]) -> Iterator[Since]:
     """Yield which branches are told, each up to where its letter is told anew; what words alone tell up to where any is."""
-    told = [(each, branch) for each in heard for branch in told_branches(each.words, each.formulas)]
+    told = [*_branches(heard)]
     for at, (sentence, branch) in enumerate(told):
         later = (
             each.line
@@ -165,6 +165,23 @@ def _of_branches(heard: Sequence[_Heard]) -> Iterator[Since]:
         if branch.bound or not branch.letter:  # of both signs nothing holds
             ends = sentence.until if branch.is_brief else sentence.end
             yield Since(branch.as_meant(), sentence.line, min(ends, next(later, inf)))
+
+
+def _branches(heard: Sequence[_Heard]) -> Iterator[tuple[_Heard, ToldBranch]]:
+    """Yield which branches sentences tell; one that a sentence before has named is told by its name."""
+    names: dict[str, ToldBranch] = {}
+    begun = 0
+    for each in heard:
+        names = names if each.begin == begun else {}
+        begun = each.begin
+        called = [
+            branch
+            for name, branch in names.items()
+            if re.search(rf"(?<!\S){re.escape(name)}(?!\S)", each.words.lower())
+        ]
+        yield from ((each, branch) for branch in called if len(called) == 1)
+        yield from ((each, branch) for branch in told_branches(each.words, each.formulas) if not called)
+        names = called_branches(each.words, each.formulas) or names
 
 
 def _of_jacobians(heard: Sequence[_Heard]) -> Iterator[Since]:

@@ -124,6 +124,8 @@ def _reshaped(true: Matrix, printed: Matrix) -> Iterator[Pair]:
         yield from _without_last_joints(true, printed)
     if (m, k) == (3, 1) and (r, c) in ((2, 1), (1, 2)) and is_zero(true.rows[2][0]):
         yield Pair(true.block([0, 1], [0]), printed if c == 1 else printed.transpose, say(Kind.PLANAR_VECTOR))
+    if (m, k, r, c) == (4, 1, 3, 1) and is_zero(true.rows[2][0]):  # [v; ω] of the plane
+        yield Pair(true.block([0, 1, 3], [0]), printed, say(Kind.PLANAR_VECTOR))
     if m == 3 and r == 2 and k == c and k > 1 and all(is_zero(cell) for cell in true.rows[2]):
         yield Pair(true.block([0, 1], range(k)), printed, say(Kind.PLANAR_ROWS))
     if m == 2 and r == 3 and k == c and k > 1 and all(is_zero(cell) for cell in printed.rows[2]):  # J = ∂p/∂q = […]

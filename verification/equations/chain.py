@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, NoReturn
 
+from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.alignment import is_near
@@ -71,6 +72,7 @@ from armproof.verification.equations.second_route import SecondRoute, is_distanc
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.equations.signed_distances import named_with_sign
 from armproof.verification.equations.skew import unless_skewed
+from armproof.verification.equations.spelt_names import with_spelt_names
 from armproof.verification.equations.table_angles import TableAngles
 from armproof.verification.equations.torques import Torques
 from armproof.verification.equations.torques_of_points import TorquesOfPoint
@@ -79,7 +81,7 @@ from armproof.verification.errors import NotSampled, UnboundName
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare_key, has_branches
+from armproof.verification.latex.nodes import bare, bare_key, has_branches
 from armproof.verification.naming.conventions import ENTRIES, ENTRY, WRIST
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Definition
@@ -177,6 +179,7 @@ class ChainChecker:
         A chain is read, its sides are evaluated and compared with the one that is true, and each outcome is judged by what
         the document says beside it. Another reading is checked in the same way, from the beginning.
         """
+        chain = with_spelt_names(chain, self.names)
         if not n.letters(chain).isdisjoint((*ENTRIES, ENTRY.upper())):  # few chains hold letters of a pose
             chain = with_last_row(with_entries_of_capitals(chain, self.names))
         now = self._begun(chain, first_equation, line, define)
@@ -282,7 +285,7 @@ class ChainChecker:
                 outcomes.append(OfPoints(self.members).judge(now.definitions.define(true, member, equation)))
         if now.define and any(finding.kind is Kind.SIGNED_DISTANCE for each in outcomes for finding in each.findings):
             outcomes = named_with_sign(self.names, self.members, now.chain, outcomes, is_distance)
-        return outcomes
+        return _of_one_value(outcomes)
 
     def _judged(self, now: _Pass, outcomes: list[Outcome]) -> list[Outcome]:
         """Return the outcomes, left open where the chain may be read otherwise, or a name means something else there."""
@@ -343,6 +346,9 @@ class ChainChecker:
         outcome = unless_skewed(outcome, self.names)
         if outcome.true is not None and _is_vanishing_determinant(outcome.true):
             doubt = say(Kind.DEFINES_ZERO, name=outcome.defines[0] if outcome.defines else "")
+            if outcome.defines and self._is_of_shape(outcome.true.node):
+                self.names.forget(outcome.defines)
+                return replace(outcome, verdict=Verdict.REFUTED, findings=(doubt,), defines=())
             for key in outcome.defines:
                 self.names.leave_open(key, doubt)
             return replace(outcome.left_open(doubt), defines=())
@@ -350,6 +356,19 @@ class ChainChecker:
             return TorquesOfPoint(self.members).judge(outcome)
         is_of_forces = self.names.state.adopted and outcome.verdict is Verdict.DEFINED
         return Torques(self.members).judge(outcome) if is_of_forces else outcome
+
+    def _is_of_shape(self, node: n.Node) -> bool:
+        """Whether a determinant is zero by the shape of a Jacobian that the document shows: det(J J^T) of six rows and five columns."""
+        for below in (each for each in n.walk(node) if n.is_call(each, "det")):
+            name, inner = next(iter(n.names(below)), None), bare(below.arguments[0])
+            first = bare(inner.factors[0]) if isinstance(inner, n.Product) else None
+            shown = name is not None and (
+                name.key in self.names.state.shown or name.key in self.names.state.definitions
+            )
+            value = self.members.evaluate(first).value if shown and first is not None else None
+            if isinstance(value, Matrix) and value.shape[0] > value.shape[1]:
+                return True
+        return False
 
     def _evaluated(self, chain: n.Chain, define: bool) -> tuple[list[Member], frozenset[str]]:
         """Return the sides with their values, and the new letters that the chain defines: the names alone of these have none."""
@@ -362,9 +381,10 @@ class ChainChecker:
             else self.members.evaluate(node)
             for node in chain.members
         ]
-        if not (fresh and len(members) > 1 and all(member.known for member in members)):
-            is_named = any(bare_key(each.node) and isinstance(each.problem, UnboundName) for each in members)
-            if is_named and len(unused) >= FEWEST_LETTERS:
+        named = [each for each in members if bare_key(each.node) and isinstance(each.problem, UnboundName)]
+        known = [member for member in members if member.known]  # p = [x; y; z] = […] says both what p is and what x is
+        if not (fresh and len(known) > 1 and len(known) + len(named) == len(members)):
+            if named and len(unused) >= FEWEST_LETTERS:
                 self.names.used.difference_update(unused)  # T = [n o a p] says nothing of them
             return members, frozenset()
         unbound = UnboundName(min(fresh))
@@ -553,6 +573,16 @@ def _labels(now: _Pass) -> Iterator[Outcome]:
             if isinstance(brace, n.Labelled):
                 equation = now.first + max(0, index - 1)
                 yield from now.definitions.label(brace, equation, partial(now.check, first_equation=equation))
+
+
+def _of_one_value(outcomes: list[Outcome]) -> list[Outcome]:
+    """Let what p = [x; y; z] = f defines stand for one value: what uses x uses p."""
+    entries = {key for each in outcomes if each.tells(Kind.DEFINES_ENTRIES) for key in each.defines}
+    names = {key for each in outcomes if each.tells(Kind.DEFINES) for key in each.defines}
+    if not (entries and names):
+        return outcomes
+    both = tuple(sorted(entries | names))
+    return [replace(each, defines=both) if each.defines else each for each in outcomes]
 
 
 def _is_vanishing_determinant(member: Member) -> bool:

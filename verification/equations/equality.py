@@ -30,7 +30,7 @@ from armproof.verification.equations.second_route import SecondRoute
 from armproof.verification.equations.sides import Member, Members, beyond_size
 from armproof.verification.equations.worked_numbers import holds_as_worked
 from armproof.verification.errors import EvaluationError, TooComplex, WhereDefined
-from armproof.verification.evaluation.blocks import partition
+from armproof.verification.evaluation.blocks import is_twist_of_plane, partition
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
@@ -72,6 +72,7 @@ class Equality:
         if true.rank < 4:  # only a quantity of the arm may be met in another shape
             rotations, reshaped = _is_made_of_rotations(true.node), pairs
             notes = [ROTATION] if rotations else [HOMOGENEOUS] if _is_of_point(true.node) else []
+            notes += [say(Kind.PLANAR_VECTOR)] if is_twist_of_plane(true.node) else []
             pairs = [pair for pair in pairs if not pair.note or (pair.note in notes and not _is_direction(pair))]
             if not pairs:
                 return self._of_wrong_size(outcome, true, printed, reshaped)

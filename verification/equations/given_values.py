@@ -315,7 +315,10 @@ def angle_of_cosine(node: n.Node) -> str | None:
 def new_letters(names: Names, chain: n.Chain) -> frozenset[str]:
     """The letters of the first matrix that holds nothing but new letters and numbers: a value defines them, R = [r_ij]."""
     named = {key for node in chain.members if (key := bare_key(node)) is not None}
-    for member in chain.members if named <= names.state.definitions.keys() else ():
+    are_told = (
+        len(chain.members) > len(named) + 1 or named <= names.state.definitions.keys()
+    )  # p = [x; y; z] tells no x
+    for member in chain.members if are_told else ():
         letters = names_alone(member)
         if (
             letters

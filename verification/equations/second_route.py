@@ -115,7 +115,25 @@ class SecondRoute:
         counts = self._as_signed_distance(outcome, branches) or self._chooses_a_root(outcome, branches)
         if counts is None:
             return outcome
+        if self._is_law_of_cosines(outcome):
+            found = (say(Kind.ON_A_BRANCH, holding=counts[0], configurations=counts[1]),)
+            return replace(outcome, verdict=Verdict.CONFIRMED, findings=found, samples=counts[0], wrong=[])
         return outcome.left_open(say(Kind.SIGNED_DISTANCE, holding=counts[0], configurations=counts[1]))
+
+    def _is_law_of_cosines(self, outcome: Outcome) -> bool:
+        """Whether squares of distances are told by the cosine of one joint, for which it is to be solved: r² + s² = l_2² + l_3² + 2 l_2 l_3 cos θ_3."""
+        for squares, other in permutations(bare(node) for node in outcome.nodes):
+            terms = squares.terms if isinstance(squares, n.Sum) else (("+", squares),)
+            are_squares = all(sign == "+" and _is_square_of_name(bare(each)) for sign, each in terms)
+            if are_squares and isinstance(other, n.Sum) and not any(map(self._is_joint, n.walk(squares))):
+                joints = {each for each in n.walk(other) if self._is_joint(each)}
+                return [len(each.terms) if isinstance(each, n.JointAngles) else 1 for each in joints] == [1]
+        return False
+
+    def _is_joint(self, node: n.Node) -> bool:
+        """Whether a tree is a joint's letter, or the angles of the joints of c_{23}."""
+        is_letter = isinstance(node, n.Name) and self.names.known_symbol(node.key) in self.names.joints
+        return is_letter or isinstance(node, n.JointAngles)
 
     def _as_signed_distance(self, outcome: Outcome, branches: bool) -> tuple[int, int] | None:
         """Return at how many of how many configurations √(x² + y²) is what is printed; None where it is no branch.
@@ -135,7 +153,7 @@ class SecondRoute:
     def _named(self, node: n.Node) -> n.Node:
         """Return what a name was defined as, else a tree itself."""
         definition = self.names.state.definitions.get(node.key) if isinstance(node, n.Name) else None
-        return node if definition is None or definition.node is None else definition.node
+        return node if definition is None or definition.formula is None else definition.formula
 
     def confirm_only(
         self, true: n.Node, printed: n.Node, equation: int, branches: bool, problem: EvaluationError
@@ -464,6 +482,11 @@ def is_distance(node: n.Node) -> bool:
     terms = inner.terms if isinstance(inner, n.Sum) else ()
     squares = [isinstance(bare(t), n.Power) and bare(t).exponent == n.Number(Fraction(2)) for _, t in terms]  # type: ignore[attr-defined]
     return all(squares) and sum(sign == "+" for sign, _ in terms) > 1
+
+
+def _is_square_of_name(node: n.Node) -> bool:
+    """Whether a tree is the square of a name: r²."""
+    return isinstance(node, n.Power) and isinstance(bare(node.base), n.Name) and node.exponent == n.Number(Fraction(2))
 
 
 def _is_root(node: n.Node) -> bool:

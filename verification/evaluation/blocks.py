@@ -10,6 +10,8 @@ from armproof.verification.algebra.protocol import Value
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 
+_LINEAR, _ANGULAR, _AXES = ("v", "V"), ("omega", "w", "Omega"), ("x", "y", "z")
+
 
 @dataclass(frozen=True)
 class Block:
@@ -66,9 +68,9 @@ def cells_of(node: n.Node) -> Sequence[n.Node]:
 def partition(printed: Sequence[Sequence[n.Node]], size: tuple[int, int]) -> list[Block] | None:
     """Return the blocks of a value of that size, or None where the printed rows cannot be laid over it.
 
-    One cell an entry; R, p, 0, 1 over a 4×4 pose; n, o, a, p over its columns; J_v over J_ω; columns of a Jacobian.
+    One cell an entry; R, p, 0, 1 over a 4×4 pose; n, o, a, p over its columns; J_v over J_ω; v over ω of the plane; columns of a Jacobian.
     """
-    heights = _shares(len(printed), size[0])
+    heights = _of_the_plane(printed, size) or _shares(len(printed), size[0])
     if heights is None:
         return None
     blocks: list[Block] = []
@@ -83,6 +85,26 @@ def partition(printed: Sequence[Sequence[n.Node]], size: tuple[int, int]) -> lis
             left += width
         top += height
     return blocks
+
+
+def is_twist_of_plane(node: n.Node) -> bool:
+    """Whether a tree is [v; ω] of a planar arm, of which v may have two components."""
+    return _of_the_plane(written_rows(node), (3, 1)) is not None
+
+
+def _of_the_plane(printed: Sequence[Sequence[n.Node]], size: tuple[int, int]) -> tuple[int, ...] | None:
+    """How three rows fall to a velocity in the plane and to the rate of its one angle: [v; ω], or [ω; v]."""
+    cells = [bare(cell) for row in printed for cell in row] if size == (3, 1) else []
+    kinds = "".join(map(_velocity_of, cells))
+    return {"vω": (2, 1), "ωv": (1, 2)}.get(kinds)
+
+
+def _velocity_of(cell: n.Node) -> str:
+    """Return whether a letter is a velocity, v, or an angular one, ω; its component is neither."""
+    if not isinstance(cell, n.Name):
+        return "?"
+    is_whole = cell.base in _LINEAR and not cell.sub.startswith(_AXES)
+    return "v" if is_whole else "ω" if cell.base in _ANGULAR else "?"
 
 
 def _shares(parts: int, whole: int) -> tuple[int, ...] | None:

@@ -22,6 +22,7 @@ LAST = frozenset("n N".split())
 WRIST = frozenset("W w WC wc".split())
 TARGETS = frozenset("target goal des desired sym symbolic num".split())
 POSITIONS = frozenset("p P o O r d t X x c".split())
+_VECTORS = ("\\hat", "\\widehat", "\\vec", "\\overrightarrow")
 POSES = frozenset("T H A M X g".split())
 FUNCTIONS = frozenset("f F FK fk fkine DK MGD DGM h k".split())  # of q: the pose or the position of the tool
 MODELS = frozenset(each for each in FUNCTIONS if len(each) > 1)  # names of the direct model, of nothing else
@@ -87,7 +88,8 @@ def conventional(name: n.Name, arm: Arm, transforms: str, normals: str = NORMALS
     placed = bool(name.pre_sup or name.sup)
     if not placed:
         bases = dict.fromkeys((numbered_frames(arm)[0], arm.frames[0]))
-        return tuple(dict.fromkeys(each for base in bases for each in _unplaced(name, base, arm)))
+        found = dict.fromkeys(each for base in bases for each in _unplaced(name, base, arm))
+        return tuple(each for each in found if not (each.scalar and _is_vector(name)))
     first, index = name.pre_sup or name.sup, name.pre_sub or name.sub
     if name.sup and name.sub and transforms == "lower":
         first, index = index, first
@@ -95,6 +97,11 @@ def conventional(name: n.Name, arm: Arm, transforms: str, normals: str = NORMALS
     if reference is None or (name.pre_sup and name.sup) or (index != first and _frame(index, arm) == reference):
         return ()  # {}^3T_E where frame 3 is the last: a tool beyond it
     return tuple(dict.fromkeys(_all(name.base, index, reference, arm, True)))
+
+
+def _is_vector(name: n.Name) -> bool:
+    r"""Whether a letter of a coordinate is written as a vector: \hat{Z}_1 is an axis, and no height."""
+    return name.base.lower() in AXES and len(name.base) == 1 and bool(name.sub) and name.text.startswith(_VECTORS)
 
 
 def seen_from_wrist(name: n.Name, arm: Arm, transforms: str) -> tuple[Quantity, ...]:

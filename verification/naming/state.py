@@ -28,8 +28,9 @@ _OF_LINKS = re.compile(
     rf"\b(\d|{'|'.join(_COUNTS)})[- ]*(?:links?|dofs?|r|joints?|axis|axes|segments?|degrees?[ -]of[ -]freedom)\b", re.I
 )
 _STEP = re.compile(
-    r"\W*(?:step|paso|passo|[eé]tape|schritt|ad[ıi]m|krok|bước|шаг|步骤?|단계)\W*\d", re.I
-)  # for one arm: "Step 3: solve the 2R arm"
+    r"\W*(?:step|paso|passo|[eé]tape|schritt|ad[ıi]m|krok|bước|шаг|步骤?|단계|sub-?(?:problem|task|step)|sous-?(?:problème|tâche)|teil(?:problem|aufgabe|schritt)|sub-?problema|sottoproblema)\W*\d",
+    re.I,
+)  # for one arm: "Step 3: solve the 2R arm", "Subproblem 2: the planar 2R arm"
 EXERCISE = re.compile(rf"\W*(?:{_KINDS}){_NUMBER}", re.I)
 WITH_ITS_ARM = re.compile(rf"\W*(?:{_OF_ITS_OWN}){_NUMBER}", re.I)
 
