@@ -25,10 +25,22 @@ COMMANDS |= {
     if (letter := unicodedata.normalize("NFKC", styled)) != styled
 }
 COMMANDS |= {"∅": r"\varnothing ", "∇": r"\nabla ", "⌀": r"\varnothing ", "⊖": r"\ominus ", "⊕": r"\oplus "}
+_GREEK = "".join(NAMES)
 _BELOW = dict(zip("₀₁₂₃₄₅₆₇₈₉₊₋ₐₑᵢⱼₖₗₘₙₚᵣₛₜₓ", "0123456789+-aeijklmnprstx", strict=True))
 _ABOVE = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁱⁿᵀᵗ", "0123456789+-inTt", strict=True))
 _SCRIPTS = re.compile(f"(?P<below>[{''.join(_BELOW)}]+)|(?P<above>[{''.join(_ABOVE)}]+)")
-_INDEXED = re.compile(f"[{''.join(letter for letter in NAMES if letter != 'π')}](?=\\d)")
+_INDEXED = re.compile(f"[{_GREEK.replace('π', '')}](?=\\d)")
+_MARKS = {"\u0307": r"\dot", "\u0308": r"\ddot", "\u0302": r"\hat", "\u20d7": r"\vec"}
+_MARKED = re.compile(  # θ̇, q̈; in a word, two points and a hat are those of its letter: für
+    rf"(?:[A-Za-z{_GREEK}](?=[\u0307\u20d7])|(?:[{_GREEK}]|(?<![A-Za-z])[A-Za-z](?=.(?![A-Za-z])))(?=[\u0308\u0302]))(?P<mark>.)"
+)
+COMMANDS |= {
+    letter: f"{_MARKS[mark]}{{{base}}}"
+    for letter in map(chr, range(0xC0, 0x1F00))
+    if (apart := unicodedata.normalize("NFD", letter))[1:] == "\u0307" or letter in "ẍẅ"
+    for base, mark in [apart]
+    if base.isascii()
+}
 _BEHIND_A_COMMAND = re.compile(rf"(?<=[A-Za-z])[{''.join(_STYLED)}]")  # \cdot𝑙: no letter of the command's name
 
 
@@ -52,6 +64,9 @@ def _written(text: str) -> list[str]:
     """Return what each character is written as."""
     apart = {found.start() for found in _BEHIND_A_COMMAND.finditer(text)}
     written = [_command(character, index in apart) for index, character in enumerate(text)]
+    for found in _MARKED.finditer(text):
+        written[found.start()] = f"{_MARKS[found['mark']]}{{{written[found.start()]}}}"
+        written[found.start("mark")] = ""
     for run in _INDEXED.finditer(text):  # θ1 is \theta1, an index and no factor
         written[run.start()] = written[run.start()].rstrip()
     for run in _SCRIPTS.finditer(text):  # θ₁₂, J⁻¹
