@@ -25,18 +25,20 @@ DEFINITE the its a an la le les l' sa son une un die der das den eine ein el los
 AND and et und y e ,
 """).holds
 _LETTER = re.compile(r"([A-Za-z])(?:\s*_\s*(?:(\w)|\{\s*(\w+)\s*\}))?\s*(?:=.*)?")
+_AXES = ("x-axis", "y-axis", "z-axis")
 _NO_SIZE = frozenset("TJR")  # matrices, whatever a sentence calls by the way
 
 
 def told_scalars(sentence: str) -> Iterator[str]:
     """Yield what a sentence calls letters, with their keys: "size L", "moment M"."""
     formulas, said = formulas_of(sentence), words_of(sentence).lower().split()
-    if said.count("¤") != len(formulas):
+    marks = ["¤"] if said.count("¤") == len(formulas) else ["¤", *_AXES]  # an axis is one word with its letter
+    if sum(map(said.count, marks)) != len(formulas):
         return
     for place, word in enumerate(said):
         kind = MOMENT if _is(word, "MOMENT") else SIZE if _is(word, "SIZE") or _is(word, "WEIGHT") else ""
         for each in _named(said, place) if kind else ():
-            letter = _LETTER.fullmatch(formulas[said[:each].count("¤")].strip())
+            letter = _LETTER.fullmatch(formulas[sum(map(said[:each].count, marks))].strip())
             if letter is not None and letter[1] not in _NO_SIZE:
                 sub = letter[2] or letter[3]
                 yield f"{kind} {letter[1]}_{sub}" if sub else f"{kind} {letter[1]}"

@@ -9,7 +9,7 @@ from itertools import pairwise
 from armproof.verification.algebra.calculus import angles_in, are_rates, is_rate, symbol_of, symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_matrix, as_scalar, is_zero
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.document.heading import encloses
+from armproof.verification.document.stages import goes_on
 from armproof.verification.equations.alignment import is_constant, is_near
 from armproof.verification.equations.given_values import keys_alone
 from armproof.verification.equations.other_screws import of_other_screws
@@ -275,7 +275,7 @@ def _nothing_to_compare(outcome: Outcome, chain: n.Chain, names: Names, erratum:
     state = names.state
     met = sorted((key, line) for key, line in state.consulted if key in state.definitions)
     elsewhere = [] if erratum else met  # what is said to be an error is meant of them
-    if other := [each for each in elsewhere if not encloses(state.definitions[each[0]].section, state.section)]:
+    if other := [each for each in elsewhere if not goes_on(state.definitions[each[0]].section, state.section)]:
         if _breaks_rotation(outcome):
             return None
         return say(Kind.DEFINED_ELSEWHERE, name=other[0][0], line=other[0][1])

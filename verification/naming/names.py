@@ -14,7 +14,7 @@ from armproof.models.dh.entry import LinearForm
 from armproof.models.dh.table import DHRow
 from armproof.verification.algebra.protocol import Algebra, Value
 from armproof.verification.algebra.quantity import Quantity
-from armproof.verification.document.heading import encloses
+from armproof.verification.document.stages import goes_on
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import NUMBERS, one_of
@@ -298,7 +298,7 @@ class Names:
         """Return the T(θ) that a document without an arm has defined around this place, which T alone then is; or None."""
         for key, definition in self.state.definitions.items() if self.arm is None and name.base in "TAHM" else ():
             head, _, variables = key.partition("(")
-            around = encloses(definition.section, self.state.section)
+            around = goes_on(definition.section, self.state.section)
             if head == name.key and around and re.fullmatch(OF_JOINTS, variables):
                 return key
         return None
@@ -311,7 +311,7 @@ class Names:
             return None
         own = any(below.base == name.base for below in n.names(column))  # n = [n_x; n_y; n_z]
         is_column = len(column.rows) in (2, 3) and all(len(row) == 1 for row in column.rows)
-        around = encloses(made.section, self.state.section) and name.key not in self.state.definitions
+        around = goes_on(made.section, self.state.section) and name.key not in self.state.definitions
         row = AXES.index(name.sub)
         return (name.base, row) if is_column and not own and around and row < len(column.rows) else None
 

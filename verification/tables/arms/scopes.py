@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass, field, replace
 from itertools import groupby, pairwise
 
@@ -105,8 +105,10 @@ def _of_other_joints(document: Document, found: Candidate) -> Place | None:
     """Return where a later section begins that speaks of a joint, or of a frame, that an arm lacks."""
     place = (found.cell or 0, found.line)
     at = next((each.section for each in document.displays if _place(each) == place), "")
+    beside = [each for each in document.displays if each.section == at and _place(each) > place]
+    known = joints_used(beside) if found.source == "closed form" else set()  # of a SCARA's x and y, θ_4
     for display in document.displays:
-        if _place(display) > place and display.section != at and _is_beyond(found, display):
+        if _place(display) > place and display.section != at and _is_beyond(found, display, known):
             return min(
                 _place(each) for each in document.displays if each.section == display.section and _place(each) > place
             )
@@ -195,10 +197,10 @@ def _are_of_other_laws(document: Document, start: Place) -> bool:
     return None not in arms and (arms[0].rows, arms[0].joints) != (arms[1].rows, arms[1].joints)  # type: ignore[union-attr]
 
 
-def _is_beyond(found: Candidate, display: Display) -> bool:
-    """Whether a display speaks of a joint that an arm lacks, or of a frame behind its last: that of a fixed row is one of its frames."""
+def _is_beyond(found: Candidate, display: Display, known: Set[int] = frozenset()) -> bool:
+    """Whether a display speaks of a joint that an arm lacks, and that is not known beside it, or of a frame behind its last: that of a fixed row is one of its frames."""
     frames = {int(digit) for pair in _FRAMES.findall(display.latex) for digit in pair if digit}
-    return bool(found.lacks(joints_used([display]))) or max(frames, default=0) > found.last
+    return bool(found.lacks(joints_used([display]) - known)) or max(frames, default=0) > found.last
 
 
 def _named(document: Document) -> Iterator[Document]:

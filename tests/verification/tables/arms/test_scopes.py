@@ -147,3 +147,25 @@ def test_points_in_the_option_of_an_exercise_are_not_its_number() -> None:
 
 def test_an_environment_that_is_no_exercise_parts_nothing() -> None:
     assert tex(TEX_TABLE + TEX_POSE, OTHER, name="itemize") == ["proved", "refuted"]
+
+
+SCARA_IN_STAGES = r"""## Direct geometry
+
+$$ x = l_1 \cos\theta_1 + l_2 \cos(\theta_1 + \theta_2), \quad y = l_1 \sin\theta_1 + l_2 \sin(\theta_1 + \theta_2) $$
+
+{beside}
+
+## Inverse geometry
+
+$$ x^2 + y^2 = l_1^2 + l_2^2 {sign} 2 l_1 l_2 \cos\theta_2 $$
+
+$$ \theta_4 = \psi - \theta_1 - \theta_2 $$
+"""
+
+
+def test_a_joint_that_stands_beside_a_closed_form_ends_it_nowhere() -> None:
+    beside = r"$$ \psi = \theta_1 + \theta_2 + \theta_4 $$"
+    found = [verify_text(SCARA_IN_STAGES.format(beside=beside, sign=sign)).equations for sign in "+-"]
+    assert [records[2].verdict.value for records in found] == ["proved", "refuted"]
+    alone = [verify_text(SCARA_IN_STAGES.format(beside="", sign=sign)).equations for sign in "+-"]
+    assert alone[1][1].verdict.value == "unchecked"  # of another arm, it may be
