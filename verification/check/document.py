@@ -45,6 +45,7 @@ from armproof.verification.tables.arms import (
     scopes,
     settle_data,
     table_of_named,
+    tells_other_tool,
     unless_disputed,
     with_armless,
 )
@@ -145,7 +146,9 @@ class DocumentChecker:
             self.names = read_names(arm, document.front)
         except DocumentError as error:
             raise document.fault(error.key or "quantities", error) from None
-        self.names = replace(self.names, is_part=self.inferred.arm is not None and self.inferred.arm.is_part)
+        taken = self.inferred.arm
+        is_part = (taken is not None and taken.is_part) or tells_other_tool(document, self.names)
+        self.names = replace(self.names, is_part=is_part)
         is_of_formulas = self.inferred.arm is not None and self.inferred.arm.source == "closed form"
         self.names = replace(
             self.names, lacks_base=lacks_base(document, arm, self.inferred), is_of_formulas=is_of_formulas

@@ -38,6 +38,7 @@ from armproof.verification.naming.state import Stated, Told
 POSTURE = r"\text{posture}"  # one that the text names, and nobody can tell
 _NEARLY = re.compile(r"[≈≃∼]|\\(?:approx|simeq|sim|to|rightarrow)(?![A-Za-z])")
 _ANGLES = (*greek.ANGLES, *greek.VARIANTS, "delta", "epsilon")
+_MATRICES = ("rotation", "pose")  # which a number that the text tells cannot be
 _CLOSE = 1e-9
 _HELD = re.compile(r"\s*(?:\\\{(?P<set>(?:(?!\\[{}]).)*=(?:(?!\\[{}]).)*)\\\}|\((?P<list>[^()]*=[^()]*)\))\s*")
 
@@ -285,7 +286,7 @@ class Heeding:
         usual = self.names.usual(name) if is_usual(name) else ()
         is_speed = n.has_rates(value) and not any(each.scalar for each in usual[:1])  # ω_1 = \dot θ_1 is no vector
         is_name_of_other = isinstance(bare(value), n.Name) and not self._is_joint(bare(value))
-        if not is_speed and (is_name_of_other or any(each.scalar for each in usual)):
+        if not is_speed and (is_name_of_other or any(each.kind not in _MATRICES or each.scalar for each in usual)):
             return
         (found,) = self.checker.conventions.bind([members.evaluate(value)])
         told = as_scalar(found.value) if found.known else None

@@ -34,7 +34,13 @@ from armproof.verification.document.moving_on import OF_MOTION
 from armproof.verification.document.named_quantities import NAMED
 from armproof.verification.document.notebook import read_notebook, read_percent
 from armproof.verification.document.orientations import MAY_ORIENT, told_orientations
-from armproof.verification.document.other_meanings import MAY_ASK, MAY_MEAN, told_below, with_other_meanings
+from armproof.verification.document.other_meanings import (
+    MAY_ASK,
+    MAY_MEAN,
+    sentences_with_lines,
+    told_below,
+    with_other_meanings,
+)
 from armproof.verification.document.rst import read_rst
 from armproof.verification.document.screw_tables import with_screws
 from armproof.verification.document.sentences import (
@@ -64,6 +70,7 @@ from armproof.verification.document.struck_out import MAY_STRIKE, with_struck_ou
 from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
 from armproof.verification.document.told_convention import MAY_TELL, told_convention
+from armproof.verification.document.told_ends import MAY_TELL_END, told_ends
 from armproof.verification.document.told_names import MAY_TELL_NAMES
 from armproof.verification.document.told_notation import MAY_NOTE
 from armproof.verification.document.told_scalars import MAY_CALL_SIZE, told_scalars
@@ -142,8 +149,14 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     convention = told_convention(text) if MAY_TELL.search(text) else ""
     scalars = frozenset(each for each, *_ in told_below(text, told_scalars)) if MAY_CALL_SIZE.search(small) else ()
     document = replace(document, named=named_arms(text), planar=planar, headings=headings, convention=convention)
-    document = replace(document, scalars=frozenset(scalars))
+    ends = tuple(_told_ends(text)) if MAY_TELL_END.search(small) else ()
+    document = replace(document, scalars=frozenset(scalars), ends=ends)
     return with_accepts(document, text.replace("\r\n", "\n"), suffix) if MARK in text else document
+
+
+def _told_ends(text: str) -> Iterator[tuple[int, str]]:
+    """Yield where the sentences of a text put the tool, each with its line."""
+    yield from ((line, each) for line, sentence in sentences_with_lines(text) for each in told_ends(sentence))
 
 
 def with_directions(document: Document, text: str, may_orient: bool) -> Document:

@@ -158,6 +158,7 @@ class Document:
     called: tuple[Called, ...] = ()  # what its sentences call arms, in their order
     planar: frozenset[int] = frozenset()  # how many joints the planar arms have that its text names
     convention: str = ""  # that of a DH table which its text names, "classic" or "modified"
+    ends: tuple[tuple[int, str], ...] = ()  # where its text puts the tool in a frame, with their lines: "3\te\t0\t0"
     scalars: frozenset[str] = frozenset()  # the letters that its text calls a size or a moment: "size L", "moment M"
 
     def writes(self, key: str, *besides: tuple[int | None, int]) -> bool:

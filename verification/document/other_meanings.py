@@ -249,6 +249,11 @@ def _sentences(text: str) -> Iterator[tuple[int, str]]:
         yield found.start() + len(sentence) - len(sentence.lstrip()), sentence.strip()
 
 
+def sentences_with_lines(text: str) -> Iterator[tuple[int, str]]:
+    """Yield the sentences of a text, each with the line on which it begins."""
+    yield from ((text.count("\n", 0, at) + 1, sentence) for at, sentence in _sentences(text))
+
+
 def _without_shown(text: str) -> str:
     return _SHOWN.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
 

@@ -25,6 +25,8 @@ def verdicts_of(*lines: str) -> list[str]:
         ("with $k$ of the figure", "x = k + l_2 c_{12}", "unchecked"),
         ("with $k = 2$", "x = k + l_2 c_{12}", "unchecked"),  # a number of the text is that of one case
         ("with $l_1 = l_2 c_1$", "x = l_1 c_1 + l_2 c_{12}", "proved"),  # l_1 has a meaning
+        ("with $R = l_1 c_1$", "x = R + l_2 c_{12}", "proved"),  # no rotation
+        ("with $R = l_1 c_1$", "x = R - l_2 c_{12}", "refuted"),
         ("with $v = l_1 c_1$", "x = v + l_2 c_{12}", "unchecked"),  # v is usually a velocity
     ],
 )

@@ -4,6 +4,7 @@ from armproof.verification.tables.arms.against import lengths_against
 from armproof.verification.tables.arms.armless import with_armless
 from armproof.verification.tables.arms.catalogue import difference, table_of_named
 from armproof.verification.tables.arms.disputed import unless_disputed
+from armproof.verification.tables.arms.ends import tells_other_tool
 from armproof.verification.tables.arms.inference import infer_arm, joints_used
 from armproof.verification.tables.arms.scopes import scopes
 from armproof.verification.tables.arms.settling import Inference, settle_data
@@ -25,6 +26,7 @@ __all__ = [
     "settle_data",
     "stated_lengths",
     "table_of_named",
+    "tells_other_tool",
     "unless_disputed",
     "with_armless",
 ]

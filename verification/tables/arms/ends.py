@@ -16,7 +16,7 @@ from armproof.verification.algebra.calculus import angles_in
 from armproof.verification.algebra.matrix import Matrix, is_zero
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.document import Document
-from armproof.verification.errors import EvaluationError
+from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
@@ -30,6 +30,7 @@ from armproof.verification.tables.row import PARAMETERS, right_row
 
 Place = tuple[int | None, int]
 _FRAME = re.compile(r"[A-Za-z][A-Za-z0-9]{0,2}")
+_TOLD_TOOL = "E"  # the frame of a tool that a sentence places
 SECONDS = 0.3
 
 
@@ -102,7 +103,42 @@ def _steps(document: Document, names: Names, best: Reading) -> dict[str, _Step]:
             entries = _entries(printed, names, algebra, best) if end else None
             if pair is not None and entries is not None:
                 found.setdefault(end, _Step(pair[end == "tool"], entries, place))
+        if "tool" not in found and (told := _told(document, names, algebra, frames)) is not None:
+            found["tool"] = told
     return found
+
+
+def _told(document: Document, names: Names, algebra: ExactAlgebra, frames: tuple[str, ...]) -> _Step | None:
+    """Return the step to the tool that a sentence puts in the last frame by its coordinates."""
+    for line, said in document.ends:
+        frame, *coordinates = said.split("\t")
+        nodes = read_all(names, coordinates) if frame == frames[-1] else []
+        evaluated = value_in_letters(n.Matrix(tuple((each,) for each in nodes)), names, algebra) if nodes else None
+        value = evaluated[0] if evaluated is not None else None
+        if isinstance(value, Matrix) and not any(map(angles_in, value.cells)):
+            return _Step(
+                _TOLD_TOOL, {"xyz": [entry_text(each) for each in value.cells], "rpy": ["0"] * 3}, (None, line)
+            )
+    return None
+
+
+def read_all(names: Names, coordinates: Sequence[str]) -> list[n.Node]:
+    """Return coordinates that a sentence gives as trees; none where one cannot be read."""
+    try:
+        return [names.reader.read_expression(each) for each in coordinates]
+    except ReadError:
+        return []
+
+
+def tells_other_tool(document: Document, names: Names) -> bool:
+    """Whether a sentence puts the tool in the last frame at a place of which the arm knows nothing: it is none of its frames."""
+    arm = names.arm
+    for _, said in document.ends if arm is not None else ():
+        frame, *coordinates = said.split("\t")
+        letters = (name.key for node in read_all(names, coordinates) for name in n.names(node))
+        if arm is not None and frame == arm.frames[-1] and any(names.known_symbol(key) is None for key in letters):
+            return True
+    return False
 
 
 def _printed(document: Document, names: Names) -> Iterator[tuple[n.Name, n.Matrix, Place]]:
