@@ -38,8 +38,11 @@ def settle_definitions(records: Iterable[Record], tells: Tells = lambda *_: True
     mistaken = _mistaken(claims, wrong)
     explained = {record.line for record in claims if any(_is_due_to(each, mistaken) for each in record.outcomes)}
     wrong = {key: lines for key, lines in wrong.items() if key in mistaken or not set(lines) <= explained}
-    against = unsupported(claims) | wrong  # these are not to pass
+    alone = unsupported(claims)
+    against = alone | wrong  # these are not to pass
     settled = [record if record.erratum else _unless_doubted(record, wrong, against) for record in records]
+    doubtful = {key: lines for key, lines in alone.items() if len(lines) > SEVERAL}
+    settled = [record if record.erratum else _unless_it_rests_on(record, doubtful) for record in settled]
     return tuple(_with_mistake(record, mistaken) for record in settled)
 
 
@@ -266,6 +269,24 @@ def _unless_doubted(record: Record, wrong: Mapping[Key, list[int]], against: Map
     if found.verdict is not Verdict.UNCHECKED:
         return found
     return replace(found, findings=tuple(each for o in outcomes if o.verdict is found.verdict for each in o.findings))
+
+
+def _unless_it_rests_on(record: Record, against: Mapping[Key, list[int]]) -> Record:
+    """Leave open what holds with a definition with which nearly all else does not: k_2 = r cos γ, with the arguments of γ = atan2(k_1, k_2) exchanged."""
+    rests = [min(_rested_on(each) & against.keys(), default=None) for each in record.outcomes]
+    doubts = [
+        say(Kind.RESTS_ON_DOUBT, name=key[0], line=key[1]).at(each.index)
+        if key is not None and each.verdict in HOLDS and each.role is Role.CLAIM
+        else None
+        for key, each in zip(rests, record.outcomes, strict=True)
+    ]
+    if not any(doubts):
+        return record
+    outcomes = tuple(
+        replace(each, verdict=Verdict.UNCHECKED, findings=(doubt,)) if doubt is not None else each
+        for each, doubt in zip(record.outcomes, doubts, strict=True)
+    )
+    return record.with_outcomes(outcomes)
 
 
 def _doubt(result: EquationResult, wrong: Mapping[Key, list[int]], against: Mapping[Key, list[int]]) -> Finding | None:
