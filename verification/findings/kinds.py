@@ -140,6 +140,8 @@ class Kind(MessageKind):
     MAY_NOT_PRINT = "may_not_print", "it stands in a conditional of which nothing here tells whether it is printed: what may not be printed is not decided"
     STRANGE_WORDS = "strange_words", "beside it stands '{text}', in words that are not known here ({words}): whether it takes the equation back is not decided; say it in plainer ones"
     SIGNS_CLASH = "signs_clash", "each holds on one choice of ±, and both on the same one only where ∓ stands for ± in one of them"
+    SIGNS_TOGETHER = "signs_together", "the upper signs of ± and ∓ read together, and the lower ones"
+    SIGNS_UNTOLD = "signs_untold", "it comes out otherwise where the signs ± belong together than where each is chosen for itself: write ∓ for those that are opposite, or each case on its own"
     ONE_OF_TWO = "one_of_two", "an equation beside 'or': which of them holds, and when, is not said; write each on its own, or a ±"
     ENTRY_BY_INDEX = "entry_by_index", "it does not hold with `{name}` for the number in its row of the table: say what it is, `{name} = …`"
     OWN_SUM = "own_sum", "the document says itself which angles {digits} adds, with a minus: what is said by it is not decided where it does not hold"
