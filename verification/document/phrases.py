@@ -262,6 +262,15 @@ SUPPOSED = """
 as a hypothesis
 if we/one/it had/were
 """
+SOUGHT = """
+find/finds/determine/sketch/draw/compute/calculate/give/list/name/seek/look/search/solve/choose/want/sought/wanted/trouver/trouvez/trouve/cherche/chercher/cherchons/cherchez/déterminer/déterminez/calculer/calculez/esquisser/dessiner/dessinez/tracer/donner/donnez/bestimme/bestimmen/finde/finden/suche/suchen/gesucht/zeichne/zeichnen/skizziere/skizzieren/berechne/berechnen/ermittle/ermitteln/gib/halla/halle/hallar/encontrar/encuentre/encuentra/busca/buscamos/determinar/determine/calcular/calcule/dibuje/dibujar/trova/trovare/trovate/cercare/cerchiamo/determina/determinare/calcola/calcolare/disegna/disegnare/encontre/procure/calcule/esboce * ¤/angle/angles/configuration/configurations/posture/postures/pose/poses/value/values/lengths/solutions/places/instants/positions/arms/konfiguration/konfigurationen/stellung/stellungen/lage/lagen/winkel/werte/wert/längen/punkte/valeur/valeurs/longueurs/points/posición/posiciones/postura/posturas/configuración/configuraciones/ángulo/ángulos/valores/valor/posizione/posizioni/configurazione/configurazioni/angolo/angoli/valori/valore/configuração/configurações/posição/posições/ângulo/ângulos (¤) (,) with/where/satisfying/fulfilling/from/mit/wo/avec/où/vérifiant/satisfaisant/con/donde/dove/com/onde/at $
+find/finds/determine/sketch/draw/compute/calculate/give/list/name/seek/look/search/solve/choose/want/sought/wanted/trouver/trouvez/trouve/cherche/chercher/cherchons/cherchez/déterminer/déterminez/calculer/calculez/esquisser/dessiner/dessinez/tracer/donner/donnez/bestimme/bestimmen/finde/finden/suche/suchen/gesucht/zeichne/zeichnen/skizziere/skizzieren/berechne/berechnen/ermittle/ermitteln/gib/halla/halle/hallar/encontrar/encuentre/encuentra/busca/buscamos/determinar/determine/calcular/calcule/dibuje/dibujar/trova/trovare/trovate/cercare/cerchiamo/determina/determinare/calcola/calcolare/disegna/disegnare/encontre/procure/calcule/esboce * ¤/angle/angles/configuration/configurations/posture/postures/pose/poses/value/values/lengths/solutions/places/instants/positions/arms/konfiguration/konfigurationen/stellung/stellungen/lage/lagen/winkel/werte/wert/längen/punkte/valeur/valeurs/longueurs/points/posición/posiciones/postura/posturas/configuración/configuraciones/ángulo/ángulos/valores/valor/posizione/posizioni/configurazione/configurazioni/angolo/angoli/valori/valore/configuração/configurações/posição/posições/ângulo/ângulos (¤) (,) such/telle/telles/tel/tels/so/tal/tales/tale/tali/tais that/que/dass/che/qu' $
+find/finds/determine/sketch/draw/compute/calculate/give/list/name/seek/look/search/solve/choose/want/sought/wanted/trouver/trouvez/trouve/cherche/chercher/cherchons/cherchez/déterminer/déterminez/calculer/calculez/esquisser/dessiner/dessinez/tracer/donner/donnez/bestimme/bestimmen/finde/finden/suche/suchen/gesucht/zeichne/zeichnen/skizziere/skizzieren/berechne/berechnen/ermittle/ermitteln/gib/halla/halle/hallar/encontrar/encuentre/encuentra/busca/buscamos/determinar/determine/calcular/calcule/dibuje/dibujar/trova/trovare/trovate/cercare/cerchiamo/determina/determinare/calcola/calcolare/disegna/disegnare/encontre/procure/calcule/esboce * ¤/angle/angles/configuration/configurations/posture/postures/pose/poses/value/values/lengths/solutions/places/instants/positions/arms/konfiguration/konfigurationen/stellung/stellungen/lage/lagen/winkel/werte/wert/längen/punkte/valeur/valeurs/longueurs/points/posición/posiciones/postura/posturas/configuración/configuraciones/ángulo/ángulos/valores/valor/posizione/posizioni/configurazione/configurazioni/angolo/angoli/valori/valore/configuração/configurações/posição/posições/ângulo/ângulos (¤) (,) (and) that/which/qui/die/que/che satisfy/satisfies/fulfil/fulfils/fulfill/fulfills/make/makes/solve/solves/vérifient/vérifie/satisfont/erfüllen/erfüllt/cumplen/satisfacen/soddisfano/satisfazem $
+find/finds/determine/sketch/draw/compute/calculate/give/list/name/seek/look/search/solve/choose/want/sought/wanted/trouver/trouvez/trouve/cherche/chercher/cherchons/cherchez/déterminer/déterminez/calculer/calculez/esquisser/dessiner/dessinez/tracer/donner/donnez/bestimme/bestimmen/finde/finden/suche/suchen/gesucht/zeichne/zeichnen/skizziere/skizzieren/berechne/berechnen/ermittle/ermitteln/gib/halla/halle/hallar/encontrar/encuentre/encuentra/busca/buscamos/determinar/determine/calcular/calcule/dibuje/dibujar/trova/trovare/trovate/cercare/cerchiamo/determina/determinare/calcola/calcolare/disegna/disegnare/encontre/procure/calcule/esboce * ¤/angle/angles/configuration/configurations/posture/postures/pose/poses/value/values/lengths/solutions/places/instants/positions/arms/konfiguration/konfigurationen/stellung/stellungen/lage/lagen/winkel/werte/wert/längen/punkte/valeur/valeurs/longueurs/points/posición/posiciones/postura/posturas/configuración/configuraciones/ángulo/ángulos/valores/valor/posizione/posizioni/configurazione/configurazioni/angolo/angoli/valori/valore/configuração/configurações/posição/posições/ângulo/ângulos (¤) (,) for/at/pour/en/für/bei/in/an/para/per/nelle/nei (the/los/las/le/la) which/lesquelles/lesquels/lequel/laquelle/denen/der/die/das/dem/que/cuales/quali/quais (we) (on) (have/has/is/a/gilt/ist) $
+posture/postures/configuration/configurations/pose/poses/angles/values/stellung/stellungen/konfiguration/konfigurationen/winkel/valeurs/posturas/configuraciones/ángulos/configurazioni/angoli/configurações/ângulos (¤) (is/are/est/sont/ist/sind/es/son/è/sono) (,) such/telle/telles/tel/tels/so/tal/tales/tale/tali/tais (chosen) that/que/dass/che/qu' $
+posture/postures/configuration/configurations/pose/poses/angles/values/stellung/stellungen/konfiguration/konfigurationen/winkel/valeurs/posturas/configuraciones/ángulos/configurazioni/angoli/configurações/ângulos (¤) (,) that/which/qui/die/que/che satisfy/satisfies/fulfil/fulfils/fulfill/fulfills/vérifient/vérifie/satisfont/erfüllen/erfüllt/cumplen/satisfacen/soddisfano/satisfazem $
+which/quels/quelles/quelle/quel/welche/welcher/welches/cuáles/qué/quali/quale/quais (…) ¤/angle/angles/configuration/configurations/posture/postures/pose/poses/value/values/lengths/solutions/places/instants/positions/arms/konfiguration/konfigurationen/stellung/stellungen/lage/lagen/winkel/werte/wert/längen/punkte/valeur/valeurs/longueurs/points/posición/posiciones/postura/posturas/configuración/configuraciones/ángulo/ángulos/valores/valor/posizione/posizioni/configurazione/configurazioni/angolo/angoli/valori/valore/configuração/configurações/posição/posições/ângulo/ângulos (…) (¤) satisfy/satisfies/fulfil/fulfils/solve/solves/give/gives/lead/vérifient/vérifie/donnent/erfüllen/erfüllt/ergeben/cumplen/soddisfano/satisfazem (to) $
+"""
 ON_CONDITION = """
 ^ & if/when/whenever/si/quand/lorsque/lorsqu' % , (then/alors) (we/on) (get/have/find/obtain/a/obtient/trouve) $
 """
@@ -330,6 +339,69 @@ todo~/toda~/qualquer/exceto/outro~/outra~/geral/não/fora/sem/depois/nunca
 """
 BECOMES = """
 ^ & (the/this/our/la/le/l'/die/das/el/il) jacobian/matrix/determinant/position/expression/result/jacobienne/matrice/déterminant/matriz/jacobi-matrix/jacobimatrix/determinante/jacobiano * becomes/reduces/simplifies/devient/wird/queda/diventa
+"""
+# -- how the joints move
+
+EVEN_RATES = """
+constant/uniform/steady/even/unchanging/fixed (and) (equal) joint/motor/axis/angular/articular (angular) rate/rates/speed/speeds/velocity/velocities
+constant/uniform/steady/even/unchanging rates/speeds/velocities (of) (the) (joints/motors/axes)
+(joint/motor/angular) rates/speeds/velocities (…) constant/uniform/steady/unchanging $
+(joint/motor/angular) rates/speeds/velocities (of) (the) (joints/motors) is/are/being/remain/stay/remaining/kept (…) constant/uniform/steady
+joints/motors/axes/links/both/all/arm (…) turn/turns/turning/run/runs/running/rotate/rotates/rotating/move/moving (…) evenly/uniformly/steadily
+joints/motors/axes/links/both/all (…) turn/turning/run/running/rotate/rotating (…) at constant/uniform/steady rate/rates/speed/speeds/velocity
+without/no/zero/vanishing joint/angular acceleration/accelerations
+joint/angular accelerations (…) zero/nil/vanish/vanishing
+vitesse/vitesses articulaires/angulaires/articulaire/angulaire (…) constantes/constante/uniformes
+vitesses constantes (des/de) (articulations/moteurs/rotation)
+(articulations/moteurs/axes) tournent/tournant (…) uniformément/régulièrement
+sans accélération articulaire/angulaire
+konstanten/konstanter/konstante/gleichbleibenden gelenkgeschwindigkeiten/gelenkgeschwindigkeit/winkelgeschwindigkeiten/winkelgeschwindigkeit/drehgeschwindigkeiten/gelenkraten/drehzahlen
+(gelenkgeschwindigkeiten/winkelgeschwindigkeiten) … konstant/konstante
+gelenke/motoren/achsen … gleichförmig/gleichmäßig
+ohne gelenkbeschleunigung/gelenkbeschleunigungen/winkelbeschleunigung
+velocidades/velocidad articulares/articular/angulares/angular (…) constantes/constante
+velocità (di/dei/articolari/angolari) (giunto/giunti) (…) costanti
+velocidades das juntas/articulações (…) constantes
+"""
+NO_RATES = """
+start/starts/started/starting/begin/begins/beginning/released/set/sets/leave/leaves (out/off) (moving) from rest
+arm/joints/robot/motors/axes/links/manipulator/mechanism/everything (…) at rest
+joints/motors/axes/links/arm/robot/manipulator (…) stand/stands/standing/is/are (all/both) still/motionless
+in/at/from (the) (very) (first) moment/instant of starting/departure
+(joint) velocities/rates/speeds (…) zero/nil/null/vanish/vanishing
+zero/vanishing/no/without (any) (joint/initial/angular) rates/velocities/speeds
+vitesses (articulaires/angulaires/initiales) (…) nulles
+bras/articulations/robot/manipulateur (…) au repos
+(part/partant/démarre/démarrant) (du/de) (l') repos/arrêt
+à l' (instant) (du) démarrage
+au (moment) (du) démarrage
+aus der ruhe
+aus dem stillstand
+gelenkgeschwindigkeiten/geschwindigkeiten/winkelgeschwindigkeiten … null
+(gelenke/arm/motoren) … (still) stillstehen/stillsteht/ruhen/ruht
+velocidades (articulares) (…) nulas
+brazo/articulaciones/robot (…) en reposo
+parte/partiendo del reposo
+velocità (di/dei/articolari) (giunto/giunti) (…) nulle
+parte/partendo da fermo
+parte/partindo do repouso
+"""
+EVENLY = """
+evenly/uniformly/steadily
+constant/uniform/steady/unchanging rate/speed/velocity
+vitesse constante/uniforme
+gleichförmig/gleichmäßig
+konstanter/konstante geschwindigkeit
+velocidad constante
+velocità costante
+velocidade constante
+"""
+OF_ONE_JOINT = """
+first/second/third/fourth/last/one/single/only/alone/other/tool/tip/hand/gripper/end-effector/load joint/joints/motor/motors/axis/link/links/one/rate/rates/speed/velocity/moves/moving/turns/turning/runs/starts/stands/rests
+only/seul/seule/seulement/nur/sólo/solo/apenas
+rate/speed/velocity/motion of (the) first/second/third/last/tool/tip/hand/gripper/end-effector
+premier/première/deuxième/second/seconde/dernier/dernière articulation/moteur/axe/liaison/bras
+erste/ersten/zweite/zweiten/letzte/letzten/dritte gelenk/gelenks/motor/achse/glied
 """
 # -- another point, frame, origin or axis than the tool's in the base
 

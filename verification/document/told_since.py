@@ -42,6 +42,7 @@ from armproof.verification.document.told_jacobians import (
     maps_otherwise,
     told_jacobians,
 )
+from armproof.verification.document.told_motions import MAY_TELL_MOTION, SINCE, told_motion
 from armproof.verification.document.told_notation import REACTION
 from armproof.verification.document.told_quantities import MAY_TELL_QUANTITY, TOLD_QUANTITY, tells_quantity
 from armproof.verification.document.told_relative import MAY_TELL_RELATIVE, relative_angles
@@ -51,7 +52,7 @@ from armproof.verification.document.told_tasks import MAY_TELL_TASK, told_tasks
 MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
     f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_TELL_BRANCH.pattern}|{MAY_TELL_JACOBIAN.pattern}|{MAY_TELL_BALANCE.pattern}"
     f"|{MAY_TELL_QUANTITY.pattern}|{MAY_TELL_RELATIVE.pattern}"
-    f"|{MAY_CHANGE_ARM.pattern}|{MAY_LIMIT.pattern}|{MAY_BE_FIRST_ORDER.pattern}|{MAY_CONSTRAIN.pattern}"
+    f"|{MAY_TELL_MOTION.pattern}|{MAY_CHANGE_ARM.pattern}|{MAY_LIMIT.pattern}|{MAY_BE_FIRST_ORDER.pattern}|{MAY_CONSTRAIN.pattern}"
 )
 _BESIDE = 12  # lines behind a sentence that may be said of what is near alone
 _PLAIN = re.compile(r"[{}\s]|\\(?:left|right|quad|qquad|begin|end|operatorname|mathrm|text)(?![A-Za-z])")
@@ -109,6 +110,8 @@ def told_since(
             yield Since(CONSTRAINED, line, end)
         if is_negative(words, formulas):
             yield Since(NEGATIVE, line, end)
+        if motion := told_motion(words):
+            yield Since(SINCE + motion, line, end)
         if locks(words, formulas):
             yield Since(LOCKED, line, end)
         if tells_quantity(words):
