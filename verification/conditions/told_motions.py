@@ -23,21 +23,23 @@ def at_told_motion(outcome: Outcome, meant: Sequence[str]) -> Outcome:
     if outcome.verdict is not Verdict.REFUTED or pair is None or pair.true.shape != pair.printed.shape:
         return outcome
     for motion in (EVEN, AT_REST):
-        leads = motion in meant
-        if not leads and SINCE + motion not in meant:
+        leads, zeros = motion in meant, _zeros(pair.true, motion)
+        if not zeros or not (leads or SINCE + motion in meant):
             continue
-        zeros = _zeros(pair.true, motion)
         with WhereDefined():
-            true, printed = (side.map(lambda cell: substitute(cell, zeros)) for side in (pair.true, pair.printed))
+            true, printed = _moved(pair.true, zeros), _moved(pair.printed, zeros)
             moved = replace(pair, true=true, printed=printed)
             wrong = [place for place, a, b in moved.entries() if not (a - b).normal().is_zero()]
-            if zeros and not wrong and not leads:
+            if wrong:
+                return replace(outcome, pair=replace(pair, true=true), wrong=wrong) if leads else outcome
+            if not leads:
                 return outcome.left_open(say(Kind.HOLDS_AS_TOLD))
-            if zeros and leads and wrong:
-                return replace(outcome, pair=replace(pair, true=true), wrong=wrong)
-            if zeros and not wrong:
-                return replace(outcome, verdict=Verdict.PROVED, findings=(say(Kind.UNDER_RATES),), wrong=[])
+            return replace(outcome, verdict=Verdict.PROVED, findings=(say(Kind.UNDER_RATES),), wrong=[])
     return outcome
+
+
+def _moved(side: Matrix, zeros: Mapping[str, Scalar]) -> Matrix:
+    return side.map(lambda cell: substitute(cell, zeros))
 
 
 def _zeros(value: Matrix, motion: str) -> Mapping[str, Scalar]:

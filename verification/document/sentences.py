@@ -117,6 +117,7 @@ _JOINING = frozenset("and or et ou und oder y o e ed bzw resp".split())
 _OF_LETTERS = re.compile(
     r"angle|ángulo|ângulo|angol|winkel|measur|count|mesur|compt|mess|zähl|medid|length|longu|läng|lungh|absol|assol|convention|letter|symbol|lettre|zeichen|letra|letter"
 )
+_SUPPOSING = ("MAY_LIMIT", "SOUGHT", "CHANGED_BEFORE", "HELD_IN_WORDS")
 _FOR = re.compile(r"(?<!\S)(?:for|pour|für|para|per) ")  # "The formula for the ordinate follows"
 _MOST_OF_LABEL = 4  # words with their stop: "The elbow."
 MOST_KNOWN = 4096  # sentences, so that those of a text that is read again are heard once
@@ -300,7 +301,7 @@ def _supposes(words: str, is_over: bool) -> bool:
     """Whether the sentence before a display supposes it, asks for it, or says that it is of a case or nearly so."""
     if words.endswith("? ") or hears("SUPPOSED", words) or (hears("ON_CONDITION", words) and not hears("WE_DO", words)):
         return True
-    if says("NEARLY", words) or hears("MAY_LIMIT", words) or hears("SOUGHT", words):
+    if says("NEARLY", words) or any(hears(each, words) for each in _SUPPOSING):
         return True
     plain = without_harmless(words)
     if is_over:

@@ -84,12 +84,30 @@ _OF_ITS_INVERSE = re.compile(
 )
 _OF_JOINTS = r"(?:joint|actuator|motor|drive|articula|actionneur|moteur|gelenk|antrieb|leg|jambe)\S*"
 _OF_TOOL = r"(?:tool|platform|plate-?forme|hand|end|effector|gripper|outil|effecteur|pince|task|cartesian|cartésien\S*|twist|plattform|werkzeug|celle)"
-_FROM = r"(?:from|as (?:a )?functions? of|in terms of|en fonction|à partir|out of|given|aus)"
+_FROM = r"(?:from|for|pour|für|as (?:a )?functions? of|in terms of|en fonction|à partir|out of|given|aus)"
 _GIVES = r"(?:gives?|maps?|takes?|sends?|transforms?|yields?|converts?|computes?|donne|fournit|transforme|convertit|envoie|liefert|bildet)"
 _MAPS_BACK = re.compile(
     rf"¤ (?:\S+ ){{0,6}}?{_GIVES} (?:(?!{_OF_TOOL} )\S+ ){{0,6}}?{_OF_JOINTS} (?:\S+ ){{0,3}}?{_FROM} (?:\S+ ){{0,6}}?{_OF_TOOL}(?!\w)"
     rf"|¤ (?:\S+ ){{0,6}}?{_GIVES} (?:(?!{_OF_JOINTS} )\S+ ){{0,6}}?{_OF_TOOL} (?:(?!{_OF_JOINTS} )\S+ ){{0,5}}?(?:to|into|onto|in|en|vers|auf) (?:\S+ ){{0,4}}?{_OF_JOINTS}(?!\w)"
 )
+_ASKS = r"(?:asks?|finds?|computes?|gets?|obtains?|calculates?|determines?|learns?|sees?|tells?|cherche|calcule|trouve|obtient|détermine|fragt|berechnet|findet|bestimmt|erhält)"
+_ASKED_BACK = re.compile(  # "With $J$ one asks what force …", "$J$ takes torques to forces"
+    rf"(?<!\S)(?:with|by|using|from|through|via|avec|par|mit|durch) ¤ (?:\S+ )?(?:one|we|you|on|nous|man|wir) (?:\S+ )?{_ASKS} (?:(?!{_OF_TOOL} |velocit|speed|torque|couple)\S+ ){{0,4}}?(?:{_OF_JOINTS} (?:rates?|speeds?|velocit\S+|turn|move|must|should|have)|{_OF_JOINTS}geschw\S*|vitesses? {_OF_JOINTS}|forces?|kraft|kräfte)(?!\w)"
+    rf"|¤ (?:\S+ ){{0,3}}?{_GIVES} (?:\S+ ){{0,3}}?(?:torques?|couples?|momente) (?:\S+ ){{0,3}}?(?:to|into|onto|en|vers|auf|in) (?:\S+ ){{0,3}}?(?:forces?|wrench\S*|efforts?|kräfte)"
+    rf"|¤ (?:\S+ ){{0,3}}?{_GIVES} (?:\S+ ){{0,3}}?(?:forces?|wrench\S*|kräfte) (?:\S+ ){{0,3}}?{_FROM} (?:\S+ ){{0,3}}?(?:torques?|couples?|momente)"
+)
+_HOW_JOINTS_MOVE = re.compile(  # a question to which $J$ is no answer
+    rf"(?<!\S)(?:how (?:fast|quickly)|(?:at|with|by) what (?:rates?|speeds?)|what (?:rates?|speeds?|velocit\S+)|which (?:rates?|speeds?|velocit\S+)|à quelles? vitesses?|wie schnell|mit welchen?) (?:(?!{_OF_TOOL} |for |pour |für )\S+ ){{0,4}}?{_OF_JOINTS}(?= )[^?]*\? "
+)
+_IS_ANSWER = re.compile(
+    r"(?<!\S)(?:(?:this|that|which) is what ¤ |¤ (?:answers|solves|tells|says) (?:this|that|it)|(?:this|that|the) (?:question )?(?:is answered|answer is given) by ¤|¤ is the answer|(?:c' est|voilà) ce que (?:donne|dit|calcule) ¤|das (?:beantwortet|sagt) ¤)"
+)
+
+
+def answers_back(question: str, words: str, formulas: Sequence[str]) -> bool:
+    """Whether a sentence has J as the answer to the question before it how the joints move: "This is what $J$ answers"."""
+    asked = _HOW_JOINTS_MOVE.search(question.lower()) and _IS_ANSWER.search(words.lower())
+    return asked is not None and any(map(_ALONE.fullmatch, map(plain_formula, formulas)))
 
 
 def told_jacobians(words: str, formulas: Sequence[str]) -> Iterator[str]:
@@ -122,7 +140,7 @@ def _is_otherwise(words: str, formulas: Sequence[str]) -> bool:
         return False
     if _IS_TRANSPOSED.search(words) and not re.search(r"(?<!\S)(?:table|tableau|tabelle|tabla|tabella) ", words):
         return True
-    found = _IS_INVERSE.search(words) or _MAPS_BACK.search(words)
+    found = _IS_INVERSE.search(words) or _MAPS_BACK.search(words) or _ASKED_BACK.search(words)
     at = words[: found.start()].count("¤") if found is not None else 0
     return found is not None and at < len(formulas) and _ALONE.fullmatch(formulas[at]) is not None
 

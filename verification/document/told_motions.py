@@ -14,7 +14,7 @@ _HEARD = {EVEN: "EVEN_RATES", AT_REST: "NO_RATES"}
 SINCE = "since "  # before either: of those behind it in its section, perhaps
 
 MAY_TELL_MOTION = re.compile(  # what no such sentence lacks, in small letters
-    r"constan|konstan|costan|unifor|stead|evenly|gleichf|gleichm|gleichbl|\brest\b|repos|ruhe|still|fermo|\bnil\b|zero|zéro|cero|null|nul[ao]|vanish|starting|démarr|motionless|immobil|without|sans|ohne|sin\b|senza|sem\b"
+    r"constan|konstan|costan|unifor|stead|evenly|gleichf|gleichm|gleichbl|\brest\b|repos|ruhe|still|fermo|\bnil\b|zero|zéro|cero|null|nul[ao]|vanish|starting|démarr|motionless|immobil"
 )
 _FEW = 4  # words that lead to what is said of a motion: "In the instant in which"
 
@@ -22,7 +22,7 @@ _FEW = 4  # words that lead to what is said of a motion: "In the instant in whic
 def told_motion(words: str) -> str:
     """Return how a sentence has all joints move, EVEN or AT_REST; "" of one that tells neither, or both."""
     small = words.lower()
-    if not MAY_TELL_MOTION.search(small) or hears("OF_ONE_JOINT", small):
+    if not MAY_TELL_MOTION.search(small) or hears("OF_OTHER_MOTION", small):
         return ""
     found = [motion for motion, name in _HEARD.items() if says(name, words)]
     return found[0] if len(found) == 1 else ""

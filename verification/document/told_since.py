@@ -39,6 +39,7 @@ from armproof.verification.document.told_constraints import (
 from armproof.verification.document.told_jacobians import (
     MAPS_OTHERWISE,
     MAY_TELL_JACOBIAN,
+    answers_back,
     maps_otherwise,
     told_jacobians,
 )
@@ -46,7 +47,14 @@ from armproof.verification.document.told_motions import MAY_TELL_MOTION, SINCE, 
 from armproof.verification.document.told_notation import REACTION
 from armproof.verification.document.told_quantities import MAY_TELL_QUANTITY, TOLD_QUANTITY, tells_quantity
 from armproof.verification.document.told_relative import MAY_TELL_RELATIVE, relative_angles
-from armproof.verification.document.told_statics import MAY_TELL_BALANCE, acts_on_tool, force_of_balance, holds_arm
+from armproof.verification.document.told_statics import (
+    FORCE_ELSEWHERE,
+    MAY_TELL_BALANCE,
+    acts_on_tool,
+    force_of_balance,
+    holds_arm,
+    is_force_elsewhere,
+)
 from armproof.verification.document.told_tasks import MAY_TELL_TASK, told_tasks
 
 MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
@@ -112,6 +120,8 @@ def told_since(
             yield Since(NEGATIVE, line, end)
         if motion := told_motion(words):
             yield Since(SINCE + motion, line, end)
+        if is_force_elsewhere(words, formulas):
+            yield Since(FORCE_ELSEWHERE, line, end)
         if locks(words, formulas):
             yield Since(LOCKED, line, end)
         if tells_quantity(words):
@@ -174,6 +184,9 @@ def _of_jacobians(heard: Sequence[_Heard]) -> Iterator[Since]:
     """Yield that J maps otherwise, in all of a section, and which size it has, up to where another is told."""
     told = [(each, said) for each in heard for said in told_jacobians(each.words, each.formulas)]
     yield from (Since(said, each.begin, each.end) for each, said in told if said == MAPS_OTHERWISE)
+    for before, each in pairwise(heard):
+        if answers_back(before.words, each.words, each.formulas):
+            yield Since(MAPS_OTHERWISE, each.line, each.end)
     sizes = [(each, said) for each, said in told if said != MAPS_OTHERWISE]
     until = [*(each.line for each, _ in sizes[1:]), inf]
     for (each, said), later in zip(sizes, until, strict=False):

@@ -205,7 +205,9 @@ def test_what_is_sought_is_a_condition_and_no_claim(asked: str) -> None:
     assert verdicts_of(asked, "", "$$ \\det J = -l_1 l_2 $$") == ["unchecked"]
 
 
-@pytest.mark.parametrize("said", ["Determine the Jacobian; its determinant is", "We find the determinant, with two angles:"])
+@pytest.mark.parametrize(
+    "said", ["Determine the Jacobian; its determinant is", "We find the determinant, with two angles:"]
+)
 def test_what_is_found_is_a_claim(said: str) -> None:
     assert verdicts_of(said, "", "$$ \\det J = -l_1 l_2 $$") == ["refuted"]
 

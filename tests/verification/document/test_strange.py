@@ -181,7 +181,15 @@ def test_a_sentence_in_another_script_is_not_strange_in_a_document_in_it(sentenc
 
 @pytest.mark.parametrize(
     "sentence",
-    ["次の式は正しくない。", "以下公式是错误的：", "Это неверно:", "Αυτό είναι λάθος:", "هذا غير صحيح", "זה לא נכון:", "이것은 틀렸다:"],
+    [
+        "次の式は正しくない。",
+        "以下公式是错误的：",
+        "Это неверно:",
+        "Αυτό είναι λάθος:",
+        "هذا غير صحيح",
+        "זה לא נכון:",
+        "이것은 틀렸다:",
+    ],
 )
 def test_a_sentence_in_another_script_is_not_understood_among_ours(sentence: str) -> None:
     ours = "# The arm in the plane\n\nThe tool of the planar arm with two revolute joints has the coordinates below, as every course has them."
