@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 
 from armproof.verification.document import Display
-from armproof.verification.document.told_jacobians import MAPS_OTHERWISE, SIZE, SQUARE, WIDE
+from armproof.verification.document.told_jacobians import MAPS_BACK, OF_MAPS, SIZE, SQUARE, WIDE
 from armproof.verification.document.told_statics import FORCE_ELSEWHERE
 from armproof.verification.equations.any_jacobian import holds_of_size, is_of_motion_or_load
 from armproof.verification.equations.outcome import Outcome
@@ -25,12 +25,14 @@ def unless_of_told_jacobian(outcome: Outcome, display: Display, names: Names) ->
         return outcome.left_open(say(Kind.MEANT_OTHERWISE, name="F"))
     if not outcome.tells(*_OF_LAWS):
         is_printed = any(name.base == "J" for node in outcome.nodes for name in n.names(node))
-        is_otherwise = MAPS_OTHERWISE in display.meant and is_printed
+        is_otherwise = MAPS_BACK in display.meant and is_printed
         return outcome.left_open(say(Kind.MEANT_OTHERWISE, name="J")) if is_otherwise else outcome
     told = next((each for each in reversed(display.meant) if each.startswith(SIZE)), SQUARE)
     chains = [*_chains(display, names)]
     may_not_hold = told != SQUARE and not all(holds_of_size(each, names, told == WIDE) for each in chains)
-    is_otherwise = MAPS_OTHERWISE in display.meant and any(is_of_motion_or_load(each, names) for each in chains)
+    is_otherwise = not {*OF_MAPS}.isdisjoint(display.meant) and any(
+        is_of_motion_or_load(each, names) for each in chains
+    )
     return outcome.left_open(say(Kind.MEANT_OTHERWISE, name="J")) if may_not_hold or is_otherwise else outcome
 
 

@@ -22,7 +22,7 @@ def at_told_motion(outcome: Outcome, meant: Sequence[str]) -> Outcome:
     pair = outcome.pair
     if outcome.verdict is not Verdict.REFUTED or pair is None or pair.true.shape != pair.printed.shape:
         return outcome
-    for motion in (EVEN, AT_REST):
+    for motion in sorted((EVEN, AT_REST), key=lambda each: each not in meant):
         leads, zeros = motion in meant, _zeros(pair.true, motion)
         if not zeros or not (leads or SINCE + motion in meant):
             continue
@@ -30,8 +30,10 @@ def at_told_motion(outcome: Outcome, meant: Sequence[str]) -> Outcome:
             true, printed = _moved(pair.true, zeros), _moved(pair.printed, zeros)
             moved = replace(pair, true=true, printed=printed)
             wrong = [place for place, a, b in moved.entries() if not (a - b).normal().is_zero()]
+            if wrong and leads:
+                return replace(outcome, pair=replace(pair, true=true), wrong=wrong)
             if wrong:
-                return replace(outcome, pair=replace(pair, true=true), wrong=wrong) if leads else outcome
+                continue
             if not leads:
                 return outcome.left_open(say(Kind.HOLDS_AS_TOLD))
             return replace(outcome, verdict=Verdict.PROVED, findings=(say(Kind.UNDER_RATES),), wrong=[])

@@ -11,6 +11,8 @@ from collections.abc import Iterator, Sequence
 SIZE = "size of J"  # with how its rows compare to its columns
 WIDE, TALL, SQUARE = (f"{SIZE} {relation}" for relation in "<>=")
 MAPS_OTHERWISE = "J maps otherwise"
+MAPS_BACK = "J maps back"  # and is no Jacobian of the arm, but its inverse or another
+OF_MAPS = (MAPS_OTHERWISE, MAPS_BACK)
 
 MAY_TELL_JACOBIAN = re.compile(  # what no such sentence lacks, in small letters
     r"jacobi|matri|\bj\b|\$\s*\\?j|redund|redond|ridond|joint|axes|degrees|articulation|liaison|dof|ddl|gelenk|articulaci|giunti|column|colonne|spalten"
@@ -117,6 +119,8 @@ def told_jacobians(words: str, formulas: Sequence[str]) -> Iterator[str]:
         yield size
     if any(_MAP.fullmatch(each) or _ENTRY.search(each) for each in plain) or _is_otherwise(small, plain):
         yield MAPS_OTHERWISE
+    if _is_of_j(small, plain) and _maps_back(small, plain):
+        yield MAPS_BACK
 
 
 def plain_formula(latex: str) -> str:
@@ -132,14 +136,23 @@ def maps_otherwise(latex: str) -> bool | None:
     return False if _USUAL_MAP.fullmatch(plain) else None
 
 
+def _is_of_j(words: str, formulas: Sequence[str]) -> bool:
+    """Whether a sentence is of J alone, and not of its inverse or transpose."""
+    is_alone = any(map(_ALONE.fullmatch, formulas)) or "jacobi" in words
+    return is_alone and not any(map(_TURNED.search, formulas)) and _OF_ITS_INVERSE.search(words) is None
+
+
 def _is_otherwise(words: str, formulas: Sequence[str]) -> bool:
-    """Whether a sentence says of J alone, and not of its inverse or transpose, that it maps otherwise."""
-    is_of_j = any(map(_ALONE.fullmatch, formulas)) and not any(map(_TURNED.search, formulas))
-    is_of_j |= not any(map(_TURNED.search, formulas)) and "jacobi" in words
-    if not is_of_j or _OF_ITS_INVERSE.search(words):
+    """Whether a sentence says of J that it maps otherwise, or has its rows and columns exchanged."""
+    if not _is_of_j(words, formulas):
         return False
     if _IS_TRANSPOSED.search(words) and not re.search(r"(?<!\S)(?:table|tableau|tabelle|tabla|tabella) ", words):
         return True
+    return _maps_back(words, formulas)
+
+
+def _maps_back(words: str, formulas: Sequence[str]) -> bool:
+    """Whether a sentence of J says that it is the inverse, or leads from the tool to the joints, or from torques to forces."""
     found = _IS_INVERSE.search(words) or _MAPS_BACK.search(words) or _ASKED_BACK.search(words)
     at = words[: found.start()].count("¤") if found is not None else 0
     return found is not None and at < len(formulas) and _ALONE.fullmatch(formulas[at]) is not None

@@ -37,8 +37,10 @@ from armproof.verification.document.told_constraints import (
     is_negative,
 )
 from armproof.verification.document.told_jacobians import (
+    MAPS_BACK,
     MAPS_OTHERWISE,
     MAY_TELL_JACOBIAN,
+    OF_MAPS,
     answers_back,
     maps_otherwise,
     told_jacobians,
@@ -183,11 +185,11 @@ def _of_branches(heard: Sequence[_Heard]) -> Iterator[Since]:
 def _of_jacobians(heard: Sequence[_Heard]) -> Iterator[Since]:
     """Yield that J maps otherwise, in all of a section, and which size it has, up to where another is told."""
     told = [(each, said) for each in heard for said in told_jacobians(each.words, each.formulas)]
-    yield from (Since(said, each.begin, each.end) for each, said in told if said == MAPS_OTHERWISE)
+    yield from (Since(said, each.begin, each.end) for each, said in told if said in OF_MAPS)
     for before, each in pairwise(heard):
         if answers_back(before.words, each.words, each.formulas):
-            yield Since(MAPS_OTHERWISE, each.line, each.end)
-    sizes = [(each, said) for each, said in told if said != MAPS_OTHERWISE]
+            yield Since(MAPS_BACK, each.line, each.end)
+    sizes = [(each, said) for each, said in told if said not in OF_MAPS]
     until = [*(each.line for each, _ in sizes[1:]), inf]
     for (each, said), later in zip(sizes, until, strict=False):
         yield Since(said, each.line, min(each.end, later))

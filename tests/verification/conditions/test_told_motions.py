@@ -58,3 +58,9 @@ def test_what_a_section_says_of_rates_leaves_open_what_holds_with_them() -> None
 
 def test_without_a_word_of_the_motion_all_terms_are_asked_for() -> None:
     assert verdict_of("The acceleration is", OF_SQUARES.format("-")) == "refuted"
+
+
+def test_what_leads_to_a_display_goes_before_what_its_section_says() -> None:
+    between = f"$$ {OF_SQUARES.format('-')} $$\n\nWhile all joints stand still,\n\n"
+    assert verdict_of("At constant joint rates it is", OF_ACCELERATIONS.format("+"), between) == "proved"
+    assert verdict_of("At constant joint rates it is", OF_ACCELERATIONS.format("-"), between) == "refuted"
