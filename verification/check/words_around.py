@@ -15,6 +15,7 @@ from armproof.verification.conditions.told_branches import ToldBranches
 from armproof.verification.conditions.told_directions import ToldDirections
 from armproof.verification.conditions.told_indices import unless_told_otherwise
 from armproof.verification.conditions.told_jacobians import unless_of_told_jacobian
+from armproof.verification.conditions.told_motions import at_told_motion
 from armproof.verification.conditions.told_names import ToldNames
 from armproof.verification.conditions.told_notation import ATAN2, written_as_told
 from armproof.verification.conditions.told_otherwise import ToldOtherwise
@@ -54,6 +55,8 @@ class WordsAround:
         """Leave open what the words around a display say to be so elsewhere, in a case, of another point, or not at all."""
         if display.said_next and not display.erratum:
             outcome = self.circumstances.judge_behind(outcome, display.said_next)
+        if display.meant and not display.erratum:
+            outcome = at_told_motion(outcome, display.meant)
         if display.supposed:
             outcome = replace(outcome.unless_refuted(say(Kind.IS_SUPPOSED)), as_usual=None)
         is_elsewhere = display.of_other_point or (bool(display.meant) and self._is_of_other_frame(display))

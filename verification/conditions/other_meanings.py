@@ -12,6 +12,7 @@ from armproof.verification.algebra.quantity import COMPONENTS
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document.named_quantities import ABSCISSA, DISTANCE, NAMED, ORDINATE, ORIENTATION, VELOCITY
 from armproof.verification.document.other_arms import OF_ARM, is_other_arm
+from armproof.verification.document.other_functions import OTHER_FUNCTION
 from armproof.verification.document.other_meanings import (
     ALL,
     ANEW,
@@ -148,7 +149,8 @@ class OtherMeanings:
         is_of_lower_order |= VELOCITY in named and bool(orders) and not max(orders)
         others = {letter for each in named for letter in _OTHERS.get(each, "")}
         is_other = not others.isdisjoint(_coordinate(side) for side in alone if not side.dots)
-        if is_itself or is_of_lower_order or is_other:
+        is_function = OTHER_FUNCTION in meant and (bool(alone) or any(n.is_call(side, "det") for side in sides))
+        if is_itself or is_of_lower_order or is_other or is_function:
             return outcome.left_open(say(Kind.OF_OTHER_QUANTITY))
         return outcome
 

@@ -8,7 +8,13 @@ from collections.abc import Iterator, Sequence
 from armproof.verification.algebra.calculus import substitute, symbols_in
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document.locked_joints import LOCKED
-from armproof.verification.document.told_builds import COUNTED_FROM_ONE, FROM_TOOL, OTHER_BUILD, TURNED_ROUND
+from armproof.verification.document.told_builds import (
+    COUNTED_FROM_ONE,
+    FROM_TOOL,
+    JOINTS_FROM_ZERO,
+    OTHER_BUILD,
+    TURNED_ROUND,
+)
 from armproof.verification.document.told_tasks import TASK_BY_RATES
 from armproof.verification.equations.alignment import Pair
 from armproof.verification.equations.chain import ChainChecker
@@ -35,6 +41,8 @@ class ToldOtherwise:
             return outcome.left_open(say(Kind.OF_OTHER_ARM))
         if COUNTED_FROM_ONE in meant and (counted := next(self._of_frames(outcome), None)) is not None:
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=counted))
+        if JOINTS_FROM_ZERO in meant and (counted := next(self._of_joints(outcome), None)) is not None:
+            return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=counted))
         if (turned := self._turned_in(outcome, meant)) is not None:
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=turned))
         if LOCKED in meant and outcome.verdict is Verdict.REFUTED and self._may_hold_locked(outcome):
@@ -47,6 +55,14 @@ class ToldOtherwise:
                 scripts = f"{name.sub}{name.sup}{name.pre_sup}{name.pre_sub}"
                 if name.base in _OF_FRAMES and re.search(r"\d", scripts):
                     yield name.key
+
+    def _of_joints(self, outcome: Outcome) -> Iterator[str]:
+        """Yield what stands in an equation and bears the number of a joint."""
+        for below in (each for node in (*outcome.nodes, *outcome.conditions) for each in n.walk(node)):
+            if isinstance(below, n.JointAngles):
+                yield from (f"theta_{index}" for _, index in below.terms)
+            elif isinstance(below, n.Name) and re.search(r"\d", below.sub):
+                yield below.key
 
     def _turned_in(self, outcome: Outcome, meant: Sequence[str]) -> str | None:
         """Return a joint that is turned round, and that what is decided rests on; None without one."""

@@ -34,6 +34,7 @@ from armproof.verification.document.moving_on import OF_MOTION
 from armproof.verification.document.named_quantities import NAMED
 from armproof.verification.document.notebook import read_notebook, read_percent
 from armproof.verification.document.orientations import MAY_ORIENT, told_orientations
+from armproof.verification.document.other_functions import OTHER_FUNCTION
 from armproof.verification.document.other_meanings import (
     MAY_ASK,
     MAY_MEAN,
@@ -103,7 +104,7 @@ _IMAGE = re.compile(  # by what it is called or where it is made: ![equation 3](
 )
 _HEADING = re.compile(r"[ ]{0,3}#{1,6}[ \t]+(.*?)[ \t#]*$|[ \t]*\\(?:chapter|(?:sub)*section|paragraph)\*?\s*\{(.*)\}")
 SUFFIXES = tuple(_READERS)
-OF_QUANTITY = tuple(MEANT + each for each in (NAMED, OPERATED, ACCELERATION))
+OF_QUANTITY = tuple(MEANT + each for each in (NAMED, OPERATED, ACCELERATION, OTHER_FUNCTION))
 
 
 def read_document(path: Path) -> Document:

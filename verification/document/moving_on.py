@@ -47,7 +47,7 @@ _OF_REACH = re.compile(  # what has a size and is no link
 )
 _GIVES_LENGTH = re.compile(r"(?<![A-Za-z\\])[dlarL](?:_|\b)[^=]*=")
 _LATER = re.compile(
-    r"(?<!\S)(?:(?:seconds?|minutes?|moments?|while|bit|steps?) later|halfway(?! between)|midway(?! between)|(?:after|at the end of) (?:the|this|that) (?:motion|movement|move|turn)|(?:secondes?|minutes?|instants?) plus tard"
+    r"(?<!\S)(?:(?:seconds?|minutes?|moments?|while|bit|steps?) later|halfway(?! between)|midway(?! between)|in the end|goes on to|(?:after|at the end of) (?:the|this|that) (?:motion|movement|move|turn)|(?:secondes?|minutes?|instants?) plus tard"
     r"|à mi-(?:chemin|course)|(?:après|à la fin de|au bout de) (?:le|la|ce|cette) (?:mouvement|rotation)|à la fin du mouvement|(?:sekunden?|minuten?|schritte?) später|nach der bewegung|auf halbem weg"
     r"|(?:segundos?|minutos?) (?:más|mais) tarde|(?:después|depois) del? movimiento|depois do movimento|(?:secondi|minuti) (?:più tardi|dopo)|dopo il movimento) "
 )

@@ -35,7 +35,7 @@ from armproof.verification.document.told_since import Since, told_since
 from armproof.verification.document.told_tasks import told_tasks
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
-    r"horizontal|negati[vf]|négati[vf]|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
+    r"horizontal|(?:then|and|last|puis|ensuite|dann|luego|poi) (?:about|autour|um|alrededor|intorno|attorno)|fixed ax|negati[vf]|négati[vf]|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
     r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|transpos|invers|masse?\b|gravit|bar[iy]c|schwerp|acc[eé]l|beschl|jacobi|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from|convention|mirror|miroir|spiegel|espejo|repli|gefalt|plegad|ripieg|eingeklappt|\border\b|\bordre\b|reihenfolge|\borden\b|\bordine\b|q\}*\s*=|\\omega_|passiv|pasiv|\brows?\b|lignes?\b|zeile|filas?\b|righ?[ae]\b|linha|\bold\b|\bformer\b|ancien|\balten\b|coord|compon|compos|equal (?:bar|link|length|segment|arm)|[ée]gaux|[ée]gales|gleiche|iguales|uguali|left and right|inches|feet|pouces|zoll|pulgadas|pollici"
 )
 MAY_ASK = re.compile(
@@ -126,6 +126,7 @@ _IS_TURNED = re.compile(
     r"(?<!\S)(?:is|are|be|being|was|est|sont) (?:first |then |next |now |d'abord |ensuite |puis )?(?:turned|rotated|tournée?s?) ",
     re.IGNORECASE,
 )
+_NAMED_TURN = re.compile(r"(?<!\S)(roll|pitch|yaw|heading|bank)(?!\S)")
 _OF_EULER = re.compile(  # angles of an orientation, and of no joint
     r"\beuler(?:ian)? angles?\b|\bangles? (?:of|d'|de|di) ?euler\b|\bángulos de euler\b|\beuler-?winkel\b",
     re.IGNORECASE,
@@ -519,8 +520,17 @@ def _turns(plain: str, words: str) -> str:
     if is_fixed == is_turned or not 2 <= len(axes) <= 3:
         return ""
     angles = [each for formula in formulas_of(plain) if _ANGLE.fullmatch(each := formula.strip())]
+    places = _named_order(words.lower(), len(axes))
+    axes, angles = ([each[k] for k in places] if len(each) == len(places) else each for each in (axes, angles))
     step = -1 if is_fixed else 1
     return " ".join(("".join(axes[::step]), *(angles[::step] if len(angles) == len(axes) else ())))
+
+
+def _named_order(words: str, count: int) -> list[int]:
+    """Return in which order turns are made that have names, by their places: "roll about ¤, yaw about ¤, in the order yaw, roll"."""
+    before, _, behind = words.partition(" order ")
+    names, order = ([*dict.fromkeys(_NAMED_TURN.findall(each))] for each in (before, behind))
+    return [names.index(each) for each in order] if sorted(names) == sorted(order) and len(names) == count else []
 
 
 def _indices(latex: str) -> list[int]:

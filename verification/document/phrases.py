@@ -177,6 +177,8 @@ longueurs unitaire~/égale~
 true/vrai or/ou false/faux
 """
 OF_A_PART = """
+part/portion/share/component/partie/teil/anteil/parte of/de/d'/der/del (the) (l') (joint) acceleration/accelerations/accélération/beschleunigung/aceleración/accelerazione
+centripetal/centrifugal/coriolis/tangential/centripète/coriolis- part/term/terms/acceleration/component/accélération
 contribution/apport
 due to
 first/second/premier/second term/part/terme
@@ -262,6 +264,24 @@ SUPPOSED = """
 as a hypothesis
 if we/one/it had/were
 """
+JOINTS_FROM_ZERO = """
+joints/angles/axes/motors (…) counted/numbered/indexed/number/count (…) from/at/with zero/0
+numbering/counting/indices/index (of) (the) (joints/angles/axes/motors) starts/start/begins/begin (…) from/at/with zero/0
+articulations/angles/axes/moteurs (…) numéroté~/compté~/indexé~ (à) (partir) de/depuis zéro/0
+gelenke/winkel/achsen/motoren (…) (ab/von/bei) null/0 (an) gezählt/nummeriert/indiziert
+articulaciones/ángulos/ejes/motores (…) numeran/cuentan/numerados/contados (…) desde/de/por cero/0
+giunti/angoli/assi/motori (…) numerati/contati/numerano/contano (…) da zero/0
+juntas/ângulos/eixos/motores (…) numerados/contados/numeradas (…) de/do/desde zero/0
+"""
+SOUGHT = """
+find/finds/determine/sketch/draw/compute/calculate/give/list/name/seek/look/search/solve/choose/want/sought/wanted/trouver/trouvez/trouve/cherche/chercher/cherchons/cherchez/déterminer/déterminez/calculer/calculez/esquisser/dessiner/dessinez/tracer/donner/donnez/bestimme/bestimmen/finde/finden/suche/suchen/gesucht/zeichne/zeichnen/skizziere/skizzieren/berechne/berechnen/ermittle/ermitteln/gib/halla/halle/hallar/encontrar/encuentre/encuentra/busca/buscamos/determinar/determine/calcular/calcule/dibuje/dibujar/trova/trovare/trovate/cercare/cerchiamo/determina/determinare/calcola/calcolare/disegna/disegnare/encontre/procure/calcule/esboce * ¤/angle/angles/configuration/configurations/posture/postures/pose/poses/value/values/lengths/solutions/places/instants/positions/arms/konfiguration/konfigurationen/stellung/stellungen/lage/lagen/winkel/werte/wert/längen/punkte/valeur/valeurs/longueurs/points/posición/posiciones/postura/posturas/configuración/configuraciones/ángulo/ángulos/valores/valor/posizione/posizioni/configurazione/configurazioni/angolo/angoli/valori/valore/configuração/configurações/posição/posições/ângulo/ângulos (¤) (,) with/where/satisfying/fulfilling/from/mit/wo/avec/où/vérifiant/satisfaisant/con/donde/dove/com/onde/at $
+find/finds/determine/sketch/draw/compute/calculate/give/list/name/seek/look/search/solve/choose/want/sought/wanted/trouver/trouvez/trouve/cherche/chercher/cherchons/cherchez/déterminer/déterminez/calculer/calculez/esquisser/dessiner/dessinez/tracer/donner/donnez/bestimme/bestimmen/finde/finden/suche/suchen/gesucht/zeichne/zeichnen/skizziere/skizzieren/berechne/berechnen/ermittle/ermitteln/gib/halla/halle/hallar/encontrar/encuentre/encuentra/busca/buscamos/determinar/determine/calcular/calcule/dibuje/dibujar/trova/trovare/trovate/cercare/cerchiamo/determina/determinare/calcola/calcolare/disegna/disegnare/encontre/procure/calcule/esboce * ¤/angle/angles/configuration/configurations/posture/postures/pose/poses/value/values/lengths/solutions/places/instants/positions/arms/konfiguration/konfigurationen/stellung/stellungen/lage/lagen/winkel/werte/wert/längen/punkte/valeur/valeurs/longueurs/points/posición/posiciones/postura/posturas/configuración/configuraciones/ángulo/ángulos/valores/valor/posizione/posizioni/configurazione/configurazioni/angolo/angoli/valori/valore/configuração/configurações/posição/posições/ângulo/ângulos (¤) (,) such/telle/telles/tel/tels/so/tal/tales/tale/tali/tais that/que/dass/che/qu' $
+find/finds/determine/sketch/draw/compute/calculate/give/list/name/seek/look/search/solve/choose/want/sought/wanted/trouver/trouvez/trouve/cherche/chercher/cherchons/cherchez/déterminer/déterminez/calculer/calculez/esquisser/dessiner/dessinez/tracer/donner/donnez/bestimme/bestimmen/finde/finden/suche/suchen/gesucht/zeichne/zeichnen/skizziere/skizzieren/berechne/berechnen/ermittle/ermitteln/gib/halla/halle/hallar/encontrar/encuentre/encuentra/busca/buscamos/determinar/determine/calcular/calcule/dibuje/dibujar/trova/trovare/trovate/cercare/cerchiamo/determina/determinare/calcola/calcolare/disegna/disegnare/encontre/procure/calcule/esboce * ¤/angle/angles/configuration/configurations/posture/postures/pose/poses/value/values/lengths/solutions/places/instants/positions/arms/konfiguration/konfigurationen/stellung/stellungen/lage/lagen/winkel/werte/wert/längen/punkte/valeur/valeurs/longueurs/points/posición/posiciones/postura/posturas/configuración/configuraciones/ángulo/ángulos/valores/valor/posizione/posizioni/configurazione/configurazioni/angolo/angoli/valori/valore/configuração/configurações/posição/posições/ângulo/ângulos (¤) (,) (and) that/which/qui/die/que/che satisfy/satisfies/fulfil/fulfils/fulfill/fulfills/make/makes/solve/solves/vérifient/vérifie/satisfont/erfüllen/erfüllt/cumplen/satisfacen/soddisfano/satisfazem $
+find/finds/determine/sketch/draw/compute/calculate/give/list/name/seek/look/search/solve/choose/want/sought/wanted/trouver/trouvez/trouve/cherche/chercher/cherchons/cherchez/déterminer/déterminez/calculer/calculez/esquisser/dessiner/dessinez/tracer/donner/donnez/bestimme/bestimmen/finde/finden/suche/suchen/gesucht/zeichne/zeichnen/skizziere/skizzieren/berechne/berechnen/ermittle/ermitteln/gib/halla/halle/hallar/encontrar/encuentre/encuentra/busca/buscamos/determinar/determine/calcular/calcule/dibuje/dibujar/trova/trovare/trovate/cercare/cerchiamo/determina/determinare/calcola/calcolare/disegna/disegnare/encontre/procure/calcule/esboce * ¤/angle/angles/configuration/configurations/posture/postures/pose/poses/value/values/lengths/solutions/places/instants/positions/arms/konfiguration/konfigurationen/stellung/stellungen/lage/lagen/winkel/werte/wert/längen/punkte/valeur/valeurs/longueurs/points/posición/posiciones/postura/posturas/configuración/configuraciones/ángulo/ángulos/valores/valor/posizione/posizioni/configurazione/configurazioni/angolo/angoli/valori/valore/configuração/configurações/posição/posições/ângulo/ângulos (¤) (,) for/at/pour/en/für/bei/in/an/para/per/nelle/nei (the/los/las/le/la) which/lesquelles/lesquels/lequel/laquelle/denen/der/die/das/dem/que/cuales/quali/quais (we) (on) (have/has/is/a/gilt/ist) $
+posture/postures/configuration/configurations/pose/poses/angles/values/stellung/stellungen/konfiguration/konfigurationen/winkel/valeurs/posturas/configuraciones/ángulos/configurazioni/angoli/configurações/ângulos (¤) (is/are/est/sont/ist/sind/es/son/è/sono) (,) such/telle/telles/tel/tels/so/tal/tales/tale/tali/tais (chosen) that/que/dass/che/qu' $
+posture/postures/configuration/configurations/pose/poses/angles/values/stellung/stellungen/konfiguration/konfigurationen/winkel/valeurs/posturas/configuraciones/ángulos/configurazioni/angoli/configurações/ângulos (¤) (,) that/which/qui/die/que/che satisfy/satisfies/fulfil/fulfils/fulfill/fulfills/vérifient/vérifie/satisfont/erfüllen/erfüllt/cumplen/satisfacen/soddisfano/satisfazem $
+which/quels/quelles/quelle/quel/welche/welcher/welches/cuáles/qué/quali/quale/quais (…) ¤/angle/angles/configuration/configurations/posture/postures/pose/poses/value/values/lengths/solutions/places/instants/positions/arms/konfiguration/konfigurationen/stellung/stellungen/lage/lagen/winkel/werte/wert/längen/punkte/valeur/valeurs/longueurs/points/posición/posiciones/postura/posturas/configuración/configuraciones/ángulo/ángulos/valores/valor/posizione/posizioni/configurazione/configurazioni/angolo/angoli/valori/valore/configuração/configurações/posição/posições/ângulo/ângulos (…) (¤) satisfy/satisfies/fulfil/fulfils/solve/solves/give/gives/lead/vérifient/vérifie/donnent/erfüllen/erfüllt/ergeben/cumplen/soddisfano/satisfazem (to) $
+"""
 ON_CONDITION = """
 ^ & if/when/whenever/si/quand/lorsque/lorsqu' % , (then/alors) (we/on) (get/have/find/obtain/a/obtient/trouve) $
 """
@@ -330,6 +350,90 @@ todo~/toda~/qualquer/exceto/outro~/outra~/geral/não/fora/sem/depois/nunca
 """
 BECOMES = """
 ^ & (the/this/our/la/le/l'/die/das/el/il) jacobian/matrix/determinant/position/expression/result/jacobienne/matrice/déterminant/matriz/jacobi-matrix/jacobimatrix/determinante/jacobiano * becomes/reduces/simplifies/devient/wird/queda/diventa
+"""
+# -- what is made of the arm, or of the formula, before what is printed holds
+
+CHANGED_BEFORE = """
+^ & (by/on/upon/when/after) turning/exchanging/swapping/interchanging/mirroring/reflecting/reversing/shifting/rotating/doubling/halving/flipping/inverting * angle/angles/link/links/bar/bars/joint/joints/arm/robot/lengths/elbow/picture/figure/whole/everything
+^ & if/when we/one/you/i (…) turn/exchange/swap/interchange/mirror/reflect/reverse/shift/double/halve/flip/rotate * angle/angles/link/links/bar/bars/joint/joints/arm/robot/lengths/elbow/picture/figure/whole/everything
+^ & si l' on/nous (…) échange/échangeons/permute/permutons/tourne/tournons/inverse/inversons/double/doublons/retourne/retournons * angles/angle/bras/segments/barres/longueurs/articulations/robot/coude
+^ & en échangeant/permutant/tournant/inversant/doublant/retournant * angles/angle/bras/segments/barres/longueurs/articulations/robot/coude
+^ & vertauscht/dreht/spiegelt/verdoppelt/halbiert man * winkel/glieder/stäbe/längen/gelenke/arm/roboter/ellbogen
+^ & (al/si) (se/intercambiando/intercambiar/girando/girar/invirtiendo/invertir/intercambian/giran/invierten) ángulos/eslabones/barras/longitudes/brazo
+^ & scambiando/ruotando/invertendo/raddoppiando/specchiando * angoli/bracci/aste/lunghezze/braccio/giunti
+^ & trocando/girando/invertendo/dobrando/espelhando * ângulos/elos/barras/comprimentos/braço/juntas
+* takes/turns/carries/changes/transforms/sends/brings/maps (all) this/it/that/these/them/everything (…) to/into $
+^ & another/second/third/next/further (one/turn/step/half/quarter) (…) to/into $
+"""
+HELD_IN_WORDS = """
+^ & (while/when/by) keeping/holding/leaving % fixed/constant/unchanged
+% is/are/being (held/kept/left) fixed/constant/unchanged , $
+at/with/for (a) fixed/constant/unchanged (…) direction/orientation/inclination/attitude
+en gardant/maintenant/laissant % fixe/fixes/constant/constante/constantes/inchangé/inchangée
+à direction/orientation/inclinaison % fixe/fixée/constante
+bei/mit festgehaltener/fester/konstanter/gleicher richtung/orientierung/neigung/lage
+manteniendo/tenendo/mantenendo/mantendo % fija/fijo/constante/fissa/fisso/costante/fixa/fixo/constante
+"""
+# -- how the joints move
+
+EVEN_RATES = """
+constant/uniform/steady/even/unchanging/fixed (and) (equal) joint/motor/axis/angular/articular (angular) rate/rates/speed/speeds/velocity/velocities
+constant/uniform/steady/even/unchanging rates/speeds/velocities (of) (the) (joints/motors/axes)
+(joint/motor/angular) rates/speeds/velocities (…) constant/uniform/steady/unchanging $
+(joint/motor/angular) rates/speeds/velocities (of) (the) (joints/motors) is/are/being/remain/stay/remaining/kept (…) constant/uniform/steady
+joints/motors/axes/links/both/all/arm (…) turn/turns/turning/run/runs/running/rotate/rotates/rotating/move/moving (…) evenly/uniformly/steadily
+joints/motors/axes/links/both/all (…) turn/turning/run/running/rotate/rotating (…) at constant/uniform/steady rate/rates/speed/speeds/velocity
+vitesse/vitesses articulaires/angulaires/articulaire/angulaire (…) constantes/constante/uniformes
+vitesses constantes (des/de) (articulations/moteurs/rotation)
+(articulations/moteurs/axes) tournent/tournant (…) uniformément/régulièrement
+konstanten/konstanter/konstante/gleichbleibenden gelenkgeschwindigkeiten/gelenkgeschwindigkeit/winkelgeschwindigkeiten/winkelgeschwindigkeit/drehgeschwindigkeiten/gelenkraten/drehzahlen
+(gelenkgeschwindigkeiten/winkelgeschwindigkeiten) … konstant/konstante
+gelenke/motoren/achsen … gleichförmig/gleichmäßig
+velocidades/velocidad articulares/articular/angulares/angular (…) constantes/constante
+velocità (di/dei/articolari/angolari) (giunto/giunti) (…) costanti
+velocidades das juntas/articulações (…) constantes
+"""
+NO_RATES = """
+start/starts/started/starting/begin/begins/beginning/released/set/sets/leave/leaves (out/off) (moving) from rest
+arm/joints/robot/motors/axes/links/manipulator/mechanism/everything (…) at rest
+joints/motors/axes/links/arm/robot/manipulator (…) stand/stands/standing/is/are (all/both) still/motionless
+in/at/from (the) (very) (first) moment/instant of starting/departure
+(joint) velocities/rates/speeds (…) zero/nil/null/vanish/vanishing
+zero/vanishing/no/without (any) (joint/initial/angular) rates/velocities/speeds
+vitesses (articulaires/angulaires/initiales) (…) nulles
+bras/articulations/robot/manipulateur (…) au repos
+(part/partant/démarre/démarrant) (du/de) (l') repos/arrêt
+à l' (instant) (du) démarrage
+au (moment) (du) démarrage
+aus der ruhe
+aus dem stillstand
+gelenkgeschwindigkeiten/geschwindigkeiten/winkelgeschwindigkeiten … null
+(gelenke/arm/motoren) … (still) stillstehen/stillsteht/ruhen/ruht
+velocidades (articulares) (…) nulas
+brazo/articulaciones/robot (…) en reposo
+parte/partiendo del reposo
+velocità (di/dei/articolari) (giunto/giunti) (…) nulle
+parte/partendo da fermo
+parte/partindo do repouso
+"""
+EVENLY = """
+evenly/uniformly/steadily
+constant/uniform/steady/unchanging rate/speed/velocity
+vitesse constante/uniforme
+gleichförmig/gleichmäßig
+konstanter/konstante geschwindigkeit
+velocidad constante
+velocità costante
+velocidade constante
+"""
+OF_OTHER_MOTION = """
+unless/except/whether/until/before/after/instead/unlike/were/would/ago/later/already/earlier/almost/nearly
+moins/sauf/avant/après/presque/außer/bevor/nachdem/fast/salvo/excepto/antes/después/casi/tranne/prima/dopo/quasi/depois/exceto
+first/second/third/fourth/last/one/single/only/alone/other/tool/tip/hand/gripper/end-effector/load joint/joints/motor/motors/axis/link/links/one/rate/rates/speed/velocity/moves/moving/turns/turning/runs/starts/stands/rests
+only/seul/seule/seulement/nur/sólo/solo/apenas
+rate/speed/velocity/motion of (the) first/second/third/last/tool/tip/hand/gripper/end-effector
+premier/première/deuxième/second/seconde/dernier/dernière articulation/moteur/axe/liaison/bras
+erste/ersten/zweite/zweiten/letzte/letzten/dritte gelenk/gelenks/motor/achse/glied
 """
 # -- another point, frame, origin or axis than the tool's in the base
 
@@ -443,6 +547,11 @@ spiegelbildlich~/gespiegelt~
 im spiegel
 reflejado/especular/espejo
 left and right (are) exchanged/swapped/interchanged
+count/counts/counted/measured/reckoned (here) from where/wherever
+¤ (are/is) count/counts/counted/measured/reckoned (here) from (the) (tool's) start/starting/initial (point/position/place/posture)
+¤ (sont/est) compté~/mesuré~ (ici) depuis/à (partir) (de/du) (la/le/l') (point/position) (de) départ/initiale
+¤ (werden/wird) (…) vom/ab (dem) startpunkt/anfangspunkt/ausgangspunkt (aus) gezählt/gemessen
+¤ (se) (…) miden/cuentan/contano/misurano/contam/medem desde/dal/do (el) punto/ponto de/di partida/partenza/inicial
 x-axis … vers la gauche
 """
 
@@ -520,12 +629,14 @@ rotate~/rotation~/turn/turns/turned/turning/roll/tourn~/pivot~/drehung~/dreh~/ge
 """
 AFTER_ONE_ANOTHER = """
 then/followed/after/successive/successively/sequence/order/puis/ensuite/successives/successivement/ordre/dann/danach/anschließend/nacheinander/reihenfolge/luego/después/orden/poi/quindi/successive/ordine/successivamente
+result/résultat/ergebnis/resultado/risultato is/est/wird/es/viene turned/rotated/tourné/gedreht/girado/ruotato
 """
 FIXED_AXES = """
-fixed/fixe/fixes/fest/feste/festen/raumfest/raumfeste/raumfesten/fijo/fijos/fisso/fissi/fisse/original/originale/initial/initiale/stationary/extrinsic/extrinsèque/extrinsèques/base/space
+fixed/fixe/fixes/fest/feste/festen/raumfest/raumfeste/raumfesten/fijo/fijos/fisso/fissi/fisse/original/originale/initial/initiale/stationary/extrinsic/extrinsèque/extrinsèques/base/space/room/world/inertial/laboratory
 """
 TURNED_AXES = """
-moving/mobile/mobiles/current/courant/courants/new/nouvel/nouveau/nouveaux/turned/rotated/body/intrinsic/intrinsèque/intrinsèques/mitgedreht~/mitbewegt~/körperfest~/neue/neuen/móvil/móviles/nuevo/actual/corrente/correnti/nuovo/tourné/tournés/local/locaux
+moving/mobile/mobiles/current/courant/courants/new/nouvel/nouveau/nouveaux/turned/rotated/body-fixed/intrinsic/intrinsèque/intrinsèques/mitgedreht~/mitbewegt~/körperfest~/neue/neuen/móvil/móviles/nuevo/actual/corrente/correnti/nuovo/tourné/tournés/local/locaux
+body axis/axes/frame/x-axis/y-axis/z-axis/¤
 """
 # -- lengths and columns that are not those of the arm
 

@@ -43,6 +43,7 @@ from armproof.verification.document.subjects import (
     subjects,
     without_tool_frame,
 )
+from armproof.verification.document.told_motions import may_tell_motion, told_motion, without_motion
 from armproof.verification.document.told_singularities import (
     SINGULAR,
     is_of_singularities,
@@ -116,6 +117,7 @@ _JOINING = frozenset("and or et ou und oder y o e ed bzw resp".split())
 _OF_LETTERS = re.compile(
     r"angle|ángulo|ângulo|angol|winkel|measur|count|mesur|compt|mess|zähl|medid|length|longu|läng|lungh|absol|assol|convention|letter|symbol|lettre|zeichen|letra|letter"
 )
+_SUPPOSING = ("MAY_LIMIT", "SOUGHT", "CHANGED_BEFORE", "HELD_IN_WORDS")
 _FOR = re.compile(r"(?<!\S)(?:for|pour|für|para|per) ")  # "The formula for the ordinate follows"
 _MOST_OF_LABEL = 4  # words with their stop: "The elbow."
 MOST_KNOWN = 4096  # sentences, so that those of a text that is read again are heard once
@@ -188,12 +190,15 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
     is_denied = denies_before(sentence, words) or (points_below and hears("DENIED_BEFORE", f"{words_before}{words}"))
     heard = [DENIED] if is_denied or _MISTAKE.match(sentence) else []
     if (
-        _supposes(words_of(without_place(sentence)), IS_OVER.search(sentence) is not None)
+        _supposes(without_motion(words_of(without_place(sentence))), IS_OVER.search(sentence) is not None)
         or hears("MAY_LIMIT", words_before)
         or limits_what_is_near(words_before)
+        or (may_tell_motion(words) and not told_motion(words))
         or (hears("THEN", words) and says_what_would_be(words_before))
     ):
         heard.append(SUPPOSED)
+    if motion := told_motion(words) or (hears("THEN", words) and told_motion(words_before)):
+        heard.append(MEANT + motion)
     if says_what_would_be(words, at_its_end=True):
         heard.append(MEANT + WOULD_BE)
     if _is_of_all(sentence, words) or (hears("THEN", words) and _is_of_all(before, words_before)):
@@ -296,7 +301,7 @@ def _supposes(words: str, is_over: bool) -> bool:
     """Whether the sentence before a display supposes it, asks for it, or says that it is of a case or nearly so."""
     if words.endswith("? ") or hears("SUPPOSED", words) or (hears("ON_CONDITION", words) and not hears("WE_DO", words)):
         return True
-    if says("NEARLY", words) or hears("MAY_LIMIT", words):
+    if says("NEARLY", words) or any(hears(each, words) for each in _SUPPOSING):
         return True
     plain = without_harmless(words)
     if is_over:

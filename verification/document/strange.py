@@ -14,9 +14,8 @@ import armproof.verification.document.vocabulary as vocabulary
 from armproof.verification.document.clauses import is_weighed
 
 _WORD = re.compile(r"[^\W\d_][\w'-]*")
-_OF_OTHER_SCRIPT = re.compile(
-    r"[Ѐ-ӿ؀-ۿऀ-ॿ฀-๿ᄀ-ᇿ぀-ヿ㄰-㆏㐀-鿿가-힯]"
-)  # Cyrillic, Arabic, Devanagari, Thai, Hangul, Kana, Han
+# a letter that is not Latin: of words in Cyrillic, Greek, Arabic, Thai, Hangul, Kana, Han
+_OF_OTHER_SCRIPT = re.compile(r"[^\W\d_A-Za-zªµºÀ-ɏḀ-ỿℓ]")
 # letters that words of one family have in common
 _PREFIXES = {"ENGLISH": 7, "FRENCH": 6, "GERMAN": 6, "SPANISH": 6, "ITALIAN": 6, "PORTUGUESE": 6}
 _SHORT = 8  # words of a sentence that says little else than what becomes of the display
@@ -27,7 +26,7 @@ _SUBJECT = 5  # words of a sentence of the arm within which a word for a part of
 _RATIO_OF_ARM = 5  # of how many words of such a one
 _MANY = 50  # words of a text that tell its language
 _NO_WORDS = re.compile(
-    r":[a-z:]+:(?=`)|\b\w{1,3}[₀-₉ₙᵢ]+|[α-ωΑ-Ω]\w*|\b\d\w*|https?:\S*|\S+\.(?:png|jpe?g|svg|eps|pdf|gif|md|py|m)\b|\S*[/_=]\S*|`[^`]*`|\b[lcr]{2,}\b|\b(?:turns?|rotates?|spins?|moves?|runs?) the other way\b|\b(?:kg|mm|cm|mod)\b"
+    r":[a-z:]+:(?=`)|\b\w{1,3}[₀-₉ₙᵢ]+|[α-ωΑ-Ω]\w{0,2}\b|\b\d\w*|https?:\S*|\S+\.(?:png|jpe?g|svg|eps|pdf|gif|md|py|m)\b|\S*[/_=]\S*|`[^`]*`|\b[lcr]{2,}\b|\b(?:turns?|rotates?|spins?|moves?|runs?) the other way\b|\b(?:kg|mm|cm|mod)\b"
 )
 _OF_DISPLAY = re.compile(  # a sentence whose subject is the display, or a part of it
     r"(?:[^\w\s]+ )*(?:(?:and|but|so|yet|however|thus|hence|et|mais|or|donc|aber|und|doch|pero|y|ma|mas|e) (?:, )?)?"
@@ -48,8 +47,10 @@ def is_strange_behind(words: str) -> bool:
     One of the display may have none of them, nor "not" or "only"; a short one none, others one in nine, and one of the arm more.
     """
     found = _words(words)
-    if not found or found[0] == "Erratum" or _is_foreign(found):
+    if not found or found[0] == "Erratum":
         return False  # of the next
+    if _is_foreign(found):
+        return True
     subject = _subject(words)
     if subject or (words[:1].islower() and found[0] not in _table("GOES_ON") and not _follows_for_arm(words, found)):
         return bool(
@@ -61,7 +62,7 @@ def is_strange_behind(words: str) -> bool:
 def is_strange_before(words: str) -> bool:
     """Whether a sentence that leads to a display has words that no course has there: one in a few, or two in more."""
     found = _words(words)
-    return not _is_foreign(found) and _is_mostly_strange(found, 0 if _is_over(words) else _FEW)
+    return bool(found) and (_is_foreign(found) or _is_mostly_strange(found, 0 if _is_over(words) else _FEW))
 
 
 def strange_words(words: str) -> list[str]:
@@ -70,13 +71,16 @@ def strange_words(words: str) -> list[str]:
 
 
 def is_in_known_language(text: str) -> bool:
-    """Whether most words of a text are of a language whose words are known here; of a few words that cannot be told."""
+    """Whether most words of a text are of a language whose words are known here; of a few words their script alone tells."""
     found = _WORD.findall(text)
+    foreign, letters = len(_OF_OTHER_SCRIPT.findall(text)), sum(map(str.isalpha, text))
+    if foreign and (_is_foreign(found) or 3 * foreign >= letters):  # its words stand without blanks, perhaps
+        return False
     return len(found) < _MANY or 2 * len(_strange(found)) < len(found)
 
 
 def _is_foreign(found: Sequence[str]) -> bool:
-    """Whether a sentence is of a language in another script, of which no words are known here: it is read as a whole document in it."""
+    """Whether a sentence is of a language in another script, of which no words are known here."""
     return 2 * sum(_OF_OTHER_SCRIPT.search(word) is not None for word in found) >= max(1, len(found))
 
 

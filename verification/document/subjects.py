@@ -11,6 +11,7 @@ from itertools import pairwise
 
 from armproof.verification.document.named_quantities import NAMED, named_quantity
 from armproof.verification.document.other_arms import OF_ARM, arms_named
+from armproof.verification.document.other_functions import OTHER_FUNCTION, is_of_other_function
 from armproof.verification.document.word_lists import WordLists
 
 OTHER_PLACE = "other place"  # neither the tool, nor a link or frame with a number
@@ -127,6 +128,8 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
     elif _moves(_unskipped(said)) and not any(_is(each, "TOOL") for each in said):
         yield OTHER_PLACE
     yield from _quantity(said)
+    if is_of_other_function(said):
+        yield OTHER_FUNCTION
     if named := named_quantity(said):
         yield f"{NAMED} {named}"
     yield from (f"{OF_ARM} {each}" for each in arms_named(words))

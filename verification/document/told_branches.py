@@ -15,7 +15,7 @@ MINUS_ROOT, PLUS_ROOT = "root -", "root +"  # that of any root
 ABOVE_ZERO, BELOW_ZERO = ">", "<"
 
 MAY_TELL_BRANCH = re.compile(  # what no such sentence lacks, in small letters
-    r"positi|negati|négati|sqrt|between|entre|zwischen|minus|moins|plus|flip|back|behind|other side|opposite side|(?:left|right)[- ]hand|lefty|righty|left|right|arrière|derrière|gauche|droit|retourn"
+    r"positi|negati|négati|sqrt|between|entre|zwischen|minus|moins|plus|flip|back|behind|other side|opposite side|(?:left|right)[- ]hand|lefty|righty|left|right|arrière|derrière|gauche|droit|retourn|above|below|over|under|dessus|dessous|über|unter|oberhalb|encima|debajo|sopra|sotto"
     "|elbow|wrist|shoulder|coude|épaule|poignet|ellbogen|codo|gomito|cotovelo"
 )
 _ANGLE = r"(?:\\(?:var)?theta|\\(?:var)?phi|\\psi|q|d)\s*_\s*\{?\s*\w+\s*\}?"
@@ -69,6 +69,13 @@ _UNCLEAR = re.compile(  # which solution is meant, in words that no formula says
     r"|(?:reach\w*|bend\w*|bent|lean\w*|fold\w*|tend\w*|atteint|penché\w*|replié\w*|tourné\w*) (?:\S+ ){0,2}?(?:backwards?|behind|back over|over (?:its|the) (?:head|back|shoulder)|en arrière|vers l' arrière)"
     r"|(?:behind|on the (?:other|opposite|far) side of) (?:the |its )?(?:robot|arm|base|shoulder|column|(?:first |vertical )?axis)|(?:derrière|de l' autre côté (?:de|du)) (?:le |la |l' |son )?(?:robot|bras|base|épaule|axe|colonne)) ?"
 )
+_OF_ELBOW = re.compile(  # on which side of the line to the tool the elbow is
+    r"(?<!\S)(?:elbow|coude|ellbogen|ellenbogen|codo|gomito|cotovelo) (?:(?:is|lies|stays|stands|being|lying|est|reste|liegt|ist|bleibt|está|è|sta) )?(?:(?P<above>above|over|au-dessus|über|oberhalb|encima|por encima|sopra|acima)|below|under|underneath|au-dessous|en dessous|unter|unterhalb|debajo|sotto|abaixo)(?= )(?! \S*(?:table|floor|ground|shoulder|base))"
+)
+_LINE_TO_TOOL = re.compile(
+    r"(?<!\S)(?:line|chord|segment|straight line) (?:from|between|joining|through|of) (?:the )?(?:base|shoulder|origin)"
+)
+_TOOL_SIDE = re.compile(r"(?<!\S)(?:to|on|at) the (?P<side>right|left)(?! (?:hand|of the line))(?= )")
 _BOTH = re.compile(rf"{_POSITIVE}\b.{{0,60}}?\b{_NEGATIVE}|{_NEGATIVE}\b.{{0,60}}?\b{_POSITIVE}|\b(?:left|gauche)\b.{{0,40}}?\b(?:right|droite?)\b|\b(?:right|droite?)\b.{{0,40}}?\b(?:left|gauche)\b|\bsigne? (?:of|de|du) ¤|\bsign of\b|\bsigne de\b|\b(?:either|both|les deux) sign", re.IGNORECASE)  # fmt: skip
 
 
@@ -105,6 +112,8 @@ def told_branches(words: str, formulas: Sequence[str]) -> Iterator[ToldBranch]:
     yield from (replace(each, is_brief=is_brief) for each in found)
     if not found and (root := _ROOT.search(small)) is not None:
         yield ToldBranch(bound=MINUS_ROOT if _MINUS.search(root.group()) else PLUS_ROOT, is_brief=True)
+    elif not found and (elbow := _OF_ELBOW.search(small)) is not None:
+        yield _of_elbow(elbow["above"] is not None, small)
     elif not found and _UNCLEAR.search(small):
         yield ToldBranch(is_brief=is_brief)
 
@@ -118,6 +127,15 @@ def called_branches(words: str, formulas: Sequence[str]) -> dict[str, ToldBranch
         found |= {called["label"]: told} if told is not None else {}
     letters, signs = {each.letter for each in found.values()}, {each.bound[-3] for each in found.values()}
     return found if len(found) == len(signs) == 2 and len(letters) == 1 else {}
+
+
+def _of_elbow(is_above: bool, words: str) -> ToldBranch:
+    """Return the sign of the second angle with the elbow on one side of the line to a tool that is to the right, or to the left; unclear of another line."""
+    sides = {found["side"] for found in _TOOL_SIDE.finditer(words)}
+    if len(sides) != 1 or _LINE_TO_TOOL.search(words) is None:
+        return ToldBranch(is_brief=True)
+    is_below_zero = is_above is ("right" in sides)
+    return ToldBranch("2", f"\\theta_2 {BELOW_ZERO if is_below_zero else ABOVE_ZERO} 0", is_brief=True)
 
 
 def _of_signs(words: str, formulas: Sequence[str]) -> Iterator[ToldBranch]:

@@ -8,17 +8,19 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
+from armproof.verification.document.hearing import says
 from armproof.verification.document.word_lists import WordLists
 
 TURNED_ROUND = "turned round"  # with the joint, as LaTeX or as its number; of all joints without
 OTHER_BUILD = "other build"  # the arm is another one
+JOINTS_FROM_ZERO = "joints from zero"  # the first one has the number 0
 COUNTED_FROM_ONE = "counted from one"  # the frames are: that of the base is the first
 FROM_TOOL = "from tool"  # the rows of the table are listed so
 
 MAY_TELL_BUILD = re.compile(  # what no such sentence lacks, in small letters
     r"round|direction|revers|invert|invers|flip|backward|sense\b|\bsens\b|envers|umgekehrt|umgedreht|gegen|anders ?herum|umgepolt|revés|sentido|contrari|verso|retourn|polarity"
     r"|second|other|another|deuxième|autre|zweite|andere|segund|otro|altro|outro|third|different"
-    r"|base|basis|inertial|fixed frame|ground|repère (?:fixe|0)|number|nummer|numérot|frame|table|rows?\b|tableau|ligne|zeile|tabelle|tabla|fila|tabella|righ"
+    r"|base|basis|inertial|fixed frame|ground|repère (?:fixe|0)|number|nummer|numérot|frame|from zero|from 0|gezählt|nummeriert|table|rows?\b|tableau|ligne|zeile|tabelle|tabla|fila|tabella|righ"
 )
 _is = WordLists("""
 PART joint joints axis axes motor motors slide slides scale encoder drive actuator angle angles articulation liaison axe moteur glissière codeur gelenk schubgelenk schub achse antrieb drehgeber articulación eje giunto motore asse junta eixo telescope cylinder
@@ -108,6 +110,8 @@ def told_build(words: str, formulas: Sequence[str]) -> Iterator[str]:
     small = words.lower()
     if _counts_from_one(small, formulas):
         yield COUNTED_FROM_ONE
+    if says("JOINTS_FROM_ZERO", words):
+        yield JOINTS_FROM_ZERO
     if _LISTED.search(small) and not _BESIDE_TOOL.search(small):
         yield FROM_TOOL
 

@@ -11,6 +11,8 @@ from collections.abc import Iterator, Sequence
 SIZE = "size of J"  # with how its rows compare to its columns
 WIDE, TALL, SQUARE = (f"{SIZE} {relation}" for relation in "<>=")
 MAPS_OTHERWISE = "J maps otherwise"
+MAPS_BACK = "J maps back"  # and is no Jacobian of the arm, but its inverse or another
+OF_MAPS = (MAPS_OTHERWISE, MAPS_BACK)
 
 MAY_TELL_JACOBIAN = re.compile(  # what no such sentence lacks, in small letters
     r"jacobi|matri|\bj\b|\$\s*\\?j|redund|redond|ridond|joint|axes|degrees|articulation|liaison|dof|ddl|gelenk|articulaci|giunti|column|colonne|spalten"
@@ -84,12 +86,30 @@ _OF_ITS_INVERSE = re.compile(
 )
 _OF_JOINTS = r"(?:joint|actuator|motor|drive|articula|actionneur|moteur|gelenk|antrieb|leg|jambe)\S*"
 _OF_TOOL = r"(?:tool|platform|plate-?forme|hand|end|effector|gripper|outil|effecteur|pince|task|cartesian|cartésien\S*|twist|plattform|werkzeug|celle)"
-_FROM = r"(?:from|as (?:a )?functions? of|in terms of|en fonction|à partir|out of|given|aus)"
+_FROM = r"(?:from|for|pour|für|as (?:a )?functions? of|in terms of|en fonction|à partir|out of|given|aus)"
 _GIVES = r"(?:gives?|maps?|takes?|sends?|transforms?|yields?|converts?|computes?|donne|fournit|transforme|convertit|envoie|liefert|bildet)"
 _MAPS_BACK = re.compile(
     rf"¤ (?:\S+ ){{0,6}}?{_GIVES} (?:(?!{_OF_TOOL} )\S+ ){{0,6}}?{_OF_JOINTS} (?:\S+ ){{0,3}}?{_FROM} (?:\S+ ){{0,6}}?{_OF_TOOL}(?!\w)"
     rf"|¤ (?:\S+ ){{0,6}}?{_GIVES} (?:(?!{_OF_JOINTS} )\S+ ){{0,6}}?{_OF_TOOL} (?:(?!{_OF_JOINTS} )\S+ ){{0,5}}?(?:to|into|onto|in|en|vers|auf) (?:\S+ ){{0,4}}?{_OF_JOINTS}(?!\w)"
 )
+_ASKS = r"(?:asks?|finds?|computes?|gets?|obtains?|calculates?|determines?|learns?|sees?|tells?|cherche|calcule|trouve|obtient|détermine|fragt|berechnet|findet|bestimmt|erhält)"
+_ASKED_BACK = re.compile(  # "With $J$ one asks what force …", "$J$ takes torques to forces"
+    rf"(?<!\S)(?:with|by|using|from|through|via|avec|par|mit|durch) ¤ (?:\S+ )?(?:one|we|you|on|nous|man|wir) (?:\S+ )?{_ASKS} (?:(?!{_OF_TOOL} |velocit|speed|torque|couple)\S+ ){{0,4}}?(?:{_OF_JOINTS} (?:rates?|speeds?|velocit\S+|turn|move|must|should|have)|{_OF_JOINTS}geschw\S*|vitesses? {_OF_JOINTS}|forces?|kraft|kräfte)(?!\w)"
+    rf"|¤ (?:\S+ ){{0,3}}?{_GIVES} (?:\S+ ){{0,3}}?(?:torques?|couples?|momente) (?:\S+ ){{0,3}}?(?:to|into|onto|en|vers|auf|in) (?:\S+ ){{0,3}}?(?:forces?|wrench\S*|efforts?|kräfte)"
+    rf"|¤ (?:\S+ ){{0,3}}?{_GIVES} (?:\S+ ){{0,3}}?(?:forces?|wrench\S*|kräfte) (?:\S+ ){{0,3}}?{_FROM} (?:\S+ ){{0,3}}?(?:torques?|couples?|momente)"
+)
+_HOW_JOINTS_MOVE = re.compile(  # a question to which $J$ is no answer
+    rf"(?<!\S)(?:how (?:fast|quickly)|(?:at|with|by) what (?:rates?|speeds?)|what (?:rates?|speeds?|velocit\S+)|which (?:rates?|speeds?|velocit\S+)|à quelles? vitesses?|wie schnell|mit welchen?) (?:(?!{_OF_TOOL} |for |pour |für )\S+ ){{0,4}}?{_OF_JOINTS}(?= )[^?]*\? "
+)
+_IS_ANSWER = re.compile(
+    r"(?<!\S)(?:(?:this|that|which) is what ¤ |¤ (?:answers|solves|tells|says) (?:this|that|it)|(?:this|that|the) (?:question )?(?:is answered|answer is given) by ¤|¤ is the answer|(?:c' est|voilà) ce que (?:donne|dit|calcule) ¤|das (?:beantwortet|sagt) ¤)"
+)
+
+
+def answers_back(question: str, words: str, formulas: Sequence[str]) -> bool:
+    """Whether a sentence has J as the answer to the question before it how the joints move: "This is what $J$ answers"."""
+    asked = _HOW_JOINTS_MOVE.search(question.lower()) and _IS_ANSWER.search(words.lower())
+    return asked is not None and any(map(_ALONE.fullmatch, map(plain_formula, formulas)))
 
 
 def told_jacobians(words: str, formulas: Sequence[str]) -> Iterator[str]:
@@ -99,6 +119,8 @@ def told_jacobians(words: str, formulas: Sequence[str]) -> Iterator[str]:
         yield size
     if any(_MAP.fullmatch(each) or _ENTRY.search(each) for each in plain) or _is_otherwise(small, plain):
         yield MAPS_OTHERWISE
+    if _is_of_j(small, plain) and _maps_back(small, plain):
+        yield MAPS_BACK
 
 
 def plain_formula(latex: str) -> str:
@@ -114,15 +136,24 @@ def maps_otherwise(latex: str) -> bool | None:
     return False if _USUAL_MAP.fullmatch(plain) else None
 
 
+def _is_of_j(words: str, formulas: Sequence[str]) -> bool:
+    """Whether a sentence is of J alone, and not of its inverse or transpose."""
+    is_alone = any(map(_ALONE.fullmatch, formulas)) or "jacobi" in words
+    return is_alone and not any(map(_TURNED.search, formulas)) and _OF_ITS_INVERSE.search(words) is None
+
+
 def _is_otherwise(words: str, formulas: Sequence[str]) -> bool:
-    """Whether a sentence says of J alone, and not of its inverse or transpose, that it maps otherwise."""
-    is_of_j = any(map(_ALONE.fullmatch, formulas)) and not any(map(_TURNED.search, formulas))
-    is_of_j |= not any(map(_TURNED.search, formulas)) and "jacobi" in words
-    if not is_of_j or _OF_ITS_INVERSE.search(words):
+    """Whether a sentence says of J that it maps otherwise, or has its rows and columns exchanged."""
+    if not _is_of_j(words, formulas):
         return False
     if _IS_TRANSPOSED.search(words) and not re.search(r"(?<!\S)(?:table|tableau|tabelle|tabla|tabella) ", words):
         return True
-    found = _IS_INVERSE.search(words) or _MAPS_BACK.search(words)
+    return _maps_back(words, formulas)
+
+
+def _maps_back(words: str, formulas: Sequence[str]) -> bool:
+    """Whether a sentence of J says that it is the inverse, or leads from the tool to the joints, or from torques to forces."""
+    found = _IS_INVERSE.search(words) or _MAPS_BACK.search(words) or _ASKED_BACK.search(words)
     at = words[: found.start()].count("¤") if found is not None else 0
     return found is not None and at < len(formulas) and _ALONE.fullmatch(formulas[at]) is not None
 

@@ -37,11 +37,15 @@ from armproof.verification.document.told_constraints import (
     is_negative,
 )
 from armproof.verification.document.told_jacobians import (
+    MAPS_BACK,
     MAPS_OTHERWISE,
     MAY_TELL_JACOBIAN,
+    OF_MAPS,
+    answers_back,
     maps_otherwise,
     told_jacobians,
 )
+from armproof.verification.document.told_motions import MAY_TELL_MOTION, SINCE, told_motion
 from armproof.verification.document.told_notation import REACTION
 from armproof.verification.document.told_quantities import (
     MAY_TELL_QUANTITY,
@@ -51,13 +55,20 @@ from armproof.verification.document.told_quantities import (
     tells_quantity,
 )
 from armproof.verification.document.told_relative import MAY_TELL_RELATIVE, relative_angles
-from armproof.verification.document.told_statics import MAY_TELL_BALANCE, acts_on_tool, force_of_balance, holds_arm
+from armproof.verification.document.told_statics import (
+    FORCE_ELSEWHERE,
+    MAY_TELL_BALANCE,
+    acts_on_tool,
+    force_of_balance,
+    holds_arm,
+    is_force_elsewhere,
+)
 from armproof.verification.document.told_tasks import MAY_TELL_TASK, told_tasks
 
 MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
     f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_TELL_BRANCH.pattern}|{MAY_TELL_JACOBIAN.pattern}|{MAY_TELL_BALANCE.pattern}"
     f"|{MAY_TELL_QUANTITY.pattern}|{MAY_TELL_RELATIVE.pattern}"
-    f"|{MAY_CHANGE_ARM.pattern}|{MAY_LIMIT.pattern}|{MAY_BE_FIRST_ORDER.pattern}|{MAY_CONSTRAIN.pattern}"
+    f"|{MAY_TELL_MOTION.pattern}|{MAY_CHANGE_ARM.pattern}|{MAY_LIMIT.pattern}|{MAY_BE_FIRST_ORDER.pattern}|{MAY_CONSTRAIN.pattern}"
 )
 _BESIDE = 12  # lines behind a sentence that may be said of what is near alone
 _PLAIN = re.compile(r"[{}\s]|\\(?:left|right|quad|qquad|begin|end|operatorname|mathrm|text)(?![A-Za-z])")
@@ -115,6 +126,10 @@ def told_since(
             yield Since(CONSTRAINED, line, end)
         if is_negative(words, formulas):
             yield Since(NEGATIVE, line, end)
+        if motion := told_motion(words):
+            yield Since(SINCE + motion, line, end)
+        if is_force_elsewhere(words, formulas):
+            yield Since(FORCE_ELSEWHERE, line, end)
         if locks(words, formulas):
             yield Since(LOCKED, line, end)
         if tells_quantity(words):
@@ -195,8 +210,11 @@ def _branches(heard: Sequence[_Heard]) -> Iterator[tuple[_Heard, ToldBranch]]:
 def _of_jacobians(heard: Sequence[_Heard]) -> Iterator[Since]:
     """Yield that J maps otherwise, in all of a section, and which size it has, up to where another is told."""
     told = [(each, said) for each in heard for said in told_jacobians(each.words, each.formulas)]
-    yield from (Since(said, each.begin, each.end) for each, said in told if said == MAPS_OTHERWISE)
-    sizes = [(each, said) for each, said in told if said != MAPS_OTHERWISE]
+    yield from (Since(said, each.begin, each.end) for each, said in told if said in OF_MAPS)
+    for before, each in pairwise(heard):
+        if answers_back(before.words, each.words, each.formulas):
+            yield Since(MAPS_BACK, each.line, each.end)
+    sizes = [(each, said) for each, said in told if said not in OF_MAPS]
     until = [*(each.line for each, _ in sizes[1:]), inf]
     for (each, said), later in zip(sizes, until, strict=False):
         yield Since(said, each.line, min(each.end, later))

@@ -9,8 +9,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
+FORCE_ELSEWHERE = "force elsewhere"
+
 MAY_TELL_BALANCE = re.compile(  # what no such sentence lacks, in small letters
-    r"act|exert|push|press|pull|appl|weigh|load|felt|extern|outside|exerc|pouss|appu|agi|subi|appliq|poids|charge|effort|balanc|equilib|équilib|resist|résist|oppos|counter|hold|keep|rest|still|maint|mainten|bouge|immobil|compens|support"
+    r"act|exert|push|press|pull|appl|weigh|load|felt|extern|outside|exerc|pouss|appu|agi|subi|appliq|poids|charge|effort|balanc|equilib|équilib|resist|résist|oppos|counter|hold|keep|rest|still|maint|mainten|bouge|immobil|compens|support|along|across|sensor|capteur|component|composante"
 )
 _TOOL = r"(?:tool|tip|hand|gripper|end[ -]?effector|effector|flange|fingers?|arm|robot|manipulator|outil|main|pince|effecteur|organe terminal|bras|robot|préhenseur|extrémité)"
 _TO = r"(?:the |its |an? |l' |le |la |son |sa |un |une )?(?:robot' s |last |\S+' s )?"
@@ -31,6 +33,18 @@ _IN_EQUILIBRIUM = re.compile(
 _TORQUES = re.compile(
     r"(?<!\S)(?:torques?|motors?|drives?|actuators?|joints?|controller|couples?|moteurs?|actionneurs?|\\tau|articulaires?)(?!\w)"
 )
+_LINK = r"(?:(?:first|second|third|last|outer|inner|upper|lower) (?:link|bar|rod|segment|arm|member)|forearm|upper-arm|(?:hand|gripper|tool|sensor|wrist|end-effector|effector|flange)(?: frame| axes|' s (?:frame|axes))?|deuxième (?:segment|barre|bras)|dernier (?:segment|bras)|avant-bras|outil|pince|capteur|unterarms?|greifers?|werkzeugs?)"
+_OTHER_AXES = re.compile(  # of which components are: "along the axes of the gripper", "across the last link"
+    rf"(?<!\S)(?:along|across|parallel to|perpendicular to|normal to|selon|suivant|le long (?:de|du)|perpendiculaire(?:ment)? (?:à|au)|längs|entlang|quer zu[mr]?) (?:the |its |l' |la |le |des |den |der |du )*(?:(?:axes|directions?|frame|coordinates|achsen) (?:of |de |du |des )?(?:the |its |l' |la |le )*)?{_LINK}(?!\w)"
+    rf"|(?<!\S)(?:in|into|dans) (?:the |its |le |l' )*(?:(?:frame|axes|coordinates|repère) (?:of |de |du )(?:the |its |l' |la |le )*{_LINK}|(?:hand|gripper|tool|sensor|wrist|end-effector|forearm)(?:' s)? (?:frame|axes))(?!\w)"
+)
+_ELSEWHERE = re.compile(  # where a force acts that is not on the tool
+    r"(?<!\S)(?:acts?|acting|pulls?|pulling|push(?:es|ing)?|press(?:es|ing)?|hangs?|hanging|applied|attacks?|engages?|attached|agit|tire|pousse|appliquée?|greift|wirkt|zieht|angreifend) (?:\S+ ){0,2}?(?:at|on|to|in|against|from|sur|à|au|en|am|an|auf) (?:the |l' |le |la |dem |den |der )*"
+    r"(?:elbow|knee|middle|mid-?point|half-?way|centre of|center of|(?:end of the )?(?:first|upper|inner) (?:link|bar|rod|segment|arm)|second joint|joint ¤|forearm|coude|milieu|genou|ellbogen|ellenbogen|mitte)(?!\w)"
+)
+_IS_FORCE = re.compile(
+    r"(?<!\S)(?:forces?|wrench|loads?|weights?|effort|torseur|charge|poids|kraft|kräfte|last|gewicht|fuerza|forza)(?!\w)"
+)
 _LETTER = re.compile(r"(?:\\(?:vec|mathbf|boldsymbol|bm|mathrm|mathcal)\s*\{?\s*)*([FfWwHh])(?![A-Za-z])")
 
 _BLANK = re.compile(
@@ -47,6 +61,13 @@ def acts_on_tool(words: str, formulas: Sequence[str]) -> Iterator[str]:
     if _ACTS_ON.search(words.lower()):
         found = dict.fromkeys(each[1] for formula in formulas if (each := _LETTER.match(formula.strip())) is not None)
         yield from found or ("",)
+
+
+def is_force_elsewhere(words: str, formulas: Sequence[str]) -> bool:
+    """Whether a sentence has the components of a force along a link or in the tool's frame, or the force act on another place than the tool."""
+    small = words.lower()
+    is_of_force = _IS_FORCE.search(small) is not None or any(_LETTER.match(each.strip()) for each in formulas)
+    return is_of_force and (_OTHER_AXES.search(small) or _ELSEWHERE.search(small)) is not None
 
 
 def holds_arm(words: str) -> bool:

@@ -48,7 +48,7 @@ def without_misreading(outcome: Outcome, chain: n.Chain, names: Names, erratum: 
     if names.arm is not None or not erratum:
         reason = reason or sizes_of_convention(outcome, chain, names)
     if not is_closed:
-        reason = reason or _gives_rates(outcome) or _nothing_to_compare(outcome, chain, names, erratum)
+        reason = reason or _gives_rates(outcome, names) or _nothing_to_compare(outcome, chain, names, erratum)
     return outcome if reason is None else outcome.left_open(reason)
 
 
@@ -94,10 +94,10 @@ def _differ_by_quarter_turns(true: Matrix, printed: Matrix) -> bool:
     return permutes and turn.determinant().as_fraction() == 1
 
 
-def _gives_rates(outcome: Outcome) -> Finding | None:
+def _gives_rates(outcome: Outcome, names: Names) -> Finding | None:
     """q̇ = J^{-1} (0.1, 0.2)^T says how fast the joints are to move: rates alone on one side, on the other numbers or angles and no rate.
 
-    So does ‖q̇‖ = 1, which is said of all rates together.
+    So does ‖q̇‖ = 1, which is said of all rates together, and the law of one joint alone, q̇_1 = -q_1.
     """
     if outcome.pair is None:
         return None
@@ -108,9 +108,15 @@ def _gives_rates(outcome: Outcome) -> Finding | None:
             return say(Kind.GIVES_RATES)
         if not are_rates(rates) or any(map(is_rate, symbols_in(others))):
             continue
-        if numbers or any(map(angles_in, others)):
+        if numbers or any(map(angles_in, others)) or any(_is_rate_of_joint(each, names) for each in outcome.nodes):
             return say(Kind.GIVES_RATES)
     return None
+
+
+def _is_rate_of_joint(node: n.Node, names: Names) -> bool:
+    """Whether a side is the rate of a joint alone: ω_z = θ_1 + θ_2 lacks dots, and is no law."""
+    name = bare(node)
+    return isinstance(name, n.Name) and name.dots > 0 and names.known_symbol(name.undotted.key) in names.joints
 
 
 def _numbered_twice(chain: n.Chain) -> Finding | None:

@@ -187,3 +187,34 @@ def test_what_a_letter_is_in_a_section_changes_it_where_it_stood_above_that() ->
     told = "The first bar has the length $l_1$. In this section $l_1$ is the length of the first link."
     assert verdicts_of("## A", "", told, "", RIGHT) == ["proved"]
     assert verdicts_of("## A", "", RIGHT, "", "## B", "", told, "", RIGHT) == ["proved", "unchecked"]
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        "Determine all $\\theta_2$ with",
+        "Trouvez les configurations telles que",
+        "Bestimme alle Stellungen mit",
+        "Sketch the postures for which",
+        "The configuration is such that",
+        "We look for angles that satisfy",
+        "Which postures fulfil",
+    ],
+)
+def test_what_is_sought_is_a_condition_and_no_claim(asked: str) -> None:
+    assert verdicts_of(asked, "", "$$ \\det J = -l_1 l_2 $$") == ["unchecked"]
+
+
+@pytest.mark.parametrize(
+    "said", ["Determine the Jacobian; its determinant is", "We find the determinant, with two angles:"]
+)
+def test_what_is_found_is_a_claim(said: str) -> None:
+    assert verdicts_of(said, "", "$$ \\det J = -l_1 l_2 $$") == ["refuted"]
+
+
+def test_a_law_by_which_a_joint_is_to_move_claims_nothing_and_one_of_velocities_does() -> None:
+    slip = "$$ \\omega_z = \\dot\\theta_1 - \\dot\\theta_2 $$"
+    assert verdicts_of("We choose the law", "", "$$ \\dot\\theta_2 = -\\theta_2 $$", "", "and", "", slip) == [
+        "unchecked",
+        "refuted",
+    ]

@@ -183,9 +183,28 @@ def _told(body: str) -> tuple[Verdict, list[Kind]]:
         "최종 end-effector의 위치벡터는",
     ],
 )
-def test_a_sentence_in_another_script_is_not_strange_in_a_short_document(sentence: str) -> None:
+def test_a_sentence_in_another_script_is_not_strange_in_a_document_in_it(sentence: str) -> None:
     for side in (f"{sentence}\n\n$$ {RIGHT} $$", f"$$ {RIGHT} $$\n\n{sentence}"):
         assert _told(side)[0] is Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "次の式は正しくない。",
+        "以下公式是错误的：",
+        "Это неверно:",
+        "Αυτό είναι λάθος:",
+        "هذا غير صحيح",
+        "זה לא נכון:",
+        "이것은 틀렸다:",
+    ],
+)
+def test_a_sentence_in_another_script_is_not_understood_among_ours(sentence: str) -> None:
+    ours = "# The arm in the plane\n\nThe tool of the planar arm with two revolute joints has the coordinates below, as every course has them."
+    for side in (f"{sentence}\n\n$$ {RIGHT} $$", f"$$ {RIGHT} $$\n\n{sentence}"):
+        assert _told(f"{ours}\n\n{side}") == (Verdict.UNCHECKED, [Kind.STRANGE_WORDS])
+    assert _told(f"{ours}\n\nWith the angles $\\alpha$ and β it is\n\n$$ {RIGHT} $$")[0] is Verdict.PROVED
 
 
 def test_a_sentence_with_one_word_in_another_script_is_judged_by_the_others() -> None:
