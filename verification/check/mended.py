@@ -13,7 +13,7 @@ from functools import cached_property
 
 from armproof.verification.findings.kinds import MISPRINTS, OTHER_ANGLES
 from armproof.verification.latex import nodes as n
-from armproof.verification.naming.settled import Key, uses_of
+from armproof.verification.naming.settled import Key, rests_through
 from armproof.verification.verdict import HOLDS, EquationResult, Record, Role, SlipBefore, Verdict, WrongEntry
 
 MOST_TRIALS = 8  # of slips that explain as much
@@ -110,7 +110,7 @@ class _Trial:
         return frozenset(self._holding(self.before.records)) - frozenset(self._holding(self.after.records, of_all=True))
 
     def _holding(self, records: Sequence[Record], of_all: bool = False) -> Iterator[Place]:
-        using = uses_of((self.slip.name, self.slip.line), [one for each in records for one in each.outcomes])
+        _, using = rests_through((self.slip.name, self.slip.line), [one for each in records for one in each.outcomes])
         rest = {id(each) for each in using}
         for at, record in enumerate(records):
             for each in () if record.erratum else record.outcomes:
@@ -121,7 +121,7 @@ class _Trial:
     def _failing(self) -> set[int]:
         """The displays that rest on the definition and are wrong where it is mended."""
         records = self.after.records
-        using = uses_of((self.slip.name, self.slip.line), [one for each in records for one in each.outcomes])
+        _, using = rests_through((self.slip.name, self.slip.line), [one for each in records for one in each.outcomes])
         wrong = {id(each) for each in using if each.verdict is Verdict.REFUTED}
         return {at for at, each in enumerate(records) if any(id(one) in wrong for one in each.outcomes)}
 
@@ -136,7 +136,7 @@ class _Trial:
     @cached_property
     def _resting(self) -> set[str]:
         outcomes = [each for record in self.before.records for each in record.outcomes]
-        return {name for each in uses_of((self.slip.name, self.slip.line), outcomes) for name, _ in each.defines}
+        return {name for name, _ in rests_through((self.slip.name, self.slip.line), outcomes)[0]} - {self.slip.name}
 
     def _told(self, record: Record) -> Iterator[n.Node]:
         """Yield what stands in a display, and in the definitions on which it and the other one rest both."""
