@@ -224,9 +224,9 @@ class DocumentChecker:
                 again = DocumentChecker(self.document, self.arm, *options)
                 checked[slips] = again, again.check_displays()
             about, records = checked[slips]
-            return Judged(records, about.displays.slips.met, about.displays.parts_of)
+            return Judged(records, about.names.state.met, about.displays.parts_of)
 
-        found = mistakes(judge({}), judge) if self.displays.slips.met else {}
+        found = mistakes(judge({}), judge) if self.names.state.met else {}
         about, records = checked[told(found.values())]
         return about._result_of(records)
 

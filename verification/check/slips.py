@@ -30,17 +30,12 @@ MOST_MET = 4  # displays that are asked for all slips before them
 
 
 class Slips:
-    """Seeks the one slip with which an equation of a display holds, and tells which displays clear a definition of one.
-
-    Attributes:
-        met: the line of a refuted display → all slips in definitions before with which it holds, of the first few such displays.
-    """
+    """Seeks the one slip with which an equation of a display holds, and tells which displays clear a definition of one."""
 
     def __init__(self, statements: Statements, diagnostician: Callable[[], Diagnostician]) -> None:
         self.diagnostician = diagnostician
         self.checker, self.statements = statements.checker, statements
         self.names, self.budget = self.checker.names, self.checker.exact.budget
-        self.met: dict[int, list[SlipBefore]] = {}
 
     # -- in the equation, its names as usual --------------------------------------------------------------------------
 
@@ -100,7 +95,7 @@ class Slips:
     def meet(self, line: int, outcomes: Sequence[Outcome]) -> None:
         """Remember with which slips in definitions before a display holds of which one equation does not, if none of its own mends it."""
         differing = [each for each in outcomes if _differs(each)]
-        if len(self.met) >= MOST_MET or len(differing) != 1 or not differing[0].uses:
+        if len(self.names.state.met) >= MOST_MET or len(differing) != 1 or not differing[0].uses:
             return
         outcome = _of_two_values(differing[0])
         with suppress(TooComplex):
@@ -108,7 +103,7 @@ class Slips:
                 slips = self.diagnostician().slips_before(outcome)
             with self.budget.of(SECONDS_ON_SLIPS, WORK_ON_SLIPS):
                 if slips and not self.diagnostician().mends_itself(outcome):
-                    self.met[line] = slips
+                    self.names.state.met[line] = slips
 
     def before_second_meaning(self, record: Record, display: Display, outcomes: Sequence[Outcome]) -> Record:
         """Return the record of a display that says a name anew, as it would be with one slip in what is said of that before."""

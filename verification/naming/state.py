@@ -18,6 +18,7 @@ from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.writer import Notation
+from armproof.verification.verdict import SlipBefore
 
 Key = tuple[str, int]  # a name and the line of the display that defines it
 _OF_ITS_OWN = r"exerci[sc]e|exercício|ejercicio|esercizio|problem|problema|problème|aufgabe|example|exemple|beispiel|ejemplo|esempio"
@@ -261,6 +262,7 @@ class DocumentState:
         branches: joints whose solution holds on a branch → where that is.
         errors: the refuted equations.
         slips: definitions, each with its line and what it says with the one slip mended that an equation needed.
+        met: the line of a display that does not hold → all slips in definitions before with which it does, of the first few.
         mended: definitions, each with its line → the formula that it is taken for instead of the printed one, and its value.
         consulted: the definitions that evaluation has met since this was emptied, each with the line of its display.
         notation: how cosines, sums of angles, joints and lengths are written.
@@ -313,6 +315,7 @@ class DocumentState:
     consulted: set[tuple[str, int]] = field(default_factory=set)
     errors: list[PrintedError] = field(default_factory=list)
     slips: dict[Key, tuple[Finding, n.Node]] = field(default_factory=dict)
+    met: dict[int, list[SlipBefore]] = field(default_factory=dict)
     mended: dict[Key, tuple[n.Node, Callable[[Any], Value]]] = field(default_factory=dict)
     notation: Notation = field(default_factory=Notation)
 

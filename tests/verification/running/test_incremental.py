@@ -30,7 +30,7 @@ from armproof.verification.naming.state import (
     Told,
 )
 from armproof.verification.running.incremental import IncrementalChecker
-from armproof.verification.verdict import DocumentResult, Verdict
+from armproof.verification.verdict import DocumentResult, SlipBefore, Verdict
 
 HANDOUTS = find_documents([Path(armproof.course.__path__[0]) / "handouts"])
 SMALL = [path for path in HANDOUTS if path.stat().st_size < 4_000]
@@ -86,6 +86,8 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "shown": lambda state: state.shown.update(J=JacobianRows((1, 2))),
     "signs": lambda state: state.signs.values.update(sigma=1),
     "slips": lambda state: state.slips.update({("a", 1): (say(Kind.WRONG_SIGN), Name("a"))}),
+    "met": lambda state: state.met.update({3: [SlipBefore("a", 1, say(Kind.WRONG_SIGN), Name("a"))]}),
+    "mended": lambda state: state.mended.update({("a", 1): (Name("a"), float)}),
     "errors": lambda state: state.errors.append(PrintedError(1, "a", Name("a"), {(1, 1): "b"})),
     "compares_lengths": lambda state: setattr(state, "compares_lengths", True),
     "tells_jacobian": lambda state: setattr(state, "tells_jacobian", True),
