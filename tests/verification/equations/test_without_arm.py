@@ -7,7 +7,6 @@ from collections.abc import Callable
 import pytest
 
 from armproof import verify_text
-from armproof.verification.findings import Kind
 from armproof.verification.verdict import DocumentResult
 
 
@@ -91,34 +90,3 @@ def test_an_erratum_is_said_to_be_more_than_a_slip_and_a_condition_is_none(displ
 def test_an_erratum_whose_sizes_convention_alone_tells_is_left_open() -> None:
     text = "---\narm: planar_2r\n---\n> **Erratum**\n> $$ p_2 = J $$\n"
     assert verify_text(text).equations[0].verdict.value == "unchecked"
-
-
-POLAR = r"""
-$$ m = a + b \cos\beta $$
-
-$$ n = b \sin\beta $$
-
-$$ \rho = \sqrt{m^2 + n^2} $$
-
-$$ \eta = \operatorname{atan2}(ORDER) $$
-
-$$ m = \rho \cos\eta $$
-
-$$ SECOND $$
-
-$$ m^2 = \rho^2 \cos^2\eta $$
-
-$$ \frac{m}{\rho} = \cos\eta $$
-"""
-
-
-@pytest.mark.parametrize(
-    ("order", "second", "verdicts"),
-    [("n, m", r"n = \rho \sin\eta", ("proved", "confirmed")), ("m, n", r"n = \rho \cos\eta", ("unchecked",))],
-)
-def test_what_holds_with_a_definition_with_which_all_else_does_not_is_open(
-    order: str, second: str, verdicts: tuple[str, ...]
-) -> None:
-    records = verify_text(POLAR.replace("ORDER", order).replace("SECOND", second)).equations
-    assert records[5].verdict in verdicts
-    assert records[5].says(Kind.RESTS_ON_DOUBT) is (order == "m, n")
