@@ -7,7 +7,6 @@ from collections.abc import Callable
 import pytest
 
 from armproof import verify_text
-from armproof.verification.findings import Kind
 from armproof.verification.verdict import DocumentResult
 
 
@@ -121,34 +120,3 @@ def test_a_reach_is_its_root_where_the_arm_reaches_forwards(root: str, verdict: 
 def test_an_angle_that_stands_nowhere_above_is_defined_by_its_cosine(cosine: str, side: str, verdict: str) -> None:
     text = "\n\n".join(f"$$ {each} $$" for each in (r"D = \sqrt{u^2 + v^2}", cosine, side))
     assert verify_text(text).equations[-1].verdict.value == verdict
-
-
-POLAR = r"""
-$$ m = a + b \cos\beta $$
-
-$$ n = b \sin\beta $$
-
-$$ \rho = \sqrt{m^2 + n^2} $$
-
-$$ \eta = \operatorname{atan2}(ORDER) $$
-
-$$ m = \rho \cos\eta $$
-
-$$ SECOND $$
-
-$$ m^2 = \rho^2 \cos^2\eta $$
-
-$$ \frac{m}{\rho} = \cos\eta $$
-"""
-
-
-@pytest.mark.parametrize(
-    ("order", "second", "verdicts"),
-    [("n, m", r"n = \rho \sin\eta", ("proved", "confirmed")), ("m, n", r"n = \rho \cos\eta", ("unchecked",))],
-)
-def test_what_holds_with_a_definition_with_which_all_else_does_not_is_open(
-    order: str, second: str, verdicts: tuple[str, ...]
-) -> None:
-    records = verify_text(POLAR.replace("ORDER", order).replace("SECOND", second)).equations
-    assert records[5].verdict in verdicts
-    assert records[5].says(Kind.RESTS_ON_DOUBT) is (order == "m, n")
