@@ -136,6 +136,11 @@ def _with_subject(chain: n.Chain, before: n.Chain | None, joined: str) -> n.Chai
     return replace(chain, members=(before.members[0], *chain.members), relations=before.relations)
 
 
+def is_signed(chain: n.Chain) -> bool:
+    """Whether a chain has a sign ± that may be chosen together with those of others; θ ≠ ±α leaves both out."""
+    return n.has_branches(chain) and chain.relations != ("≠",)
+
+
 def is_rank_condition(chain: n.Chain) -> bool:
     """Whether a chain says what a rank is: among conditions, it is one, and not that of the generic configuration."""
     return n.is_rank(chain.members[0])

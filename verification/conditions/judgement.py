@@ -19,6 +19,7 @@ from armproof.verification.conditions.implication import (
 )
 from armproof.verification.conditions.signs import ORDERS, Reader, Signs, follow
 from armproof.verification.conditions.system import System, Undecided, read_condition
+from armproof.verification.conditions.tied_signs import Judged, under_signs_before, with_signs_tied
 from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.decimals import finest_decimals
@@ -32,7 +33,7 @@ from armproof.verification.verdict import Verdict
 
 def check_implication(
     checker: ChainChecker, implication: Implication, equation: int, links: Sequence[Implication] = ()
-) -> tuple[Outcome, dict[str, float]]:
+) -> Judged:
     """Return the verdict of premises ⇒ (⇔, ⇐) conclusions, and a configuration that refutes it.
 
     What is wrong by itself is left open where it may be meant of a configuration at rest there (rates), of lengths of which
@@ -46,9 +47,9 @@ def check_implication(
             return there, {}
         wrong = outcome.verdict is Verdict.REFUTED
         return (outcome.left_open(say(Kind.UNDER_MORE)), {}) if wrong and links else (outcome, found)
-    outcome, found = _follows(checker, implication, equation)
+    outcome, found = _with_its_signs(checker, implication, equation)
     if outcome.verdict is not Verdict.REFUTED:
-        return outcome, found
+        return _unless_signs_before(checker, implication, outcome, links), found
     if found and finest_decimals(implication.chains) and _nearly_holds(checker, implication, found):
         return outcome.left_open(say(Kind.MADE_OF_ROUNDED)), {}
     rates = any(isinstance(b, n.Name) and b.dots for chain in implication.chains for b in n.walk(chain))
@@ -76,7 +77,7 @@ def compares(chain: n.Chain) -> bool:
     return interval or not ORDERS.keys().isdisjoint(chain.relations)
 
 
-def _of_signs(checker: ChainChecker, implication: Implication, equation: int) -> tuple[Outcome, dict[str, float]]:
+def _of_signs(checker: ChainChecker, implication: Implication, equation: int) -> Judged:
     """What follows from signs is proved; refuted is what fails at a configuration where they are so."""
     try:
         sides = [[Reader(checker).read(chains) for chains in side] for side in (implication.before, implication.behind)]
@@ -181,11 +182,26 @@ def _divisors(checker: ChainChecker, chain: n.Chain) -> Iterator[Scalar]:
             yield value
 
 
-def _follows(checker: ChainChecker, implication: Implication, equation: int) -> tuple[Outcome, dict[str, float]]:
+def _with_its_signs(checker: ChainChecker, implication: Implication, equation: int) -> Judged:
+    return with_signs_tied(implication, lambda branches: _follows(checker, implication, equation, branches))
+
+
+def _unless_signs_before(
+    checker: ChainChecker, implication: Implication, outcome: Outcome, links: Sequence[Implication]
+) -> Outcome:
+    """Leave open θ_2 = ±π/2 ⇒ c_2 = 0 ⇒ det J = ∓l_1 l_2, whose last link holds where the signs before it are forgotten."""
+    wider = under_signs_before(implication, links)
+    if wider == implication or outcome.verdict is not Verdict.PROVED:
+        return outcome
+    again, _ = _with_its_signs(checker, wider, outcome.equation)
+    return outcome if again.verdict is Verdict.PROVED else outcome.left_open(say(Kind.SIGNS_UNTOLD))
+
+
+def _follows(checker: ChainChecker, implication: Implication, equation: int, branches: Sequence[int] = ()) -> Judged:
     outcome, point = Outcome(Verdict.PROVED, (), equation), {}
     try:
-        before = read_condition(checker, implication.before)
-        behind = read_condition(checker, implication.behind)
+        before = read_condition(checker, implication.before, branches)
+        behind = read_condition(checker, implication.behind, branches)
         for forward in {"⇒": (True,), "⇐": (False,), "⇔": (True, False)}[implication.arrow]:
             entailment = Entailment(checker, before, behind) if forward else Entailment(checker, behind, before)
             try:

@@ -82,6 +82,8 @@ class Reader:
             yield from self._of_pair(inner.arguments[0], relation, right)
             yield from self._of_pair(n.Sum((("-", right),)), relation, inner.arguments[0])
             return
+        if n.has_branches(left) or n.has_branches(right):
+            raise Undecided(say(Kind.SIGNS_UNTOLD))
         a, b = self._scalar(left), self._scalar(right)
         if relation == "≠":
             yield Sign(1 - self.checker.exact.cos_sin(a - b)[0] if self._is_angle(a - b) else a - b, "≠")

@@ -11,7 +11,7 @@ from functools import reduce
 from armproof.verification.algebra.angles import has_arcs
 from armproof.verification.algebra.matrix import Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.conditions.implication import WHOLE_NUMBERS
+from armproof.verification.conditions.implication import WHOLE_NUMBERS, is_signed
 from armproof.verification.equations.alignment import align
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.errors import EvaluationError
@@ -49,18 +49,21 @@ class System:
 Condition = tuple[System, ...]  # alternatives
 
 
-def read_condition(checker: ChainChecker, alternatives: Sequence[Sequence[n.Chain]]) -> Condition:
+def read_condition(
+    checker: ChainChecker, alternatives: Sequence[Sequence[n.Chain]], branches: Sequence[int] = ()
+) -> Condition:
     """Return where one of the alternatives holds, each of which is some chains that hold together.
 
-    f = g gives f − g = 0; an angle θ = α gives 1 − cos(θ − α) = 0; θ ∈ {α, β} and ± are alternatives; a matrix equation is
-    one of each entry; det(A Aᵀ) = 0 says that all maximal minors of A vanish, rank A < k that all minors of size k do.
+    f = g gives f − g = 0; an angle θ = α gives 1 − cos(θ − α) = 0; θ ∈ {α, β} and ± are alternatives, those of a chain
+    for itself, or where `branches` are given those that all chains have together; a matrix equation is one of each entry;
+    det(A Aᵀ) = 0 says that all maximal minors of A vanish, rank A < k that all minors of size k do.
 
     Raises:
         Undecided: a chain is no such condition.
     """
     found: list[System] = []
-    for chains in alternatives:
-        parts = [_of_chain(checker, chain) for chain in chains]
+    for chains, branch in itertools.product(alternatives, branches or (None,)):
+        parts = [_of_chain(checker, chain, branch) for chain in chains]
         for choice in itertools.product(*parts):
             system = System(())
             for part in choice:
@@ -71,9 +74,9 @@ def read_condition(checker: ChainChecker, alternatives: Sequence[Sequence[n.Chai
     return tuple(found)
 
 
-def _of_chain(checker: ChainChecker, chain: n.Chain) -> list[System]:
-    """The alternatives of one chain; one with ± holds on either branch, θ ≠ ±α on both."""
-    branches = (1, -1) if has_branches(chain) else (1,)
+def _of_chain(checker: ChainChecker, chain: n.Chain, branch: int | None) -> list[System]:
+    """The alternatives of one chain; one with ± holds on either branch or on the one that is chosen, θ ≠ ±α on both."""
+    branches = (branch or 1,) if not has_branches(chain) or (branch and is_signed(chain)) else (1, -1)
     found = [
         system
         for branch in branches

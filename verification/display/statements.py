@@ -18,6 +18,7 @@ from armproof.verification.conditions.implication import (
     with_rank_first,
 )
 from armproof.verification.conditions.implications import Implications, Judgement
+from armproof.verification.conditions.tied_signs import with_signed
 from armproof.verification.conditions.wording import is_alternative, is_concluded, tell_words_that_change
 from armproof.verification.display.claims import Claims
 from armproof.verification.display.prepared import (
@@ -283,7 +284,8 @@ class Statements:
             return found
         if all(outcome.verdict in HOLDS for outcome in found):
             return found
-        wider = replace(under, before=[[chain]]) if under.kind == "if" else replace(under, behind=[[chain]])
+        asked = with_signed(chain, under.premises if under.kind == "if" else under.conclusions)
+        wider = replace(under, before=[asked]) if under.kind == "if" else replace(under, behind=[asked])
         judged = self.implications.of_the_tool(wider, found, display.equation, display.links)
         self.names.forget(key for outcome in found for key in outcome.defines)  # what a name means there alone
         judged = judged or self.implications.judge(wider, [Outcome(Verdict.UNCHECKED)], display.equation, [])
