@@ -220,7 +220,7 @@ class DocumentChecker:
             equations, tables = settle_data(self.inferred, equations, tables)
         if self._has_definitions(equations):  # what was refuted by an arm that nothing confirms may have used them
             equations = settle_noticed(settle_used(equations), self.displays.slips)
-            equations = settle_told_quantities(equations, self.document.displays, self.names.reader)
+            equations = settle_told_quantities(equations, self.document.displays, self.names)
         index = None if self.arm is None else 0
         return DocumentResult(
             str(self.document.path),

@@ -16,7 +16,7 @@ from armproof.verification.errors import TooComplex
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
-from armproof.verification.naming.settled import Key, uses_of
+from armproof.verification.naming.settled import Key, rests_through
 from armproof.verification.naming.state import Told
 from armproof.verification.verdict import HOLDS, EquationResult, Record, Verdict
 
@@ -49,7 +49,7 @@ def _escapes_all(key: Key, records: Sequence[Record], slips: Slips) -> bool:
         return False
     if not (_COORDINATE.fullmatch(key[0]) or _moves(before.node, slips)):
         return False
-    using = uses_of(key, [each for record in records for each in record.outcomes])
+    _, using = rests_through(key, [each for record in records for each in record.outcomes])
     displays = [each for each in records if any(one in using for one in each.outcomes if one.is_decided)]
     if not displays or any(each.verdict not in HOLDS for each in displays):
         return False  # what is refuted notices it, and of what is open in part nobody knows

@@ -9,8 +9,14 @@ import re
 
 TOLD_QUANTITY = "of a quantity"  # what a display defines is something of the arm, and no abbreviation
 
+TOLD_THING = "of a thing"  # it is called something: "The trace of $A$ is"
+
 MAY_TELL_QUANTITY = re.compile(  # what no such sentence lacks, in small letters
     r"angle|distance|height|hauteur|altitude|area|aire|surface|reach|portée|allonge|inclin|orient|élévation|elevation|slope|pente|extension|radius|rayon|length|longueur|abstand|höhe|winkel|fläche|neigung|länge|ángulo|distancia|altura|área|angolo|distanza|altezza|abscissa|abscisse|ordinate|ordonnée"
+    r"|(?<!\S)(?:is|are|equals|est|sont|vaut|ist|beträgt|lautet|es|vale|è|tangent|tangente)\s*:?\s*\Z"
+)
+_LEADS = re.compile(  # a thing that has its article, up to a verb that what comes next ends
+    r"\A\W*(?:(?:then|so|now|hence|thus|and|here|donc|alors|dann|also) (?:, )?)?(?:the|its|their|le|la|l'|son|sa|leur|der|die|das|seine?|ihre?|el|los|las|su|il|lo|suo|sua|o|a) (?!(?:abbreviation|shorthand|notation)\w* )\w.* (?:is|are|equals|est|sont|vaut|ist|beträgt|lautet|es|vale|è|(?:tangent|tangente)) (?:: )?\Z"
 )
 _QUANTITY = re.compile(
     r"(?<!\S)(?:l' |d' )?(?:angle|distance|height|hauteur|altitude|area|aire|surface|reach|portée|allonge|inclination|inclinaison|orientation|élévation|elevation|slope|pente|extension|radius|rayon|length|longueur|abstand|höhe|winkel|fläche|neigung|länge|ángulo|distancia|altura|área|angolo|distanza|altezza|abscissa|abscisse|ordinate|ordonnée)(?!\w)"
@@ -24,3 +30,10 @@ def tells_quantity(words: str) -> bool:
     """Whether a sentence says which quantity what comes next is, and not that it abbreviates something."""
     small = words.lower()
     return _QUANTITY.search(small) is not None and _ABBREVIATES.search(small) is None
+
+
+def names_thing(words: str) -> bool:
+    """Whether a sentence leads to what a thing is that it names: "The trace of $A$ is"."""
+    small = words.lower()
+    head = re.split(r" (?:of|de|du|des|der|von|del|di) |,", small, maxsplit=1)[0]
+    return _LEADS.match(small) is not None and _ABBREVIATES.search(head) is None

@@ -43,7 +43,13 @@ from armproof.verification.document.told_jacobians import (
     told_jacobians,
 )
 from armproof.verification.document.told_notation import REACTION
-from armproof.verification.document.told_quantities import MAY_TELL_QUANTITY, TOLD_QUANTITY, tells_quantity
+from armproof.verification.document.told_quantities import (
+    MAY_TELL_QUANTITY,
+    TOLD_QUANTITY,
+    TOLD_THING,
+    names_thing,
+    tells_quantity,
+)
 from armproof.verification.document.told_relative import MAY_TELL_RELATIVE, relative_angles
 from armproof.verification.document.told_statics import MAY_TELL_BALANCE, acts_on_tool, force_of_balance, holds_arm
 from armproof.verification.document.told_tasks import MAY_TELL_TASK, told_tasks
@@ -113,6 +119,8 @@ def told_since(
             yield Since(LOCKED, line, end)
         if tells_quantity(words):
             yield Since(TOLD_QUANTITY, line, heard[-1].until)
+        elif names_thing(words):
+            yield Since(TOLD_THING, line, heard[-1].until)
     yield from _of_branches(heard)
     yield from _of_jacobians(heard)
     yield from _of_maps(displays, reach)

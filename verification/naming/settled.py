@@ -62,13 +62,13 @@ def used_names(results: Iterable[EquationResult]) -> frozenset[Key]:
     return frozenset(used)
 
 
-def uses_of(key: Key, results: Iterable[EquationResult]) -> list[EquationResult]:
-    """Return the equations that rest on a definition, by way of others too."""
+def rests_through(key: Key, results: Iterable[EquationResult]) -> tuple[set[Key], list[EquationResult]]:
+    """Return a definition with those that rest on it, and the equations that rest on any of them."""
     results = list(results)
     through = {key}
     while new := {k for each in results if _used(each) & through for k in each.defines} - through:
         through |= new
-    return [each for each in results if _used(each) & through]
+    return through, [each for each in results if _used(each) & through]
 
 
 def _used(result: EquationResult) -> frozenset[Key]:
