@@ -285,9 +285,11 @@ class Definitions:
             yield self.readings.equality.compare(label, inner, equation, False)
         elif key is not None and isinstance(label.problem, UnboundName) and inner.known and self.defines:
             is_jacobian = any(isinstance(each, n.Name) and each.base == "J" for each in n.walk(brace.label))
-            found = check(n.Chain((brace.label, brace.inner), ("=",), span=brace.span)) if is_jacobian else []
-            if found and all(each.verdict in HOLDS or each.is_slip for each in found):
-                yield from found
+            name = bare(brace.label)
+            is_told = is_jacobian or (isinstance(name, n.Name) and is_usual(name))
+            found = check(n.Chain((brace.label, brace.inner), ("=",), span=brace.span)) if is_told else []
+            if found and all(each.verdict in HOLDS or each.is_slip or _is_otherwise(each) for each in found):
+                yield from (each for each in found if each.verdict is not Verdict.DEFINED)
             else:
                 self.names.define(key, self.members.meaning(brace.inner), self.line)
         elif key is None and label.problem is not None:
@@ -331,6 +333,11 @@ class Definitions:
         problem = other or unbound
         findings = (finding_of(problem),) if problem is not None else ()
         return [Outcome(Verdict.UNCHECKED, findings, equation)]
+
+
+def _is_otherwise(outcome: Outcome) -> bool:
+    """Whether an equation is open, since its name usually is another quantity of the arm."""
+    return outcome.verdict is Verdict.UNCHECKED and outcome.tells(Kind.NOT_AS_USUAL_BOUND)
 
 
 def _with_slip(outcome: Outcome) -> Outcome:

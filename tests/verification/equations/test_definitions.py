@@ -42,6 +42,9 @@ SQUARE = "l_1^2 + l_2^2 + 2 l_1 l_2 c_2"
         ([r"p^T p = \underbrace{l_1^2 + l_2^2}_{m} + 2 l_1 l_2 c_2", "p^T p = m + 2 l_1 l_2 c_2", "m = l_1^2 - l_2^2", "m = l_1^2"], "proved proved refuted unchecked"),
         ([r"p^T p = \underbrace{l_1^2 + l_2^2}_{l_1^2} + 2 l_1 l_2 c_2"], "refuted"),
         ([r"p^T p = \underbrace{l_1^2 + l_2^2}_{l_2^2 + l_1^2} + 2 l_1 l_2 c_2"], "proved"),
+        ([r"x = \underbrace{l_1 c_1}_{= x_1} + l_2 c_{12}"], "proved"),
+        ([r"x = \underbrace{l_1 c_1}_{= y_1} + l_2 c_{12}"], "unchecked"),
+        ([r"x = \underbrace{l_1 c_1}_{K} + l_2 c_{12}", "x - K = l_2 c_{12}"], "proved proved"),
         ([r"p^T p = \underbrace{l_1^2 + l_2^2}_{u + w} + 2 l_1 l_2 c_2"], "unchecked"),
         # by nothing that is known
         (["u = v + w", "a = b", "u + v = w + x", "u = l_1"], "unchecked unchecked unchecked unchecked"),
