@@ -27,7 +27,8 @@ _HANGS = re.compile(  # what angles are counted from that are zero where the arm
 class ToldDirections:
     """Leaves open what is written with an angle that the text counts otherwise than the formulas do, or with an axis that it turns round.
 
-    An arm that a table, matrices or the front matter give has its frames from there.
+    An arm that a table, matrices or the front matter give has its frames from there, whichever axis points down; from where its
+    angles are counted, and which way, the text may tell otherwise.
     """
 
     def __init__(self, checker: ChainChecker) -> None:
@@ -36,8 +37,7 @@ class ToldDirections:
 
     def judge(self, outcome: Outcome, told: Sequence[str]) -> Outcome:
         """Leave open what the told directions make doubtful, and what it defines."""
-        of_formulas = self.names.arm is None or self.names.is_of_formulas
-        if not of_formulas or not (outcome.verdict in DECIDED or outcome.defines):
+        if not (outcome.verdict in DECIDED or outcome.defines):
             return outcome
         facts = [(fact, text) for fact, _, text in (each.partition("\n") for each in told)]
         shown = self._shown(facts) if self.names.arm is None else set()
@@ -90,7 +90,8 @@ class ToldDirections:
             return False
         which = told.removeprefix(kind).strip()
         if kind == AXIS_DOWN:
-            return which in self._coordinates(outcome)
+            of_formulas = self.names.arm is None or self.names.is_of_formulas
+            return of_formulas and which in self._coordinates(outcome)
         if kind == AT_ZERO:
             joints = self._other_at_zero(which)
             return bool(joints) and not joints.isdisjoint(self._written(outcome)) and bool(self._coordinates(outcome))
