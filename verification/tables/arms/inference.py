@@ -59,8 +59,7 @@ def infer_arm(document: Document) -> Inference:
 
 def _inferred(document: Document) -> Inference:
     of_table = _of_tables(document)
-    is_disputed = of_table.problem is not None and of_table.problem.kind is Kind.CONVENTION_DISPUTED
-    if of_table.arm is not None or is_disputed:  # the matrices are the equations that may be wrong
+    if of_table.arm is not None or of_table.is_disputed:  # the matrices are the equations that may be wrong
         return of_table
     if (of_screws := candidate_of_screws(document, plain_names(document))) is not None:
         return _settle(document, [of_screws])

@@ -17,6 +17,7 @@ from armproof.verification.naming.names import Names
 from armproof.verification.tables.angles import letter_of, symbols_of, to_radians, with_parts_of_pi
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
 from armproof.verification.tables.arms.frame_names import end_effectors, frame_names, is_tool
+from armproof.verification.tables.arms.unread_columns import unread_column
 from armproof.verification.tables.cells import Cell, nothing_stands_in, read_cell, read_kind
 from armproof.verification.tables.columns import CONVENTIONS, Columns, Reading, plain
 from armproof.verification.tables.row import ANGLES, PARAMETERS, SCALES
@@ -44,6 +45,8 @@ def candidates(table: Table, columns: Columns, names: Names, in_metres: bool = T
 
     Lengths with a unit are taken in metres, or as they stand.
     """
+    if amending := unread_column(table, columns):
+        raise EvaluationError(say(Kind.COLUMN_UNREAD, header=amending))
     if not in_metres:
         columns = replace(columns, headers=tuple(replace(each, unit=_of_angle(each.unit)) for each in columns.headers))
     rows = [_read_row(names, table, columns, number, in_metres) for number in range(1, len(table.rows) + 1)]

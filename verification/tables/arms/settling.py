@@ -11,6 +11,8 @@ from armproof.verification.tables.arms.own_letters import has_index_of_another, 
 from armproof.verification.tables.arms.support import FRAMES, ORDER, TOLD
 from armproof.verification.verdict import AXES, HOLDS, EquationResult, Record, Role, TakenArm, Verdict, worst
 
+_DISPUTES = (Kind.CONVENTION_DISPUTED, Kind.COLUMN_UNREAD)
+
 
 @dataclass(frozen=True)
 class Inference:
@@ -25,6 +27,11 @@ class Inference:
     line: int | None = None  # of what gives no arm, or not one
     unfit: Inference | None = None
 
+    @property
+    def is_disputed(self) -> bool:
+        """Whether the document shows an arm of which its words say something else: what it defines is that of neither."""
+        return self.arm is None and self.problem is not None and self.problem.kind in _DISPUTES
+
 
 def settle_data(
     inferred: Inference, equations: Iterable[Record], tables: Iterable[Record]
@@ -32,7 +39,7 @@ def settle_data(
     """Return the records of displays and tables, what the arm was taken from as data among them."""
     equations, tables, taken = tuple(equations), tuple(tables), inferred.arm
     if taken is None:
-        if inferred.problem is not None and inferred.problem.kind is Kind.CONVENTION_DISPUTED:
+        if inferred.is_disputed and inferred.problem is not None:
             equations = tuple(_unless_it_rests_on(inferred.problem, record) for record in equations)
         return _told(inferred, equations), _told(inferred, tables)
     claims = [each for record in equations for each in record.outcomes if not _is_data(taken, record, each.links)]

@@ -1,0 +1,51 @@
+"""A column that no parameter stands in may change what the others say: then a table gives no arm."""
+
+from __future__ import annotations
+
+import pytest
+
+from armproof import verify_text
+from armproof.verification.verdict import Verdict
+
+TIP = (r"$$ x = b_1 \cos q_1 + b_2 \cos(q_1 + q_2) $$", r"$$ \dot x = -b_1 \sin q_1 \dot q_1 - b_2 \sin(q_1 + q_2) (\dot q_1 + \dot q_2) $$")  # fmt: skip
+
+
+def verdicts(header: str, *cells: str) -> set[Verdict]:
+    rows = (f"| {k} | $b_{k}$ | 0 | 0 | $q_{k}$ | {cell} |" for k, cell in enumerate(cells, start=1))
+    table = "\n".join(
+        (f"| $i$ | $a_i$ | $\\alpha_i$ | $d_i$ | $\\theta_i$ | {header} |", "|---|---|---|---|---|---|", *rows)
+    )
+    text = f"Classic Denavit-Hartenberg parameters:\n\n{table}\n\n" + "\n\n".join(TIP)
+    return {record.verdict for record in verify_text(text).equations}
+
+
+@pytest.mark.parametrize(
+    ("header", "cells"),
+    [
+        ("home", ("0", "90")),
+        ("zero", (r"$q_1$", r"$q_2 - 90^\circ$")),
+        (r"$\varepsilon_i$", ("$+1$", "$-1$")),
+        ("gear", ("1:1", "1:2")),
+        ("remark", ("", r"bolted at $30^\circ$")),
+        ("Bemerkung", ("", "umgekehrt")),
+        ("posture", ("", "welded")),
+    ],
+)
+def test_what_may_change_an_angle_gives_no_arm(header: str, cells: tuple[str, str]) -> None:
+    assert verdicts(header, *cells) == {Verdict.UNCHECKED}
+
+
+@pytest.mark.parametrize(
+    ("header", "cells"),
+    [
+        ("limits", (r"$\pm 90^\circ$", r"$0 \ldots 150^\circ$")),
+        ("Bereich", ("-170..170", "-120..120")),
+        ("mass", ("2.5 kg", "1.5 kg")),
+        ("home", ("0", "0")),
+        ("remark", ("shoulder", "elbow")),
+        ("remark", ("", "")),
+        ("variable", ("$q_1$", "$q_2$")),
+    ],
+)
+def test_bounds_names_and_masses_change_none(header: str, cells: tuple[str, str]) -> None:
+    assert verdicts(header, *cells) == {Verdict.PROVED}
