@@ -16,14 +16,17 @@ _IS = (
     r"denotes?|means?|represents?|abbreviates?|désigne(?:nt)?|signifie(?:nt)?|représente(?:nt)?|(?:est|sont) (?:mise?s?|écrite?s?|notée?s?) pour|"
     r"est l['’]abréviation de|abrège(?:nt)?|steht für|stehen für|bezeichne[tn]|bedeute[tn]|significan?|denotan?)"
 )
+_IS_WRITTEN = (  # what the name that comes behind it stands for
+    r"(?:is|are|est|sont|wird|werden|se|si|è)\s+(?:here\s+|simply\s+)?(?:written|abbreviated|denoted|notée?s?|écrite?s?|abrégée?s?|geschrieben|abgekürzt|escriben?|abrevian?|scrive|indica)(?:\s+(?:as|to|by|par|als|mit|durch|como|come|con))?"
+)
 _AND = r"\s*(?:,|and|et|und|y)\s+"
 _KIND = (  # of what a formula is: "the difference $\\theta_1 - \\theta_2$"
-    r"(?:the|la|le|l['’]|die|den|der|das|el|il|lo|a|o)\s*(?:sum|difference|angle|somme|différence|Summe|Differenz|Winkel|suma|diferencia|ángulo|somma|differenza|angolo|soma|diferença|ângulo)"
+    r"(?:the|la|le|l['’]|die|den|der|das|el|il|lo|a|o)\s*(?:sum|difference|product|angle|somme|différence|produit|Summe|Differenz|Produkt|Winkel|suma|diferencia|producto|ángulo|somma|differenza|prodotto|angolo|soma|diferença|produto|ângulo)"
     r"(?: (?:angle|of the angles|des angles|der Winkel|de los ángulos))?,?\s+"
 )
 _TURN = r"(?:(?:the |le )?(?P<turn>cos|sin)(?:ine|inus|e|us) (?:of|de) (?:(?:the|the angle|the sum|la somme|l['’]angle) )?)?"
 _SAID = re.compile(
-    rf"{_FORMULA.format('name')}\s+(?:(?P<verb>{_IS}|is|est|ist|es|for|pour|für|para|per|by|par|as)\s+{_TURN}(?P<kind>{_KIND})?|{_KIND}){_FORMULA.format('value')}",
+    rf"{_FORMULA.format('name')}\s+(?:(?P<verb>{_IS}|(?P<behind>{_IS_WRITTEN})|is|est|ist|es|for|pour|für|para|per|by|par|as)\s+{_TURN}(?P<kind>{_KIND})?|{_KIND}){_FORMULA.format('value')}",
     re.DOTALL,
 )
 _TWO_SAID = re.compile(
@@ -52,13 +55,14 @@ def said_in_words(text: str, at: int) -> str | None:
             if _are_names(*(name for name, _ in pairs))
             else None
         )
-    if _SECOND.search(text, max(0, at - 10), at):  # the second of two: it was said with the first
-        return None
     found = _SAID.match(text, at)
+    is_own = found is not None and found["behind"]
+    if not is_own and _SECOND.search(text, max(0, at - 10), at):  # the second of two: it was said with the first
+        return None
     if found is None:
         return _of_shorthand(text, at)
     name, value, verb = _formula(found, "name"), _formula(found, "value"), found["verb"] or "for"
-    if verb in ("by", "par", "as"):
+    if found["behind"] or verb in ("by", "par", "as"):
         name, value = value, name
     needs_turn = verb in ("is", "est", "ist", "es") and not found["kind"]
     needs_write = verb in ("for", "pour", "für", "para", "per", "by", "par", "as")

@@ -13,6 +13,9 @@ from armproof.verification.document.in_words import said_in_words
 
 SHORTHANDS = [
     (r"$c_{12}$ stands for $\cos(\theta_1)$", r"c_{12} = \cos(\theta_1)"),
+    (r"$s_{23}$ means the product $s_2 s_3$", "s_{23} = s_2 s_3"),
+    (r"$s_2 s_3$ is written $s_{23}$", "s_{23} = s_2 s_3"),
+    (r"$c_2 c_3$ est noté $c_{23}$", "c_{23} = c_2 c_3"),
     (r"$c_1$ is the sine of $\theta_1$", r"c_1 = \sin(\theta_1)"),
     (r"$D$ denotes $x^2$", "D = x^2"),
     (r"\(c_i\) désigne \(\sin q_i\)", r"c_i = \sin q_i"),
