@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from armproof.models.errors import ArmproofError
 from armproof.verification.conditions.circumstances import Circumstances
+from armproof.verification.conditions.link_conventions import unless_of_other_convention
 from armproof.verification.conditions.other_meanings import OtherMeanings
 from armproof.verification.conditions.to_first_order import holds_to_first_order
 from armproof.verification.conditions.told_branches import ToldBranches
@@ -82,7 +83,8 @@ class WordsAround:
         outcome = self.meanings.of_entries(outcome)
         if display.directions:
             outcome = self.directions.judge(outcome, display.directions)
-            outcome = unless_told_otherwise(outcome, display.directions, self.names)
+            outcome = unless_told_otherwise(outcome, display, self.names)
+            outcome = unless_of_other_convention(outcome, display.directions)
         if display.denied and outcome.verdict is not Verdict.UNCHECKED:
             outcome = replace(outcome.left_open(say(Kind.DENIED)), defines=())
         if (

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -63,7 +63,7 @@ from armproof.verification.document.strange import is_in_known_language
 from armproof.verification.document.struck_out import MAY_STRIKE, with_struck_out
 from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
-from armproof.verification.document.told_convention import MAY_TELL, told_convention
+from armproof.verification.document.told_convention import MAY_TELL, conventions_below, told_convention
 from armproof.verification.document.told_names import MAY_TELL_NAMES
 from armproof.verification.document.told_notation import MAY_NOTE
 from armproof.verification.document.told_since import MAY_SAY_SINCE
@@ -131,8 +131,9 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     small = text.lower()
     if any(each.search(small) for each in (MAY_MEAN, MAY_ASK, MAY_NOTE, MAY_TELL_NAMES, MAY_SAY_SINCE)):
         document = with_other_meanings(document, text)
-    if (may_orient := MAY_ORIENT.search(small) is not None) or MAY_INDEX.search(small):
-        document = with_directions(document, text, may_orient)
+    tells = [(MAY_ORIENT, told_orientations), (MAY_INDEX, told_indices), (MAY_TELL, conventions_below)]
+    if heard := [tell for may, tell in tells if may.search(small)]:
+        document = with_directions(document, text, heard)
     if (images := sum(not shows_its_latex(each) for each in _IMAGE.findall(text))) and suffix != ".py":
         told = say(Kind.IMAGES, count=images) if images > 1 else say(Kind.IMAGE)
         document = replace(document, remarks=(*document.remarks, told))
@@ -143,9 +144,9 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     return with_accepts(document, text.replace("\r\n", "\n"), suffix) if MARK in text else document
 
 
-def with_directions(document: Document, text: str, may_orient: bool) -> Document:
-    """Return a document whose displays know what the text of their section tells of directions and of indices."""
-    told = [*told_below(text, told_orientations if may_orient else lambda _: (), told_indices)]
+def with_directions(document: Document, text: str, tells: Sequence[Callable[[str], Iterable[str]]]) -> Document:
+    """Return a document whose displays know what the text of their section tells of directions, of indices and of conventions."""
+    told = [*told_below(text, *tells)]
     return replace(document, displays=tuple(_directed(each, told) for each in document.displays)) if told else document
 
 

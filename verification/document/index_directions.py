@@ -8,6 +8,8 @@ from collections.abc import Iterator
 from armproof.verification.document.hearing import formulas_of, says, words_of
 
 REFERENCE = "reference"  # which index is the reference: upper or lower, first or second
+LEFT_LOWER = "left lower"  # of the scripts before a letter the lower one is the reference: {}^A_BT is A in B
+LEFT_UPPER = "left upper"  # the upper one is, as it mostly is
 ROWS = "rows"  # points are rows, and matrices stand behind them
 
 MAY_INDEX = re.compile(  # what no such sentence lacks, in small letters
@@ -19,6 +21,9 @@ _MATRIX = re.compile(
     rf"{_LETTER}(?:_\s*{_INDEX}\s*\^\s*{_INDEX}|\^\s*{_INDEX}\s*_\s*{_INDEX}|_\s*\{{\s*(\w)\s*,?\s*(\w)\s*\}})"
 )
 _BEFORE = rf"(?:\{{\}}\s*\^\s*{_INDEX}\s*)?"
+_LEFT = re.compile(
+    rf"\{{\}}\s*\^\s*{_INDEX}(?:\s*_\s*{_INDEX}\s*{_LETTER}|\s*{_LETTER}_\s*{_INDEX})|\{{\}}\s*_\s*{_INDEX}\s*\^\s*{_INDEX}\s*{_LETTER}"
+)
 _MAPS = re.compile(  # p_i = T_{ij} p_j, {}^j p = T_i^j {}^i p
     rf"\s*{_BEFORE}([a-z])(?:_\s*{_INDEX})?\s*=\s*(?P<matrix>{_LETTER}(?:_\s*{_ANY}\s*\^\s*{_ANY}|\^\s*{_ANY}\s*_\s*{_ANY}|_\s*\{{[^{{}}]*\}}))"
     rf"\s*(?:\\,|\\;|\\cdot)?\s*{_BEFORE}\2(?:_\s*{_INDEX})?\s*"
@@ -35,6 +40,18 @@ _SEEN = re.compile(  # "from frame 0 to frame 1" says neither
 _TURNS = re.compile(
     rf"(?<!\S)(?:coordinates|coordonnées|koordinaten|coordenadas|coordinate) {_ARTICLE}(?:in |im |en |dans |from |aus )?{_PLACE} (?:in |into |to |en |a |à |auf )(?:those|celles|jene|die|las|los|quelle|coordinates|coordonnées|koordinaten|coordenadas)(?: in| im| en| dans)? {_PLACE}"
 )
+_INTO = re.compile(  # "coordinates in A into coordinates in B"
+    r"(?<!\S)(?:coordinates|components|coordonnées|composantes|koordinaten|coordenadas|coordinate) (?:in|of|dans|en|im|von|de) (\w) (?:in|into|to|en|auf|a) (?:coordinates|components|those|coordonnées|composantes|celles|koordinaten|die|solche|coordenadas|las|coordinate|quelle) (?:in|of|dans|en|im|von|de) (\w)(?!\w)"
+)
+_SCRIPT = r"(?:left |leading |gauche |linke )?(?:{} (?:left |leading |linke )?(?:index|script)|{}|indice {}(?: gauche| de gauche)?)"
+_UPPER = _SCRIPT.format("(?:upper|top|obere)", "superscript|exposant", "supérieur")
+_LOWER = _SCRIPT.format("(?:lower|bottom|untere)", "subscript", "inférieur")
+_NAMES_FRAME = rf"(?:names|is|denotes|gives|tells|désigne|est|donne|nennt|ist|bezeichnet) {_ARTICLE}(?:frame|repère|system|koordinatensystem)"
+_SEEN_ABOVE = re.compile(  # "the upper index names the frame that is described", "the lower one that in which it is"
+    rf"(?<!\S){_UPPER} {_NAMES_FRAME} (?:,? ?(?:that|which) is (?:being )?(?:described|located)|being described|described|décrit|qui est décrit|, das beschrieben wird)(?! in )"
+    rf"|(?<!\S){_LOWER} {_NAMES_FRAME} (?:(?:in|with respect to|relative to) which|of reference|de référence|dans lequel|par rapport auquel|, in dem)"
+)
+_BEFORE_LETTER = re.compile(r"(?<!\S)(?:left|leading|gauche|linke)(?!\S)")
 _TELLS_OF = re.compile(
     r"(?<!\S)(?:columns?|axes|pose|position|orientation|expres\w*|express\w*|describ\w*|décrit|beschreibt|gives|giving|donne|gibt|expresa|esprime|descrive|transform\w*|trasforma\w*|turns?|maps?|rotates?|takes?|überführt|convierte|converte|convertit|denotes|is|are|est|ist|es|è)(?!\S)"
 )
@@ -44,7 +61,7 @@ _BASE = ("base", "world", "basis")
 def told_indices(sentence: str) -> Iterator[str]:
     """Yield what a sentence tells of indices, as what holds of the displays in its section: each with the sentence on a second line."""
     line = " ".join(sentence.split())
-    yield from (f"{each}\n{line}" for each in dict.fromkeys(_told(line)))
+    yield from (f"{each}\n{line}" for each in dict.fromkeys(filter(None, _told(line))))
 
 
 def _told(sentence: str) -> Iterator[str]:
@@ -58,6 +75,9 @@ def _told(sentence: str) -> Iterator[str]:
             yield from _reference(found["matrix"], seen or "", reference or "")
     matrices = [each for each in formulas if _MATRIX.fullmatch(each)]
     plain = words_of(re.sub(r"\$\s*(\w)\s*\$", r"\1", sentence)).lower()
+    if _SEEN_ABOVE.search(plain):
+        yield LEFT_LOWER if _BEFORE_LETTER.search(plain) else f"{REFERENCE} lower"
+    yield from (_left_reference(each, plain) for each in formulas)
     if len({*matrices}) == 1 and _TELLS_OF.search(plain):
         for found in (*_SEEN.finditer(plain), *_TURNS.finditer(plain)):
             indices = [each for group in _MATRIX.fullmatch(matrices[0]).groups() if (each := group)]  # type: ignore[union-attr]
@@ -65,6 +85,25 @@ def _told(sentence: str) -> Iterator[str]:
                 number or _index_of(frame, indices) for frame, number in ((found[1], found[2]), (found[3], found[4]))
             )
             yield from _reference(matrices[0], seen, reference)
+
+
+def has_scripts_around(latex: str) -> bool:
+    """Whether a transform with a script before its letter and one behind it stands in a display: {}^AT_B."""
+    return any(each[3] for each in _LEFT.finditer(latex))
+
+
+def _left_reference(formula: str, words: str) -> str:
+    """Return which script of {}^A_BT, or of {}^AT_B, a sentence says to be the reference, "" where it does not.
+
+    It gives the other frame in that one, or turns coordinates in the other into those in that one.
+    """
+    if (found := _LEFT.fullmatch(formula)) is None or not _TELLS_OF.search(words):
+        return ""
+    pair = (found[1], found[2] or found[3]) if found[1] else (found[5], found[4])
+    upper, lower = map(str.lower, pair)
+    told = [(each[1], each[2]) for each in _INTO.finditer(words)]
+    told += [(each[2] or "", each[4] or "") for pattern in (_SEEN, _TURNS) for each in pattern.finditer(words)]
+    return LEFT_LOWER if (upper, lower) in told else LEFT_UPPER if (lower, upper) in told else ""
 
 
 def _index_of(frame: str, indices: list[str]) -> str:

@@ -9,6 +9,7 @@ from typing import Any
 
 from armproof.models.arm import Arm
 from armproof.verification.document import Display, Document, Table
+from armproof.verification.document.index_directions import LEFT_LOWER, LEFT_UPPER
 from armproof.verification.document.other_meanings import COLUMNS
 from armproof.verification.errors import DocumentError, ReadError
 from armproof.verification.findings import Kind, finding_of, say
@@ -235,8 +236,11 @@ def _own_sums(said: Iterable[str]) -> Iterator[tuple[str, tuple[int, ...]]]:
                 yield digits, tuple(-1 if sign == "-" else 1 for sign, _ in terms)
 
 
-def _refers_below(displays: Iterable[Display]) -> bool:
-    """Whether the products of a document show that the script below, before a letter, names the reference: {}_0^1T {}_1^2T."""
+def _refers_below(displays: Sequence[Display]) -> bool:
+    """Whether the products of a document show that the script below, before a letter, names the reference, {}_0^1T {}_1^2T, or its text alone says so."""
+    told = {fact.partition("\n")[0] for display in displays for fact in display.directions} & {LEFT_LOWER, LEFT_UPPER}
+    if told:
+        return told == {LEFT_LOWER}
     joined = [pair for display in displays for pair in _joined(normalise_unicode(display.latex))]
     return any(a[1] == b[0] for a, b in joined) and not any(a[0] == b[1] for a, b in joined)
 

@@ -41,6 +41,13 @@ def test_directions_are_heard(sentence: str, told: str) -> None:
         ("The columns of $R_{12}$ are the axes of frame 1 seen from frame 2.", "reference second"),
         ("For any point, $p_0 = T_{01} p_1$.", "reference first"),
         ("$T_0^1$ is the transformation from frame 0 to frame 1.", ""),  # of what, nobody can tell
+        ("Here ${}^P_QT$ turns coordinates in $P$ into coordinates in $Q$.", "left lower"),
+        ("Here ${}^P_QT$ turns coordinates in $Q$ into coordinates in $P$.", "left upper"),
+        ("${}^PR_Q$ gives the frame P in the frame Q.", "left lower"),
+        ("${}^PR_Q$ gives the frame Q in the frame P.", "left upper"),
+        ("The left upper index names the frame that is described.", "left lower"),
+        ("The left upper index names the frame in which the other one is described.", ""),
+        ("The subscript is the frame of reference.", "reference lower"),
         ("In this course points are rows.", "rows"),
         ("Points are not rows here.", ""),
         ("The matrices are multiplied from the right.", ""),
