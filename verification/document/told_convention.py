@@ -23,7 +23,9 @@ _CONTRAST = re.compile(
 )
 
 
-_CODE = re.compile(r"\bdef \w+\(|^\s*[\w, ]+ = ", re.MULTILINE)
+_CODE = re.compile(
+    r"\bdef \w+\(|^\s*[\w, ]+ = |^[%#\s]*---\s*$|\b(?:dh|convention|link): *\w+", re.MULTILINE
+)  # or front matter
 
 
 def told_convention(text: str) -> str:

@@ -285,7 +285,8 @@ class Definitions:
             yield self.readings.equality.compare(label, inner, equation, False)
         elif key is not None and isinstance(label.problem, UnboundName) and inner.known and self.defines:
             is_jacobian = any(isinstance(each, n.Name) and each.base == "J" for each in n.walk(brace.label))
-            is_told = is_jacobian or is_usual(bare(brace.label))
+            name = bare(brace.label)
+            is_told = is_jacobian or (isinstance(name, n.Name) and is_usual(name))
             found = check(n.Chain((brace.label, brace.inner), ("=",), span=brace.span)) if is_told else []
             if found and all(each.verdict in HOLDS or each.is_slip or _is_otherwise(each) for each in found):
                 yield from (each for each in found if each.verdict is not Verdict.DEFINED)

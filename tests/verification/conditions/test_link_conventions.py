@@ -35,3 +35,8 @@ def test_where_no_convention_or_both_are_named_either_is_meant(shown: str) -> No
     assert (
         verdict("# Craig's convention\n\nBy Craig's convention:", "# The other one", f"$$ {shown} $$") is Verdict.PROVED
     )
+
+
+def test_the_front_matter_is_no_sentence() -> None:
+    rows = "[{a: l_1, alpha: pi/2, d: 0, theta: theta_1}, {a: l_2, alpha: 0, d: 0, theta: theta_2}]"
+    assert verdict(f"---\narm: {{dh: classic, rows: {rows}}}\n---", f"$$ {MODIFIED} $$") is Verdict.PROVED
