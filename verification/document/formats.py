@@ -66,7 +66,9 @@ from armproof.verification.document.tex import ENVIRONMENTS, read_tex
 from armproof.verification.document.told_convention import MAY_TELL, told_convention
 from armproof.verification.document.told_names import MAY_TELL_NAMES
 from armproof.verification.document.told_notation import MAY_NOTE
+from armproof.verification.document.told_origins import MAY_TELL_ORIGIN
 from armproof.verification.document.told_since import MAY_SAY_SINCE
+from armproof.verification.document.told_variables import MAY_TELL_VARIABLE
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
 
@@ -129,7 +131,10 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     ):
         document = replace(document, displays=tuple(replace(each, strange="") for each in document.displays))
     small = text.lower()
-    if any(each.search(small) for each in (MAY_MEAN, MAY_ASK, MAY_NOTE, MAY_TELL_NAMES, MAY_SAY_SINCE)):
+    if any(
+        each.search(small)
+        for each in (MAY_MEAN, MAY_ASK, MAY_NOTE, MAY_TELL_NAMES, MAY_TELL_VARIABLE, MAY_TELL_ORIGIN, MAY_SAY_SINCE)
+    ):
         document = with_other_meanings(document, text)
     if (may_orient := MAY_ORIENT.search(small) is not None) or MAY_INDEX.search(small):
         document = with_directions(document, text, may_orient)
