@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, pairwise
 
 from armproof.verification.algebra.calculus import substitute, symbols_in
 from armproof.verification.algebra.quantity import COMPONENTS
@@ -29,14 +29,17 @@ from armproof.verification.document.other_meanings import (
     TURNS,
     UPRIGHT,
 )
+from armproof.verification.document.sentences import quoted
 from armproof.verification.document.subjects import ACCELERATION, OPERATED
+from armproof.verification.document.told_turns import OTHER_TURN
+from armproof.verification.document.told_variables import BENT, FROM_BASE, RAISED, STANDING, VARIABLE
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.given_values import GivenValues
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
-from armproof.verification.naming.conventions import is_entry
+from armproof.verification.naming.conventions import ORIENTATIONS, is_entry
 from armproof.verification.verdict import DECIDED, Verdict
 
 _VELOCITIES = ("v", "V")
@@ -44,6 +47,8 @@ _MOVING = (*_VELOCITIES, *"xyzpPXYZ")  # what has an acceleration
 _TWIST = (6, 1)
 _PAIR = re.compile(r"\w,?\w")
 _IN_ORDER = ("J", "tau", "q")  # what has a column or an entry for each joint
+_RUNNING = "ijkn"  # the index of θ_i, which is any number
+_TURNS = (*ORIENTATIONS, "omega", "Omega", "beta")
 _OTHERS = {ABSCISSA: "yz", ORDINATE: "x", DISTANCE: "xyz", ORIENTATION: "xyz"}  # coordinates that are not what is named
 
 
@@ -84,7 +89,45 @@ class OtherMeanings:
             letters = self._meant_by(each)
             if not written.isdisjoint(letters):
                 return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=min(written & letters)))
+        return self._of_variables(outcome, meant, written)
+
+    def _of_variables(self, outcome: Outcome, meant: Sequence[str], written: set[str]) -> Outcome:
+        """Leave open what is written with a joint variable or a length of which the text says what is not that of the arm."""
+        if self.names.arm is None or self.names.is_of_formulas:  # which fit any letters
+            return outcome
+        told = (each.split("\t")[1:] for each in meant if each.startswith(VARIABLE))
+        for which, latex, text in told:
+            if which in (BENT, RAISED) and self._is_bent():
+                continue
+            if letters := written & self._variables(which, latex):
+                return outcome.left_open(say(Kind.VARIABLE_TOLD, name=min(letters), text=quoted(text)))
         return outcome
+
+    def _is_bent(self) -> bool:
+        """Whether the links of the arm do not lie in one line where its angles are zero."""
+        arm, exact = self.names.arm, self.checker.exact
+        assert arm is not None
+        at_zero = {joint.symbol: exact.ring.rational(0) for joint in arm.joints if joint.kind == "revolute"}
+        poses = [exact.pose(frame, arm.frames[0]) for frame in arm.frames]
+        places = [[row[-1] for row in pose.rows[:3]] for pose in poses]
+        steps = [[substitute(b - a, at_zero) for a, b in zip(*pair, strict=True)] for pair in pairwise(places)]
+        along = {axis for step in steps for axis, each in enumerate(step) if not each.is_zero()}
+        return len(along) > 1
+
+    def _variables(self, which: str, latex: str) -> set[str]:
+        r"""Return the joint variables and lengths that a letter of the text is of: \theta_i of all \theta_1, \theta_2, …; all angles without one."""
+        turned = self._turned(which == FROM_BASE)
+        of_arm = turned if which == FROM_BASE else {*self.given.joints, *self.given.lengths}
+        standing = self._standing_up() if which in (STANDING, RAISED) else set[str]()
+        if not latex:
+            return set() if standing else turned
+        base, _, index = self.names.reader.key_of(latex).partition("_")
+        keys = (
+            [f"{base}_{number}" for number in range(1, 10)]
+            if index in (*_RUNNING,)
+            else [f"{base}_{index}".rstrip("_")]
+        )
+        return {*keys, *(self.names.known_symbol(key) or "" for key in keys)} & (of_arm - standing)
 
     def _is_in_order(self, name: n.Name) -> bool:
         """Whether a name is of what has a column or an entry for each joint, and not a joint itself."""
@@ -149,10 +192,17 @@ class OtherMeanings:
         is_of_lower_order |= VELOCITY in named and bool(orders) and not max(orders)
         others = {letter for each in named for letter in _OTHERS.get(each, "")}
         is_other = not others.isdisjoint(_coordinate(side) for side in alone if not side.dots)
+        is_other |= OTHER_TURN in meant and any(map(self._is_turn, alone))
         is_function = OTHER_FUNCTION in meant and (bool(alone) or any(n.is_call(side, "det") for side in sides))
         if is_itself or is_of_lower_order or is_other or is_function:
             return outcome.left_open(say(Kind.OF_OTHER_QUANTITY))
         return outcome
+
+    def _is_turn(self, name: n.Name) -> bool:
+        """Whether a name is of an angle or an angular velocity of the hand, or of a link, by convention alone."""
+        key, state = name.undotted.key, self.names.state
+        is_told = key in self.names.quantities or (key in state.definitions and key not in state.conventional)
+        return name.base in _TURNS and not is_told and self.names.known_symbol(key) not in self.names.joints
 
     def of_arm(self, outcome: Outcome, meant: Sequence[str]) -> Outcome:
         """Leave open what is decided where the text speaks of an arm that has not the joints of this one."""

@@ -74,8 +74,10 @@ from armproof.verification.document.told_convention import MAY_TELL, conventions
 from armproof.verification.document.told_ends import MAY_TELL_END, told_ends
 from armproof.verification.document.told_names import MAY_TELL_NAMES
 from armproof.verification.document.told_notation import MAY_NOTE
+from armproof.verification.document.told_origins import MAY_TELL_ORIGIN
 from armproof.verification.document.told_scalars import MAY_CALL_SIZE, told_scalars
 from armproof.verification.document.told_since import MAY_SAY_SINCE
+from armproof.verification.document.told_variables import MAY_TELL_VARIABLE
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
 
@@ -138,7 +140,10 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     ):
         document = replace(document, displays=tuple(replace(each, strange="") for each in document.displays))
     small = text.lower()
-    if any(each.search(small) for each in (MAY_MEAN, MAY_ASK, MAY_NOTE, MAY_TELL_NAMES, MAY_SAY_SINCE)):
+    if any(
+        each.search(small)
+        for each in (MAY_MEAN, MAY_ASK, MAY_NOTE, MAY_TELL_NAMES, MAY_TELL_VARIABLE, MAY_TELL_ORIGIN, MAY_SAY_SINCE)
+    ):
         document = with_other_meanings(document, text)
     tells = [(MAY_ORIENT, told_orientations), (MAY_INDEX, told_indices), (MAY_TELL, conventions_below)]
     if heard := [tell for may, tell in tells if may.search(small)]:

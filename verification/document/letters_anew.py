@@ -39,6 +39,11 @@ def holds_from_here(words: str) -> bool:
     return _FROM_HERE.search(words.lower()) is not None
 
 
+def holds_in_section(words: str) -> bool:
+    """Whether a sentence says that something is so in its section."""
+    return _OF_SECTION.search(words.lower()) is not None
+
+
 def letters_anew(words: str, formulas: Sequence[str]) -> tuple[tuple[str, ...], bool]:
     r"""Return the letters to which a sentence gives another meaning, as LaTeX, and whether it does so for its section alone.
 
@@ -50,7 +55,7 @@ def letters_anew(words: str, formulas: Sequence[str]) -> tuple[tuple[str, ...], 
         return (), False
     if _LETTER_STAYS.search(small):
         return lone, True
-    is_of_section = _OF_SECTION.search(small) is not None
+    is_of_section = holds_in_section(small)
     if (is_of_section or _FROM_HERE.search(small)) and _SAYS_WHAT.search(small):
         return lone, is_of_section
     return (), False

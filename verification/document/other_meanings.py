@@ -29,10 +29,21 @@ from armproof.verification.document.letters_anew import MAY_RENAME, letters_anew
 from armproof.verification.document.model import Display, Document
 from armproof.verification.document.strange import is_in_known_language
 from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, subjects, without_tool_frame
-from armproof.verification.document.told_names import MAY_TELL_NAMES, STRANGE, USUAL, Told, told_in_rows, told_names
+from armproof.verification.document.told_names import (
+    MAY_TELL_NAMES,
+    STRANGE,
+    USUAL,
+    Definition,
+    Told,
+    defined_in_rows,
+    definitions,
+    told_names,
+)
 from armproof.verification.document.told_notation import MAY_NOTE, notations_told
+from armproof.verification.document.told_origins import MAY_TELL_ORIGIN, is_from_elsewhere
 from armproof.verification.document.told_since import Since, told_since
 from armproof.verification.document.told_tasks import told_tasks
+from armproof.verification.document.told_variables import MAY_TELL_VARIABLE, variables_defined, variables_told
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
     r"horizontal|(?:then|and|last|puis|ensuite|dann|luego|poi) (?:about|autour|um|alrededor|intorno|attorno)|fixed ax|negati[vf]|négati[vf]|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
@@ -263,7 +274,7 @@ def _meanings(text: str) -> Iterator[Meaning]:
     """Yield what the sentences of a text say of letters and places that is not what an arm has for them."""
     shown = _without_shown(text)
     line, at = 1, 0
-    named = [(text.count("\n", 0, place) + 1, each) for place, each in told_in_rows(text)]
+    defined = [(text.count("\n", 0, place) + 1, each) for place, each in defined_in_rows(text)]
     goes_on = ""  # what stands before a semicolon: "In this section …; $\\theta_3$ is then …"
     for found in _SENTENCE.finditer(shown):
         sentence = found.group()
@@ -276,7 +287,14 @@ def _meanings(text: str) -> Iterator[Meaning]:
         if len(sentence) <= MOST_CHARACTERS and MAY_NOTE.search(small):
             yield from (Meaning(line, (each,)) for each in notations_told(sentence))
         if "$" in sentence or "\\(" in sentence:
-            named += ((line, each) for each in _named_in(sentence))
+            defined += ((line, each) for each in _defined_in(sentence))
+        if len(sentence) <= MOST_CHARACTERS and MAY_TELL_VARIABLE.search(small):
+            plain = with_axes(" ".join(sentence.split()))
+            yield from (Meaning(line, (each,)) for each in variables_told(words_of(plain), formulas_of(plain)))
+        if len(sentence) <= MOST_CHARACTERS and MAY_TELL_ORIGIN.search(small):
+            plain = with_axes(" ".join(sentence.split()))
+            if is_from_elsewhere(words_of(plain), formulas_of(plain)):
+                yield Meaning(line, is_origin=True)
         if len(sentence) > MOST_CHARACTERS or not (MAY_MEAN.search(small) or MAY_RENAME.search(small)):
             continue
         plain = with_axes(" ".join(sentence.split()))
@@ -292,7 +310,10 @@ def _meanings(text: str) -> Iterator[Meaning]:
         if not goes_on and (turns := _turns(whole, words_of(whole))):
             yield Meaning(line, beside=f"{TURNS} {turns}")
         yield from _of_places(line, plain, words, formulas, text)
-    yield from _of_names(named, text)
+    for line, each in defined:
+        reach = _reach(line, text) if each.is_of_section else None
+        yield from (Meaning(line, (told,), reach=reach) for told in variables_defined(each))
+    yield from _of_names([(line, told) for line, each in defined for told in told_names([each])], text)
 
 
 def _of_places(line: int, plain: str, words: str, formulas: Sequence[str], text: str) -> Iterator[Meaning]:
@@ -331,11 +352,11 @@ def _is_by_a_row(words: str, formulas: Sequence[str], text: str) -> bool:
     return any(re.search(cell, row) for row in _ROW_OF_TABLE.findall(text))
 
 
-def _named_in(said: str) -> Iterator[Told]:
-    """Yield what a sentence says names to be."""
+def _defined_in(said: str) -> Iterator[Definition]:
+    """Yield the definitions of names in a sentence."""
     sentence = _ROW_OF_TABLE.sub("", said)
     if len(sentence) <= MOST_CHARACTERS and MAY_TELL_NAMES.search(sentence.lower()):
-        yield from told_names(with_axes(" ".join(sentence.split())))
+        yield from definitions(with_axes(" ".join(sentence.split())))
 
 
 def _of_names(named: Sequence[tuple[int, Told]], text: str) -> Iterator[Meaning]:
@@ -361,8 +382,10 @@ def _of_headings(text: str) -> Iterator[Meaning]:
         said = _MARKS_OF_HEADING.sub(" ", with_axes(lines[line - 1]))
         words, formulas = words_of(said), formulas_of(said)
         equal = (EQUAL,) if says("EQUAL_LENGTHS", words) else ()
-        named = tuple(each.as_meant() for each in told_names(said))
-        if letters := (*_letters(words, formulas), *equal, *named):
+        defined = [*definitions(said)]
+        named = [each.as_meant() for each in told_names(defined)]
+        variables = [*variables_told(words, formulas), *(told for each in defined for told in variables_defined(each))]
+        if letters := (*_letters(words, formulas), *equal, *named, *variables):
             yield Meaning(line, letters, reach=_reach(line, text))
 
 

@@ -563,7 +563,7 @@ LEVEL = """
 angle/angles/winkel/ángulo/ángulos/both/all/each/¤ * to/from/with/against/of/and/à/depuis/desde/avec/et/l'/gegen/zur/zum/con/mit/und/la/die (the/l'/la/le/die/der) (fixed/base/world) horizontal/horizontale/horizontalen/ground/floor/sol/boden/suelo/x-axis
 respect to (the) horizontal/ground/floor/x-axis
 ¤ * direction/orientation/inclination of * in the base frame
-absolute (joint) angles/coordinates
+absolute (joint/link/bar/segment) angles/coordinates
 angles/angle … as/comme/als/como/come (absolute/absolus/absolue/absolues/absoluten/absolutos) orientations/directions/inclinations/orientation/direction/inclinations (of/des/de/der) (the/los/les) links/segments/glieder/eslabones
 angles/angle … as/comme/als/como/come absolute/absolus/absoluten/absolutos
 angle/angles/ángulo/ángulos/winkel (¤) (and/et/y/und) (¤) (are/is/est/sont/son/sind) (all) absolu/absolus/absolute/absolut/absoluto/absolutos

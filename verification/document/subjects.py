@@ -12,6 +12,7 @@ from itertools import pairwise
 from armproof.verification.document.named_quantities import NAMED, named_quantity
 from armproof.verification.document.other_arms import OF_ARM, arms_named
 from armproof.verification.document.other_functions import OTHER_FUNCTION, is_of_other_function
+from armproof.verification.document.told_turns import OTHER_TURN, is_other_turn
 from armproof.verification.document.word_lists import WordLists
 
 OTHER_PLACE = "other place"  # neither the tool, nor a link or frame with a number
@@ -26,9 +27,9 @@ MOST_OF_LABEL = 2  # words of one that stands alone before a display: "Elbow:"
 _is = WordLists("""
 QUANTITY position~ coordinate~ location~ velocit~ speed~ acceleration~ jacobi~ pose poses orientation~ rotation~ attitude~ twist~ transform~ coordonnée~ vitesse~ accélération~ situation lage koordinaten geschwindigkeit~ winkelgeschwindigkeit~ beschleunigung~ orientierung~ stellung posición posiciones coordenadas velocidad~ aceleración orientación rotación posizione coordinate velocità accelerazione orientamento rotazione posição velocidade aceleração orientação rotação matrice~ matrix matriz
 OF of for du de d' des del della dell' dello der do da
-SKIPPED the a an o la le l' les el il lo das die den dem un une uno una its his this that unit~ linear angular linéaire angulaire geometric géométrique geometrischen velocity vector vecteur vektor point punkt punto planar spatial whole
-TOOL tip tool~ tcp effector end-effector end endpoint hand gripper~ robot~ arm arms manipulator~ mechanism~ chain flange pen outil~ effecteur organe extrémité bout bras pince main bras manipulateur~ endeffektor~ effektor~ werkzeug~ greifer~ roboter~ arms ende spitze extremo efector herramienta pinza brazo manipulador~ organo utensile estremo estremità braccio effettore ferramenta efetuador~ garra braço origin origine ursprung origen position pose
-OTHER knee knie rodilla ginocchio genou hip ankle elbow~ joint shoulder~ base camera~ load payload~ motor~ mass masses gravity centroid~ articulation giunto gelenk gelenks articulación midpoint~ mid-point~ upper-arm counterweight~ sensor~ obstacle~ ground crank~ carriage~ coude épaule~ base caméra charge moteur~ gravité barycentre~ inertie ellbogen~ ellenbogen~ schulter~ basis kamera~ motors schwerpunkt~ masse massenmittelpunkt~ codo hombro cámara carga gravedad masas gomito spalla baricentro massa carico cotovelo ombro
+SKIPPED back the a an o la le l' les el il lo das die den dem un une uno una its his this that unit~ linear angular linéaire angulaire geometric géométrique geometrischen velocity vector vecteur vektor point punkt punto planar spatial whole
+TOOL tip tool~ tcp effector end-effector end endpoint hand gripper~ robot~ arm arms manipulator~ mechanism~ chain flange pen outil~ effecteur organe extrémité bout bras pince main bras manipulateur~ endeffektor~ effektor~ werkzeug~ greifer~ roboter~ arms ende spitze extremo efector herramienta pinza brazo manipulador~ organo utensile mano estremo estremità braccio effettore ferramenta efetuador~ garra braço origin origine ursprung origen position pose
+OTHER hinge~ charnière~ scharnier~ bisagra~ cerniera~ dobradiça~ knee knie rodilla ginocchio genou hip ankle elbow~ joint shoulder~ base camera~ load payload~ motor~ mass masses gravity centroid~ articulation giunto gelenk gelenks articulación midpoint~ mid-point~ upper-arm counterweight~ sensor~ obstacle~ ground crank~ carriage~ coude épaule~ base caméra charge moteur~ gravité barycentre~ inertie ellbogen~ ellenbogen~ schulter~ basis kamera~ motors schwerpunkt~ masse massenmittelpunkt~ codo hombro cámara carga gravedad masas gomito spalla baricentro massa carico cotovelo ombro
 WRIST forearm avant-bras unterarm~ antebrazo avambraccio antebraço wrist~ poignet~ handgelenk~ muñeca polso pulso
 MIDDLE centre center middle milieu mitte mittelpunkt~ centro medio mezzo meio half
 HAS has have hat haben tiene tienen ha hanno tem têm possède
@@ -51,6 +52,10 @@ KIND manipulator~ robot~ arm arms configuration~ type singularit~
 AXES axes axis frame coordinates repère~ achsen koordinaten ejes assi eixos
 ALONG in into along onto to on dans selon sur suivant im in entlang en según nel nella negli lungo nos
 FROM from du von dal del do
+FROM_POINT from du depuis de d' von vom dal dalla dall' desde do da
+TO_POINT to into towards au à vers jusqu' nach zum zur al alla allo hasta ao à
+POINT point punkt punkto punto ponto place
+BEGINS begins starts commence beginnt empieza comienza inizia começa
 TO to into au vers nach zum al ao
 TURNS turns turn rotates rotate moves move tourne pivote déplace dreht bewegt gira mueve ruota muove roda
 MOVES moves move sits lies travels has have stands rests déplace trouve bewegt befindet liegt hat mueve encuentra está trova muove encontra move-se
@@ -112,6 +117,8 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
             yield from _of_thing(_phrase(said[place + 2 :])[:1])
     yield from _of_those(said)
     yield from _of_subject(said)
+    if _is_label_of_middle(said):
+        yield OTHER_PLACE
     label = [each for each in _unskipped(said) if each not in _ENDS]
     if (
         0 < len(label) <= MOST_OF_LABEL
@@ -130,6 +137,10 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
     yield from _quantity(said)
     if is_of_other_function(said):
         yield OTHER_FUNCTION
+    if is_other_turn(said):
+        yield OTHER_TURN
+    if _is_of_other_vector(said) or _begins_part(said):
+        yield OTHER_PLACE
     if named := named_quantity(said):
         yield f"{NAMED} {named}"
     yield from (f"{OF_ARM} {each}" for each in arms_named(words))
@@ -153,6 +164,44 @@ def _of_subject(said: Sequence[str]) -> Iterator[str]:
             yield OTHER_PLACE
         if leads and _is(word, "PROJECTION") and not word.endswith("s") and _number(_phrase(behind)):
             yield OTHER_PLACE
+
+
+def _is_label_of_middle(said: Sequence[str]) -> bool:
+    """Whether words without a verb are of a middle: "Middle of the outer bar", but not "Centre of the workspace"."""
+    words = [each for each in _unskipped(said) if each not in _ENDS]
+    is_part = any(_is(each, "NUMBERED") or _is(each, "OTHER") or _is(each, "WRIST") for each in words)
+    return (
+        bool(words)
+        and _is(words[0], "MIDDLE")
+        and is_part
+        and not any(_is(each, kind) for each in words for kind in ("BE", "HAS"))
+    )
+
+
+def _is_of_other_vector(said: Sequence[str]) -> bool:
+    """Whether a sentence is of a vector that leads from elsewhere than the base, or to it: "the vector from the tip back to the shoulder"."""
+    vector = next((place for place, word in enumerate(said) if _is(word, "VECTOR")), len(said))
+    begin = next((place for place in range(vector, len(said)) if _is(said[place], "FROM_POINT")), len(said))
+    end = next((place for place in range(begin, len(said)) if _is(said[place], "TO_POINT")), len(said))
+    source, target = _phrase(said[begin + 1 : min(end, begin + 4)]), _phrase(said[end + 1 : end + 4])
+    kinds = ("TOOL", "OTHER", "WRIST", "MIDDLE")
+    is_from_other = any(_is(word, kind) and not _is_at_base(word) for word in source for kind in kinds)
+    return end < len(said) and (is_from_other or (bool(target) and _is_at_base(target[0])))
+
+
+def _is_at_base(word: str) -> bool:
+    return _is(word, "BASE") or word.startswith(
+        ("base", "basis", "shoulder", "épaule", "schulter", "hombro", "spalla", "ombro")
+    )
+
+
+def _begins_part(said: Sequence[str]) -> bool:
+    """Whether a sentence is of the point where a link begins, which is the one before it."""
+    for place, word in enumerate(said):
+        near = said[place + 1 : place + 7]
+        if _is(word, "POINT") and any(_is(each, "BEGINS") for each in near) and any(_is(e, "NUMBERED") for e in near):
+            return True
+    return False
 
 
 def _for_the_tool(said: Sequence[str]) -> int:

@@ -7,12 +7,12 @@ make the name something else, known or not: then convention does not tell what i
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from armproof.verification.document.hearing import formulas_of, words_of
-from armproof.verification.document.letters_anew import holds_from_here
+from armproof.verification.document.letters_anew import holds_from_here, holds_in_section
 from armproof.verification.document.told_words import holds as is_of
 from armproof.verification.document.told_words import is_other, is_told, is_usual_word, number_of
 
@@ -50,8 +50,33 @@ class Told:
         return "\t".join((TOLD, self.name, self.place, self.words))
 
 
-def told_names(plain: str) -> Iterator[Told]:
-    """Yield what a sentence says names to be, where that may be something else than they usually are."""
+@dataclass(frozen=True)
+class Definition:
+    """Names that a sentence defines, with the words by which it does and their formulas: surely, or by a noun that they are put to."""
+
+    listed: Sequence[str]
+    phrase: Sequence[str]
+    formulas: Sequence[str]
+    text: str
+    is_sure: bool = True
+    is_anew: bool = False
+    is_of_path: bool = False
+    is_of_section: bool = False
+    is_predicate: bool = False  # what is said of a name, and defines none but a variable: "is measured from"
+
+
+def told_names(defined: Iterable[Definition]) -> Iterator[Told]:
+    """Yield what the definitions of a sentence say names to be, where that may be something else than they usually are."""
+    for each in defined:
+        if each.is_of_path:
+            yield from (Told(name, POINT, each.text) for name in each.listed)
+        elif each.phrase and not each.is_predicate:
+            for told in _told(each.listed, each.phrase, each.is_sure):
+                yield Told(told.name, OTHER, each.text, True) if each.is_anew else replace(told, words=each.text)
+
+
+def definitions(plain: str) -> Iterator[Definition]:
+    """Yield the names of a sentence, each group with the words by which it is defined, and with what is said of it."""
     formulas = formulas_of(plain)
     said, names = words_of(plain).split(), dict[int, list[str]]()
     places = [place for place, word in enumerate(said) if word == "¤"]
@@ -65,22 +90,24 @@ def told_names(plain: str) -> Iterator[Told]:
     }
     written = {word.lower(): word for word in said}
     said = [numbers.get(place, word.lower()) for place, word in enumerate(said)]
-    is_anew = holds_from_here(" ".join(said))
+    is_anew, is_of_section = holds_from_here(" ".join(said)), holds_in_section(" ".join(said))
     item = _ITEM.match(plain)
     for start, end in _groups(said, names):
         phrase, is_sure = _defined(said, start, end, names, item is not None and not said[:start])
         listed = [each for place in range(start, end) for each in names.get(place, ())]
-        if _is_of_a_path(said[:start]):
-            clause = [*_clause(said[:start]), "¤"]
-            yield from (Told(each, POINT, _text([written.get(word, word) for word in clause])) for each in listed)
-        elif phrase:
-            text = _text([written.get(word, word) for word in phrase])
-            for each in _told(listed, phrase, is_sure):
-                yield Told(each.name, OTHER, text, True) if is_anew else replace(each, words=text)
+        if is_of_path := _is_of_a_path(said[:start]):
+            phrase = [*_clause(said[:start]), "¤"]
+        behind = [latex for place, latex in zip(places, formulas, strict=True) if place >= end and place not in numbers]
+        text = _text([written.get(word, word) for word in phrase])
+        within = behind[: phrase.count("¤")] if is_sure else []
+        yield Definition(listed, phrase, within, text, is_sure, is_anew, is_of_path, is_of_section)
+        if (predicate := _predicate(said[end:])) and not (phrase and is_sure):
+            text, within = _text([written.get(word, word) for word in predicate]), behind[: predicate.count("¤")]
+            yield Definition(listed, predicate, within, text, is_of_section=is_of_section, is_predicate=True)
 
 
-def told_in_rows(text: str) -> Iterator[tuple[int, Told]]:
-    """Yield what the rows of tables say names to be, each with the offset of its row: | $p_1$ | middle of bar 1 |."""
+def defined_in_rows(text: str) -> Iterator[tuple[int, Definition]]:
+    """Yield what the rows of tables define names by, each with the offset of its row: | $p_1$ | middle of bar 1 |."""
     at = 0
     for line in text.split("\n"):
         if line.count("|") > 1:
@@ -93,14 +120,14 @@ def told_in_rows(text: str) -> Iterator[tuple[int, Told]]:
             at += len(row) + 2
 
 
-def _of_cells(cells: Sequence[str]) -> Iterator[Told]:
+def _of_cells(cells: Sequence[str]) -> Iterator[Definition]:
     for cell, behind in pairwise(cells):
         formulas = formulas_of(cell)
         own = [word for word in words_of(cell).split() if word not in (*_AND, "¤", ":")]
         said = words_of(behind).lower().split()
         listed = [name for latex in formulas for name in _names(latex)]
         if listed and not own and sum(map(is_told, said)) > 0:
-            yield from _told(listed, said, True)
+            yield Definition(listed, said, formulas_of(behind), _text(words_of(behind).split()))
 
 
 _AND = (",", "and", "et", "und", "y", "e", "ed", "sowie", "&", "or", "ou", "oder", "o")
@@ -206,6 +233,12 @@ def _noun(before: Sequence[str]) -> list[str]:
             break
         found.insert(0, word)
     return found
+
+
+def _predicate(behind: Sequence[str]) -> list[str]:
+    """Return the words that say of a variable how it is counted, or what it is: "is measured from", "is how far"."""
+    is_told = len(behind) > 1 and is_of(behind[0], "BE") and is_of(behind[1], "REACHES")
+    return _phrase(behind[1:]) if is_told else []
 
 
 def _is_of_a_path(before: Sequence[str]) -> bool:

@@ -12,6 +12,7 @@ NAMES let call called calls denote denoted denotes denoting write name named des
 STANDS denotes denote stands represents represent designates describes désigne désignent représente représentent décrit bezeichnet bezeichnen bezeichne beschreibt sei seien steht stehen sea sean denota denotan representa representan designa describe sia siano indica indicano rappresenta rappresentano denotano seja sejam indica indicam
 BE is are be was being est sont être soit soient ist sind wird war sei seien es son será é são è sono sia siano seja sejam sea sean
 DEFINITE the that those this le la les l' un une celui celle ceux celles der die das dem den dessen deren ein eine einen el los las un una il lo gli i o a os as um uma quello quella quelli quelle aquel aquella
+REACHES measured counted reckoned read seen what how driven given mesuré mesurée mesurés mesurées compté comptée comptés lu ce gemessen gezählt gerechnet abgelesen was wie medido medida medidos contado misurato misurata misurati contato medidos contados lido
 COUNT two three both deux trois zwei drei dos tres due tre dois três
 WHERE where wobei worin où donde dove onde with mit avec con com here hier ici
 OF along around about entlang lungo largo longo suivant selon of in for from to at about de du des d' dans pour à au von in für nach zu bei del en para al di del della dell' dello nel per da do em and between zwischen entre through durch when if quand si wenn cuando se

@@ -11,6 +11,7 @@ from armproof.verification.document import parse_document
 from armproof.verification.document.hearing import FORMULA, words_of
 from armproof.verification.document.named_quantities import NAMED
 from armproof.verification.document.subjects import ACCELERATION, LINK, OPERATED, OTHER_BASE, OTHER_PLACE, subjects
+from armproof.verification.document.told_turns import OTHER_TURN
 
 HEARD = [
     ("The velocity of the centre of mass is", [OTHER_PLACE]),
@@ -36,14 +37,14 @@ HEARD = [
     ("Le bout du bras a pour ordonnée", []),
     ("A quarter of the way from the elbow to the tip,", [OTHER_PLACE]),
     ("On the way from joint space to the plane we get", []),
-    ("The second bar turns relative to the first one with", [OTHER_BASE]),
+    ("The second bar turns relative to the first one with", [OTHER_BASE, OTHER_TURN]),
     ("The second bar turns relative to the base with", []),
-    ("The angle between the two bars is", [OTHER_PLACE]),
+    ("The angle between the two bars is", [OTHER_PLACE, OTHER_TURN]),
     ("The angle between the last bar and the x-axis is", []),
     ("The angle between the two bars is $\\theta_2$, and the tip is at", []),
     ("On the way from the elbow to the tip we add", []),
     ("The projections of the first and the second bar add up to", []),
-    ("L'angle que font les deux segments est", [OTHER_PLACE]),
+    ("L'angle que font les deux segments est", [OTHER_PLACE, OTHER_TURN]),
     ("The projection of the first bar on the horizontal axis is", [OTHER_PLACE]),
     ("The projection of the arm on the horizontal axis is", []),
     ("The rotation from frame 0 to frame 1 is", [f"{LINK} 1"]),

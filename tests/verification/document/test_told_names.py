@@ -4,7 +4,15 @@ from __future__ import annotations
 
 import pytest
 
-from armproof.verification.document.told_names import OTHER, POINT, USUAL, WRIST, told_in_rows, told_names
+from armproof.verification.document.told_names import (
+    OTHER,
+    POINT,
+    USUAL,
+    WRIST,
+    defined_in_rows,
+    definitions,
+    told_names,
+)
 
 OTHERS = (
     (r"Let $P_2$ be the middle of the second link.", "P_2"),
@@ -38,12 +46,12 @@ USUALS = (
 
 @pytest.mark.parametrize(("sentence", "name"), OTHERS)
 def test_a_name_defined_by_other_words_has_no_usual_meaning(sentence: str, name: str) -> None:
-    assert name in {each.name for each in told_names(sentence) if each.place == OTHER}
+    assert name in {each.name for each in told_names(definitions(sentence)) if each.place == OTHER}
 
 
 @pytest.mark.parametrize("sentence", USUALS)
 def test_a_definition_by_the_usual_words_tells_nothing_new(sentence: str) -> None:
-    assert all(each.place in (USUAL, "tool") for each in told_names(sentence))
+    assert all(each.place in (USUAL, "tool") for each in told_names(definitions(sentence)))
 
 
 @pytest.mark.parametrize(
@@ -57,22 +65,25 @@ def test_a_definition_by_the_usual_words_tells_nothing_new(sentence: str) -> Non
     ],
 )
 def test_what_defines_no_name_tells_none(sentence: str) -> None:
-    assert not [*told_names(sentence)]
+    assert not [*told_names(definitions(sentence))]
 
 
 def test_points_of_a_path_are_those_where_a_motion_begins_and_ends() -> None:
-    found = [*told_names("The tool starts at $p_1$ and ends at $p_2$.")]
+    found = [*told_names(definitions("The tool starts at $p_1$ and ends at $p_2$."))]
     assert [(each.name, each.place) for each in found] == [("p_1", POINT), ("p_2", POINT)]
-    assert not [*told_names("The frame moves from $O_0$ to $O_1$.")]
+    assert not [*told_names(definitions("The frame moves from $O_0$ to $O_1$."))]
 
 
 def test_rows_of_a_table_define_names() -> None:
-    (at, told), *others = told_in_rows("| name | meaning |\n|---|---|\n| $p_1$ | middle of bar 1 |\n| 1 | $l_1$ | 0 |")
+    (at, row), *others = defined_in_rows(
+        "| name | meaning |\n|---|---|\n| $p_1$ | middle of bar 1 |\n| 1 | $l_1$ | 0 |"
+    )
+    (told,) = told_names([row])
     assert (told.name, told.place) == ("p_1", OTHER)
     assert at == len("| name | meaning |\n|---|---|\n")
     assert not others
 
 
 def test_a_wrist_is_told_from_the_tool() -> None:
-    (told,) = told_names("We denote by $J_3$ the Jacobian of the wrist.")
+    (told,) = told_names(definitions("We denote by $J_3$ the Jacobian of the wrist."))
     assert told.place == WRIST
