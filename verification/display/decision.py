@@ -193,12 +193,13 @@ class Decision:
         if not (undecided and outcomes):
             return outcomes
         if is_composition(chain, frames) or is_elementary_rotation(self.general, chain, equation, line):
+            self.names.state.forget_consulted()  # it holds by its indices, whatever the document says of these names
             return [replace(each, verdict=Verdict.PROVED, findings=(), role=Role.LAW) for each in outcomes]
         if (direction := direction_of_any_frames(self.names, chain)) is not None:
             self.names.state.transforms = (
                 direction if define and self.names.arm is None else self.names.state.transforms
             )
-            self.names.state.forget_consulted()  # it rests on nothing that the document says of these names
+            self.names.state.forget_consulted()
             of_any = (say(Kind.OF_ANY_FRAMES),)
             return [
                 replace(each, verdict=Verdict.PROVED, findings=of_any, role=Role.LAW, defines=()) for each in outcomes

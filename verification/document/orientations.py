@@ -61,6 +61,7 @@ _ALONG = re.compile(
     rf"|(?:points?|pointing|stands?|zeigt|weist|steht|pointe|dirigé|dressé|apunta|punta|rivolto|straight)(?: [^\s,;:.]+){{0,3}}? (?:(?P<up>{_UP})|(?P<down>{_DOWN}))(?!\S)"
 )
 _ARM = re.compile(r"(?<!\S)(?:arm|robot|roboter|bras|brazo|braccio|braço|manipulator|links?|tool|it|er|il)(?!\S)")
+_BY_MEANS = re.compile(r"(?<!\S)(?:by|using|through|par|grâce|durch|mittels|mediante|usando|tramite|através)(?!\S)")
 _DENIES = re.compile(r"(?<!\S)(?:not|nicht|never|no|non|não|ne|n'|keine?|unlike|instead|statt)(?!\S)")
 
 
@@ -94,5 +95,7 @@ def _letter_by(words: str, formulas: list[str], found: re.Match[str]) -> str | N
     at = words.count("¤", 0, found.start())
     before = [each.strip() for each in formulas[:at] if _JOINT.fullmatch(each.strip())]
     behind = [each.strip() for each in formulas[at:] if _JOINT.fullmatch(each.strip())]
+    if _BY_MEANS.search(words, words.rfind("¤", 0, found.start()) if before else 0, found.start()):
+        return None  # "we compute ¤ by decomposing the elevation angle"
     is_called = words[found.end() :].startswith(" ¤") and _JOINT.fullmatch(formulas[at].strip())
     return before[-1] if before and not is_called else next(iter(behind), None)

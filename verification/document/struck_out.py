@@ -59,7 +59,7 @@ def _lines(text: str, suffix: str) -> Iterator[tuple[int, int]]:
 def _denies(box: re.Match[str]) -> bool:
     """Whether the name or the title of a box denies what stands in it."""
     words = " ".join(filter(None, box.group("name", "option", "class", "summary", "words")))
-    return _says_no(re.sub(r"[-_{}:]", " ", words))
+    return _says_no(re.sub(r"[-_{}:.=\"#]", " ", words))
 
 
 @lru_cache(maxsize=256)

@@ -22,6 +22,7 @@ from armproof.verification.document.orientations import told_orientations
         ("Das zweite Gelenk hebt den Arm um $\\theta_2$ über die Waagerechte.", "rises \\theta_2"),
         ("El ángulo $q_2$ se mide desde la horizontal hacia arriba.", "rises q_2"),
         ("$\\theta_2$ is the angle of depression of the boom.", "falls \\theta_2"),
+        ("We find $\\theta_2$ by splitting the angle of elevation into two.", ""),
         ("For negative $\\theta_2$ the arm hangs below the horizontal.", ""),
         ("Wenn alle Winkel null sind, zeigt der Arm nach oben, entlang der $y$-Achse.", "at zero y"),
         ("When all joint angles are zero, the arm points straight up.", "at zero up"),

@@ -120,3 +120,10 @@ def test_a_reach_is_its_root_where_the_arm_reaches_forwards(root: str, verdict: 
 def test_an_angle_that_stands_nowhere_above_is_defined_by_its_cosine(cosine: str, side: str, verdict: str) -> None:
     text = "\n\n".join(f"$$ {each} $$" for each in (r"D = \sqrt{u^2 + v^2}", cosine, side))
     assert verify_text(text).equations[-1].verdict.value == verdict
+
+
+def test_a_law_of_any_frames_shows_no_matrix_to_be_right() -> None:
+    printed = r"{}^bT_e(q) = \begin{bmatrix} 0 & s_1 & c_1 & a_1 c_1 \\ 0 & -c_1 & s_1 & a_1 + s_1 \\ 1 & 0 & 0 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}"
+    law = r"{}^bT_e(q) = {}^bT_0 {}^0T_n(q) {}^nT_e"
+    records = verify_text(f"# One bar\n\n$$ {printed} $$\n\n$$ {law} $$\n").equations
+    assert [record.verdict.value for record in records] == ["unchecked", "proved"]
