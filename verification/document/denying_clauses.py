@@ -60,22 +60,23 @@ def denies_what_is_above(words: str) -> bool:
         return False
     if len(found[0].words) == 1 and found[0].begins("not"):
         return True  # "No, …"
-    if len(found) == 1 and words.endswith((". ", "! ")) and _judges_in_other_words(found[0]):
-        return True
     may_limit = goes_on(words) and not _is_consequence(words, found[0])
     return (may_limit and any(map(_is_exclusive, found))) or any(map(_denies_above, found))
 
 
-def _judges_in_other_words(clause: Clause) -> bool:
+def judges_in_other_words(words: str) -> bool:
     """Whether little but a pronoun is said of a display, in words of no kind that is known: "This is a lie", "Not even close".
 
     What such words say is not understood, and may be that it is wrong.
     """
-    said = [kinds - {"language", "article", "query", "of"} for kinds in clause.kinds[1:]]
-    if len(clause.words) > _SHORT or any(said):
+    found = clauses(words)
+    if len(found) != 1 or not words.endswith((". ", "! ")):
         return False
-    is_of_this = clause.words[0] in _BARE and len(said) > 1
-    return is_of_this or (clause.begins("not") and len(said) in (1, _NEAR))
+    said = [kinds - {"language", "article", "query", "of"} for kinds in found[0].kinds[1:]]
+    if len(found[0].words) > _SHORT or any(said):
+        return False
+    is_of_this = found[0].words[0] in _BARE and len(said) > 1
+    return is_of_this or (found[0].begins("not") and len(said) in (1, _NEAR))
 
 
 def finds_fault_with_another(words: str) -> bool:

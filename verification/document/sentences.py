@@ -12,7 +12,7 @@ from functools import lru_cache
 from armproof.verification.document.arms_called import CALLED, arms_called
 from armproof.verification.document.clauses import clauses, is_of_display, says_what_would_be
 from armproof.verification.document.denials import denies_before, denies_behind, denies_later, faults_another
-from armproof.verification.document.denying_clauses import leads_on
+from armproof.verification.document.denying_clauses import judges_in_other_words, leads_on
 from armproof.verification.document.hearing import (
     FORMULA,
     IS_OVER,
@@ -142,8 +142,11 @@ def _heard_behind(sentence: str) -> tuple[str, ...]:
     if is_of_display(words):
         heard += (ABOVE + each for each in _subjects(sentence, words) if not (_FOR.search(words) and NAMED in each))
     is_of_next = leads_on(words) and denies_before(sentence, words)
-    if not ({DENIED_ABOVE, FAULTED_ABOVE} & {*heard}) and not is_of_next and is_strange_behind(_plain(sentence)):
+    is_open = not ({DENIED_ABOVE, FAULTED_ABOVE} & {*heard}) and not is_of_next
+    if is_open and is_strange_behind(_plain(sentence)):
         heard.append(STRANGE_ABOVE + sentence)
+    elif is_open and judges_in_other_words(words):
+        heard.append(DENIED_ABOVE)
     return tuple(heard)
 
 

@@ -121,6 +121,8 @@ def defined_in_rows(text: str) -> Iterator[tuple[int, Definition]]:
 
 
 def _of_cells(cells: Sequence[str]) -> Iterator[Definition]:
+    if len(cells) > _MOST_OF_NOTATION:
+        return  # a row of parameters, with the limits of its joint behind its angle
     for cell, behind in pairwise(cells):
         formulas = formulas_of(cell)
         own = [word for word in words_of(cell).split() if word not in (*_AND, "¤", ":")]
@@ -130,6 +132,7 @@ def _of_cells(cells: Sequence[str]) -> Iterator[Definition]:
             yield Definition(listed, said, formulas_of(behind), _text(words_of(behind).split()))
 
 
+_MOST_OF_NOTATION = 4  # cells of a row that says what a letter is: with a number, and a unit
 _AND = (",", "and", "et", "und", "y", "e", "ed", "sowie", "&", "or", "ou", "oder", "o")
 
 

@@ -31,9 +31,9 @@ USUAL angle~ joint~ articular variable~ coordinate~ generali~ rotation~ rotat~ r
  ángulo~ articula~ generaliz~ giro~ rota~ longitud~ eslab~ distancia~ desplazamiento~ barra~ brazo~ antebrazo cuerpo~ parámetro~ eje ejes normal común alrededor medid~ positiv~ antihorario sentido radian~ grado~ relativ~ respecto anterior siguiente consecutiv~ dos constante~ conocid~ dad~ valor~ velocidad~ derivada~ hombro codo muñeca pinza herramienta efector extremo primer~ segund~ tercer~ cuart~ quint~ sext~ últim~ dirección el los las del al y su con una que por lo es son cada en entre respectivamente
  angol~ se lungo vettor~ punto vista n-dimensionale coordinat~ ossia unitari~ giunt~ generalizzat~ rotazion~ lunghezz~ distanz~ spostament~ braccio bracci avambraccio ast~ membr~ corp~ parametr~ asse assi normale comune attorno intorno misurat~ positiv~ antiorario senso relativ~ rispetto precedent~ successiv~ due costant~ not~ valor~ velocità derivat~ spalla gomito polso pinza utensile estremità prim~ second~ terz~ quart~ quint~ sest~ ultim~ direzione il gli i della dell' dello dei degli delle nel nella e ed alla al da tra fra ogni con è sono rispettivamente link
  ângulo~ junta~ generalizad~ rotaç~ compriment~ elo elos distância~ deslocament~ braço~ antebraço corpo~ parâmetr~ eixo~ normal comum medid~ anti-horário relaç~ anterior próximo consecutiv~ dois duas constante~ conhecid~ dad~ valor~ velocidade~ derivad~ ombro cotovelo punho garra ferramenta efetuador primeir~ segund~ terceir~ quart~ quint~ sext~ direção o os as do da dos das no na ao em um uma e é são entre cada respectivamente
-DRIVE gear~ belt~ pulley~ parallelogram~ pantograph~ encoder~ transmission~ reducer~ reduction coupled coupling~ engrenage~ courroie~ poulie~ codeur~ réducteur~ getriebe~ riemen~ zahnrad~ untersetzung~ übersetzung~ drehgeber~ engranaje~ correa~ polea~ paralelogramo~ ingranagg~ cinghia cinghie pulegg~ riduttor~ engrenagem engrenagens correia~ polia~
-MOTOR motor~ moteur~ motrice~ servo~
-OF_MOTOR angle~ speed~ velocit~ coordinate~ vitesse~ coordonnée~ winkel~ drehzahl~ geschwindigkeit~ ángulo~ velocidad~ angol~ velocità ângulo~
+DRIVE gear~ belt~ pulley~ parallelogram~ pantograph~ transmission~ reducer~ reduction coupled coupling~ engrenage~ courroie~ poulie~ réducteur~ getriebe~ riemen~ zahnrad~ untersetzung~ übersetzung~ engranaje~ correa~ polea~ paralelogramo~ ingranagg~ cinghia cinghie pulegg~ riduttor~ engrenagem engrenagens correia~ polia~
+MOTOR encoder~ codeur~ drehgeber~ motor~ moteur~ motrice~ servo~
+OF_MOTOR angle~ count~ tick~ pulse~ step~ speed~ velocit~ coordinate~ vitesse~ coordonnée~ winkel~ drehzahl~ geschwindigkeit~ ángulo~ velocidad~ angol~ velocità ângulo~
 FORCES torque~ force~ friction~ inertia~ mass masses weight~ power~ backlash couple~ frottement~ inertie~ masse~ poids puissance drehmoment~ moment~ kraft~ kräfte reibung~ trägheit~ leistung~ par fricción inercia~ fuerza~ coppi~ attrit~ inerzia forz~ singul~ determin~ rank rang equation~ équation~ gleichung~ ecuacion~ terms
 NOT direct~ ideal~ rigid~ without no not never neither sans pas ohne kein~ nicht sin senza sem não non
 ZERO zero zeros zéro nul nuls nulle nulles null nullstellung nulllage vanish vanishes vanishing cero nulo nulos nulli home reference référence referencia riferimento
@@ -43,7 +43,7 @@ BENT perpendicular~ perpendiculaire~ folded folds replié~ hang hangs hanging do
 UPRIGHT upright vertical~ upward~ senkrecht~ lotrecht~ verticale~
 RIGHT right droit rechten recto retto reto quarter quart viertel
 TURN angle angles winkel ángulo angolo ângulo turn tour tours
-BASE_AXIS x-axis horizontal~ ground floor world absolute~ absolu~ sol boden suelo pavimento space room inclination~ elevation~ inclinaison~ neigung~ inclinación inclinazione
+BASE_AXIS x-axis above over über oberhalb au-dessus dessus encima sobre sopra acima horizontal~ ground floor world absolute~ absolu~ sol boden suelo pavimento space room inclination~ elevation~ inclinaison~ neigung~ inclinación inclinazione
 LENGTH length lengths long longueur longueurs longue länge längen lang longitud longitudes lunghezza lunghezze lungo lunga comprimento comprimentos
 CALLED called named numbered labelled labeled appelé appelée appelons nommée heißt genannt nennen llamamos llamada chiamiamo chiamato chamamos chamada call name number
 """.replace("\n ", " ")).holds  # fmt: skip

@@ -6,7 +6,11 @@ import pytest
 
 from armproof.verification.document.clauses import clauses, goes_on
 from armproof.verification.document.denials import denies_behind, faults_another, heading_denies
-from armproof.verification.document.denying_clauses import denies_what_is_above, denies_what_is_below
+from armproof.verification.document.denying_clauses import (
+    denies_what_is_above,
+    denies_what_is_below,
+    judges_in_other_words,
+)
 from armproof.verification.document.hearing import words_of
 from armproof.verification.document.limiting_clauses import limits_what_is_above, limits_what_is_below
 
@@ -47,11 +51,6 @@ def test_a_clause_is_of_its_noun_or_of_what_the_one_before_it_is(sentence: str, 
             "Une erreur classique consiste à écrire $x = 1$, ce qui donne",
         ),
         ("Nobody can derive this.", "Nobody can see the axis."),
-        ("This is a lie.", "This is the speed of the tip."),
-        ("C'est n'importe quoi.", "C'est la vitesse du poignet."),
-        ("Das geht daneben.", "Das ist die Lage des Ursprungs."),
-        ("Está patas arriba.", "Está en la posición de reposo."),
-        ("Not even close.", "Not in the plane of the second link."),
         ("if and only if $a = b$.", "for all angles."),
     ],
 )
@@ -114,6 +113,20 @@ def test_a_circumstance_limits_what_it_leads_to(limits: str, says_nothing: str) 
 def test_a_heading_denies_by_what_it_calls_wrong(denies: str, says_nothing: str) -> None:
     assert heading_denies(denies)
     assert not heading_denies(says_nothing)
+
+
+@pytest.mark.parametrize(
+    ("judges", "says_nothing"),
+    [
+        ("This is a lie.", "This is the speed of the tip."),
+        ("Das ist Schwindel.", "Das ist die Lage des Ursprungs."),
+        ("Está patas arriba.", "Está en la posición de reposo."),
+        ("Not even close.", "Not in the plane of the second link."),
+    ],
+)
+def test_what_is_said_of_it_in_words_of_no_known_kind_may_deny_it(judges: str, says_nothing: str) -> None:
+    assert judges_in_other_words(words_of(judges))
+    assert not judges_in_other_words(words_of(says_nothing))
 
 
 @pytest.mark.parametrize(

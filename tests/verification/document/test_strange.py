@@ -32,7 +32,6 @@ STRANGE_ABOVE = (
     "Elle prend l'eau.",
     "C'est à refaire.",
     "Le correcteur a vu rouge.",
-    "Das ist Schwindel.",
     "Hier lag der Autor daneben.",
     "El profesor puso una cruz.",
     "Es para tirar.",
