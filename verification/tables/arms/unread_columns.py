@@ -23,6 +23,10 @@ _NOTHING = re.compile(
     r"(?:[-–—/]|0(?:\.0+)?\s*(?:\^?\{?\s*\\?circ\s*\}?|°|deg|rad)?|no|none|non|nein|keine?|aucune?|ninguno?|nessuno?|n/a)?",
     re.IGNORECASE,
 )
+_NUMBER = r"[-−+]?\s*\d+(?:[.,]\d+)?\s*(?:\^?\{?\s*\\?circ\s*\}?|°|deg|rad|mm|cm|m)?"
+_RANGE = re.compile(  # bounds, whatever the header calls them: 0–170°, ±90°
+    rf"[\[(]?\s*(?:(?:±|\\pm)\s*{_NUMBER}|{_NUMBER}\s*(?:[-–—,;]|\.\.+|…|\\l?dots|to|bis|à|a)\s*{_NUMBER})\s*[\])]?"
+)
 _SAYS_SIZE = re.compile(r"[\d$\\=+*]|theta|alpha|\bpi\b|[θαπ]")
 
 
@@ -42,6 +46,10 @@ def _may_change(header: str, cells: Sequence[str]) -> bool:
     texts = [plain(cell).strip() for cell in cells]
     if any(_AMENDS.search(text.lower()) for text in texts):
         return True
-    if _HARMLESS.search(plain(header).lower()) or all(map(_NOTHING.fullmatch, texts)):
+    if _HARMLESS.search(plain(header).lower()) or all(map(_says_nothing, texts)):
         return False
-    return any(_SAYS_SIZE.search(cell) for cell in cells if not _NOTHING.fullmatch(plain(cell).strip()))
+    return any(_SAYS_SIZE.search(cell) for cell, text in zip(cells, texts, strict=True) if not _says_nothing(text))
+
+
+def _says_nothing(text: str) -> bool:
+    return (_NOTHING.fullmatch(text) or _RANGE.fullmatch(text)) is not None
