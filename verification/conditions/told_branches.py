@@ -38,10 +38,11 @@ class ToldBranches:
         is_open = say(Kind.BOUND_IN_TEXT)
         if self.checker.names.arm is None:
             return outcome.left_open(is_open) if self._may_turn(outcome) else outcome
-        if outcome.verdict is not Verdict.REFUTED and not outcome.tells(*ON_A_BRANCH):
+        fails_elsewhere = outcome.verdict is Verdict.REFUTED or outcome.tells(Kind.SIGNED_DISTANCE)
+        if not fails_elsewhere and not outcome.tells(*ON_A_BRANCH):
             return outcome
         bounds = [comparison for each in told for comparison in self._read(each)]
-        if outcome.verdict is Verdict.REFUTED:
+        if fails_elsewhere:
             count = self._holds_where(outcome, bounds) if bounds and _has_a_sign(outcome) else 0
             there = (say(Kind.HOLDS_WHERE_SAID, count=count),)
             return (

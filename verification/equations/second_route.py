@@ -58,7 +58,11 @@ class SecondRoute:
         if outcome.max_error is not None and outcome.max_error > TOLERANCE:
             if self.on_a_branch(outcome, errors, branches):
                 return outcome
-            if (counts := self._as_signed_distance(outcome, branches)) is not None:  # r = √(X² + Y²) of X = r cos ψ
+            is_of_entries = any(
+                isinstance(bare(node), n.Matrix) for node in outcome.nodes
+            )  # which may hold each elsewhere
+            counts = None if is_of_entries else self._as_signed_distance(outcome, branches)
+            if counts is not None:  # r = √(X² + Y²) of X = r cos ψ
                 outcome.max_error = None
                 return outcome.left_open(say(Kind.SIGNED_DISTANCE, holding=counts[0], configurations=counts[1]))
             self._refute(outcome, errors.wrong(TOLERANCE), branches)
