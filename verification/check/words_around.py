@@ -77,6 +77,8 @@ class WordsAround:
             outcome = self.otherwise.judge(outcome, display.meant)
             outcome = self.branches.judge(outcome, display.meant)
             outcome = unless_of_told_jacobian(outcome, display, self.names)
+        elif display.meant and not display.erratum and outcome.tells(Kind.SIGNED_DISTANCE):
+            outcome = self.branches.judge(outcome, display.meant)
         if FIRST_ORDER in display.meant and not display.erratum and holds_to_first_order(outcome, self.names):
             outcome = outcome.left_open(say(Kind.TO_FIRST_ORDER))
         if not display.erratum and _is_told_otherwise(outcome, display.meant):

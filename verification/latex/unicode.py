@@ -35,11 +35,10 @@ _MARKED = re.compile(  # θ̇, q̈; in a word, two points and a hat are those of
     rf"(?:[A-Za-z{_GREEK}](?=[\u0307\u20d7])|(?:[{_GREEK}]|(?<![A-Za-z])[A-Za-z](?=.(?![A-Za-z])))(?=[\u0308\u0302]))(?P<mark>.)"
 )
 COMMANDS |= {
-    letter: f"{_MARKS[mark]}{{{base}}}"
+    letter: f"{_MARKS[apart[1]]}{{{apart[0]}}}"
     for letter in map(chr, range(0xC0, 0x1F00))
     if (apart := unicodedata.normalize("NFD", letter))[1:] == "\u0307" or letter in "ẍẅ"
-    for base, mark in [apart]
-    if base.isascii()
+    if apart[0].isascii()
 }
 _BEHIND_A_COMMAND = re.compile(rf"(?<=[A-Za-z])[{''.join(_STYLED)}]")  # \cdot𝑙: no letter of the command's name
 
