@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
@@ -44,6 +45,7 @@ from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.statements import PREVIOUS
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.naming.conventions import is_usual
+from armproof.verification.naming.shown import letters_of_point
 from armproof.verification.verdict import DECIDED, HOLDS, Role, Verdict
 
 SCRIPTED = re.compile(r"\\?[A-Za-z.…⋯]+(?:\s*[_^]\s*(?:\{[^{}]*\}|[^\\{]))*")  # \sum_{i=1}^{2}
@@ -350,11 +352,25 @@ class Statements:
         display.links = []
         display.index += len(premises) + connectives_among(display.statements, display.index, len(premises))
 
+    def _of_two_points(self, sides: Iterable[n.Node]) -> n.Name | None:
+        """Return a coordinate that is read as that of another point than one beside it, x of the last frame and y of the tool; or None."""
+        points: dict[str, set[tuple[str, str]]] = {}
+        for name in (below for side in sides for below in n.names(side)):
+            quantity = self.checker.members.quantity_of(name)
+            if quantity is not None and quantity.kind == "origin" and quantity.scalar:
+                of_letters = points.setdefault(letters_of_point(name.key), set())
+                of_letters.add((quantity.frame, quantity.reference))
+                if len(of_letters) > 1:
+                    return name
+        return None
+
     def _conclude(
         self, display: _Display, implication: Implication, outcome: Outcome, counterexample: dict[str, float]
     ) -> None:
         read_as = together(dict.fromkeys(filter(None, map(self.checker.members.read_as, implication.chains))))
         sides = tuple(member for chain in implication.chains for member in chain.members)
+        if (name := self._of_two_points(sides)) is not None and outcome.verdict in DECIDED:
+            outcome = outcome.left_open(say(Kind.NOT_BOUND, name=name.text))
         of_all = replace(outcome, role=Role.CONDITION, uses=self.claims.consulted(), read_as=read_as, conditions=sides)
         display.outcomes.append(of_all)
         display.counterexample.update(counterexample)
