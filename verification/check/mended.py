@@ -35,7 +35,11 @@ class Judged:
 
 def told(slips: Iterable[SlipBefore]) -> frozenset[tuple[str, int, str]]:
     """Return of what slips are and what is meant, by which two documents are judged alike."""
-    return frozenset((each.name, each.line, each.correct) for each in slips)
+    return frozenset(map(_said, slips))
+
+
+def _said(slip: SlipBefore) -> tuple[str, int, str]:
+    return slip.name, slip.line, slip.correct
 
 
 def mistakes(judged: Judged, judge: Callable[[Mends], Judged]) -> dict[Key, SlipBefore]:
@@ -64,10 +68,10 @@ def _mistake(judged: Judged, found: Mends, judge: Callable[[Mends], Judged]) -> 
 
 def _likely(slips: Mapping[int, Sequence[SlipBefore]]) -> list[SlipBefore]:
     """Return the slips that mend the most displays."""
-    told = {(each.name, each.line, each.correct): each for found in slips.values() for each in found}
-    counts = Counter((each.name, each.line, each.correct) for found in slips.values() for each in found)
+    each_of = {_said(each): each for found in slips.values() for each in found}
+    counts = Counter(_said(each) for found in slips.values() for each in found)
     most = max(counts.values(), default=0)
-    return [slip for key, slip in told.items() if counts[key] == most]
+    return [slip for said, slip in each_of.items() if counts[said] == most]
 
 
 def _may_be_mistake(slip: SlipBefore, records: Iterable[Record]) -> bool:
@@ -110,8 +114,7 @@ class _Trial:
         return frozenset(self._holding(self.before.records)) - frozenset(self._holding(self.after.records, of_all=True))
 
     def _holding(self, records: Sequence[Record], of_all: bool = False) -> Iterator[Place]:
-        _, using = rests_through((self.slip.name, self.slip.line), [one for each in records for one in each.outcomes])
-        rest = {id(each) for each in using}
+        rest = {id(each) for each in self._resting_on(records)[1]}
         for at, record in enumerate(records):
             for each in () if record.erratum else record.outcomes:
                 if each.verdict in HOLDS and (of_all or id(each) in rest):
@@ -121,8 +124,7 @@ class _Trial:
     def _failing(self) -> set[int]:
         """The displays that rest on the definition and are wrong where it is mended."""
         records = self.after.records
-        _, using = rests_through((self.slip.name, self.slip.line), [one for each in records for one in each.outcomes])
-        wrong = {id(each) for each in using if each.verdict is Verdict.REFUTED}
+        wrong = {id(each) for each in self._resting_on(records)[1] if each.verdict is Verdict.REFUTED}
         return {at for at, each in enumerate(records) if any(id(one) in wrong for one in each.outcomes)}
 
     def _way(self, record: Record) -> str:
@@ -135,8 +137,11 @@ class _Trial:
 
     @cached_property
     def _resting(self) -> set[str]:
-        outcomes = [each for record in self.before.records for each in record.outcomes]
-        return {name for name, _ in rests_through((self.slip.name, self.slip.line), outcomes)[0]} - {self.slip.name}
+        return {name for name, _ in self._resting_on(self.before.records)[0]} - {self.slip.name}
+
+    def _resting_on(self, records: Sequence[Record]) -> tuple[set[Key], list[EquationResult]]:
+        """Return the definitions and the equations that rest on the one with the slip."""
+        return rests_through((self.slip.name, self.slip.line), [one for each in records for one in each.outcomes])
 
     def _told(self, record: Record) -> Iterator[n.Node]:
         """Yield what stands in a display, and in the definitions on which it and the other one rest both."""

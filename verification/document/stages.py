@@ -5,26 +5,13 @@ from __future__ import annotations
 import re
 
 from armproof.verification.document.heading import encloses, sections_around
+from armproof.verification.document.word_lists import WordLists
 
-_STAGES = """
-kinematic~ inverse inversion direct direkte vorwärtsrechnung rückwärtsrechnung vorwärtskinematik rückwärtskinematik rate rates kinemati~ cinémati~ cinemáti~ cinemati~ geometry geometric géométri~ geometr~ geometri~ geometrí~ dynamic~ static~ stati~ estáti~ dynami~ dinámi~ dinâmi~ dinami~
-position~ posición posición~ posizion~ posiç~ lage orientation~ orientación orientamento orientierung pose poses posa velocity velocities speed~ vitesse~ geschwindigkeit~ velocidad~ velocità
-acceleration~ accélération~ beschleunigung~ aceleraci~ accelerazion~ aceleraç~ jacobian~ jacobien~ jacobi~ singular~ singulari~ singolar~ determinant~ déterminant~
-force~ torque~ effort~ couple~ kräfte kraft drehmoment~ momente statik fuerza~ par pares esfuerzo~ forze coppie forças mgd mgi mcd mci dkm ikm fk ik differential~ différentiel~ differenti~ diferencia~ differenzial~
-workspace reach espace atteignable arbeitsraum trabajo lavoro trabalho area volume check~ verification~ vérification~ probe kontrolle comprobación verifica~ numeric~ numéri~ numéri~ numeri~ numéric~
-""".split()
-_FILLERS = """
-the a an of and for to in by with at from its our arm robot manipulator mechanism leg tool hand gripper end effector end-effector tip wrist elbow analysis model modelling modeling problem problems solution solutions
-equations equation direct forward inverse backward matrix matrices first second order derivation computation calculation formulas law laws closed form all joint angles angle coordinates
-le la les l' d' du de des et en au aux un une pour par son ses notre bras robot manipulateur mécanisme jambe outil main pince effecteur organe terminal poignet coude analyse modèle modélisation problème
-problèmes directe directs inverse inverses résolution équation équations matrice calcul ordre loi lois
-der die das des dem den und für von im zu mit unser arm roboter manipulator werkzeug hand greifer analyse modell problem lösung lösungen gleichungen vorwärts rückwärts direkte direktes inverse inverses matrix berechnung
-el los las del y para con nuestro brazo robot manipulador herramienta pinza análisis modelo problema solución directa directo inversa inverso matriz ecuaciones cálculo
-il lo i gli della dello dei delle dell' e per con nostro braccio robot manipolatore pinza analisi modello problema soluzione diretta diretto inversa inverso matrice equazioni calcolo
-o os as do da dos das com nosso braço robô manipulador garra análise modelo problema solução direta direto inversa inverso matriz equações cálculo
-""".split()
-_STAGE = re.compile("|".join(word[:-1] + r"\w*" if word.endswith("~") else word for word in _STAGES))
-_WORDS = re.compile(r"[^\W\d_]+(?:-[^\W\d_]+)*'?")
+_is = WordLists("""
+STAGE kinematic~ inverse inversion direct direkte vorwärtsrechnung rückwärtsrechnung vorwärtskinematik rückwärtskinematik rate rates kinemati~ cinémati~ cinemáti~ cinemati~ geometry geometric géométri~ geometr~ geometri~ geometrí~ dynamic~ static~ stati~ estáti~ dynami~ dinámi~ dinâmi~ dinami~ position~ posición posición~ posizion~ posiç~ lage orientation~ orientación orientamento orientierung pose poses posa velocity velocities speed~ vitesse~ geschwindigkeit~ velocidad~ velocità acceleration~ accélération~ beschleunigung~ aceleraci~ accelerazion~ aceleraç~ jacobian~ jacobien~ jacobi~ singular~ singulari~ singolar~ determinant~ déterminant~ force~ torque~ effort~ couple~ kräfte kraft drehmoment~ momente statik fuerza~ par pares esfuerzo~ forze coppie forças mgd mgi mcd mci dkm ikm fk ik differential~ différentiel~ differenti~ diferencia~ differenzial~ workspace reach espace atteignable arbeitsraum trabajo lavoro trabalho area volume check~ verification~ vérification~ probe kontrolle comprobación verifica~ numeric~ numéri~ numeri~ numéric~
+FILLER the a an of and for to in by with at from its our arm robot manipulator mechanism leg tool hand gripper end effector tip wrist elbow analysis model modelling modeling problem problems solution solutions equations equation forward backward matrix matrices first second order derivation computation calculation formulas law laws closed form all joint angles angle coordinates le la les l' d' du de des et en au aux un une pour son ses notre bras manipulateur mécanisme jambe outil main pince effecteur organe terminal poignet coude analyse modèle modélisation problème problèmes directe directs inverses résolution équation équations matrice calcul ordre loi lois der die das dem den und für von im zu mit unser roboter werkzeug greifer modell lösung lösungen gleichungen vorwärts rückwärts direktes berechnung el los las del y para con nuestro brazo manipulador herramienta pinza análisis modelo problema solución directa directo inversa inverso matriz ecuaciones cálculo il lo i gli della dello dei delle dell' e per nostro braccio manipolatore analisi modello soluzione diretta diretto equazioni calcolo o os as do da dos com nosso braço robô garra análise solução direta direto equações
+""").holds
+_WORDS = re.compile(r"[^\W\d_]+'?")
 _NUMBERED = re.compile(
     r"\s*(?:(?:step|étape|schritt|paso|passo|part|partie|teil|parte)\b\s*)?(?:\d+(?:\.\d+)*|[ivx]+|[a-z])\s*[.):–-]\s*",
     re.IGNORECASE,
@@ -43,5 +30,7 @@ def goes_on(outer: str, inner: str) -> bool:
 def _is_stage(section: str) -> bool:
     """Whether a heading is of a stage and says nothing else: "2. Inverse kinematics of the arm", but "The second robot: kinematics" is of another."""
     words = _WORDS.findall(_NUMBERED.sub("", section.replace("’", "'").lower(), count=1))
-    stages = [word for word in words if _STAGE.fullmatch(word)]
-    return bool(stages) and all(word in _FILLERS for word in words if word not in stages)
+    are_stages = [_is(word, "STAGE") for word in words]
+    return any(are_stages) and all(
+        is_stage or _is(word, "FILLER") for word, is_stage in zip(words, are_stages, strict=True)
+    )
