@@ -28,7 +28,7 @@ ELSEWHERE tool~ tip hand gripper~ elbow~ wrist~ end-effector corner~ outil main 
 SHOULDER base shoulder foot épaule pied socle schulter basis sockel fuß hombro pie spalla piede ombro pé
 OF_ARM of the arm robot du de la l' bras robot des der roboters arms del brazo della dell'
 HAS has is est ist es è é stands lies sits se a trouve hat steht liegt tiene está ha si tem fica
-""".replace("\n ", " ")).holds  # fmt: skip
+""").holds  # fmt: skip
 _OTHER_FRAME = re.compile(r"\{?[1-9n]\}?|\\\{[1-9n]\\\}|[OFR]_\{?[1-9n]\}?")
 _TUPLE = re.compile(r"\s*\\?(?:left)?\(\s*[^(),;]+(?:[,;]\s*[^(),;]+)+\\?(?:right)?\)(?:\^\{?(?:T|\\top)\}?)?\s*")
 _NOUGHT = re.compile(r"\s*\\?(?:left)?\(\s*0(?:\s*[,;]\s*0)*\s*\\?(?:right)?\)")

@@ -31,7 +31,7 @@ BETWEEN between entre zwischen tra fra
 LINK link links bar bars forearm arm segment segments barre barres bras avant-bras glied glieds glieder glieder eslabón braccio elo
 ABOUT about around autour um alrededor attorno intorno
 UP_AXIS vertical~ y-axis senkrecht~ lotrecht~ y-achse verticale
-""".replace("\n ", " ")).holds  # fmt: skip
+""").holds  # fmt: skip
 _NAME_OF_HAND = re.compile(
     r"\s*(?:\\(?:hat|vec|mathbf)\s*\{?\s*)?(?:x(?:_\{?0\}?)?|O_\{?0\}?x(?:_\{?0\}?)?|\\(?:var)?(?:phi|psi|alpha|gamma|omega|theta)(?:_\{?\w\}?)?)\}?\s*"
 )

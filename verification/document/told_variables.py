@@ -46,7 +46,7 @@ TURN angle angles winkel ángulo angolo ângulo turn tour tours
 BASE_AXIS x-axis above over über oberhalb au-dessus dessus encima sobre sopra acima horizontal~ ground floor world absolute~ absolu~ sol boden suelo pavimento space room inclination~ elevation~ inclinaison~ neigung~ inclinación inclinazione
 LENGTH length lengths long longueur longueurs longue länge längen lang longitud longitudes lunghezza lunghezze lungo lunga comprimento comprimentos
 CALLED called named numbered labelled labeled appelé appelée appelons nommée heißt genannt nennen llamamos llamada chiamiamo chiamato chamamos chamada call name number
-""".replace("\n ", " ")).holds  # fmt: skip
+""").holds  # fmt: skip
 _ORDINALS = ("first premier première erste ersten erstes erster primer primera primero primo prima primeiro primeira", "second deuxième seconde zweite zweiten zweites zweiter segundo segunda secondo seconda", "third troisième dritte dritten drittes dritter tercer tercera tercero terzo terza terceiro terceira", "fourth quatrième vierte vierten cuarto quarto", "fifth cinquième fünfte quinto", "sixth sixième sechste sexto sesto")  # fmt: skip
 _NUMBER_OF = {word: number for number, words in enumerate(_ORDINALS, 1) for word in words.split()}
 _PLACES = {  # what a joint or link of a name may be: the numbers, of an arm with a column below its shoulder, too

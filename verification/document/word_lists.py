@@ -1,4 +1,4 @@
-"""Words by their classes, as a table in a module has them: a line is a class and its words; ~ ends a stem."""
+"""Words by their classes, as a table in a module has them: a line is a class and its words, and goes on in the next where that begins with a blank; ~ ends a stem."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ class WordLists:
     @cached_property
     def _classes(self) -> dict[str, tuple[frozenset[str], tuple[str, ...]]]:
         """Of each class its whole words and its stems."""
-        lines = (line.split() for line in self._lines.strip().split("\n"))
+        lines = (line.split() for line in self._lines.strip().replace("\n ", " ").split("\n"))
         return {
             name: (frozenset(w for w in words if "~" not in w), tuple(w[:-1] for w in words if w.endswith("~")))
             for name, *words in lines
