@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.latex import nodes as n
@@ -10,6 +11,25 @@ from armproof.verification.naming.conventions import AXES
 from armproof.verification.naming.names import Names
 
 VECTORS = ("origin", "task")
+
+
+def heights_among(names: Names, members: Sequence[n.Node]) -> dict[str, Quantity]:
+    """Return the z_i that stand alone in a chain of scalars, by notation the axis of a frame, whose x_i or y_i was shown to be a coordinate."""
+    alone = [plain for each in members if (plain := n.plain_name(each)) is not None and plain.base in ("z", "Z")]
+    if len(alone) != 1 or any(isinstance(below, n.Matrix) for each in members for below in n.walk(each)):
+        return {}
+    read = ((name.key, _height(names, name)) for name in alone if name.key not in names.quantities)
+    return {key: quantity for key, quantity in read if quantity is not None}
+
+
+def _height(names: Names, name: n.Name) -> Quantity | None:
+    quantity = names.quantity(name)
+    if quantity is None or quantity.kind != "axis":
+        return None
+    beside = ("x", "y") if name.base == "z" else ("X", "Y")
+    shown = [names.state.inferred.get(replace(name, base=each).key) for each in beside]
+    is_point = any(each is not None and each.kind == "origin" and each.frame == quantity.frame for each in shown)
+    return _coordinate(names, name) if is_point else None
 
 
 def coordinates_among(names: Names, nodes: Iterable[n.Node], *, beside: bool) -> dict[str, Quantity]:
