@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence, Set
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from itertools import groupby, pairwise
 
@@ -11,7 +12,7 @@ from armproof.verification.algebra.calculus import angles_in, symbols_in
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document import Display, Document, Table
 from armproof.verification.document.heading import encloses
-from armproof.verification.errors import EvaluationError
+from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.latex.nodes import bare_key
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import WITH_ITS_ARM
@@ -78,12 +79,9 @@ def _up_to_other_joints(document: Document) -> Iterator[Document]:
         found = with_last_turn(found, document, names) if found is not None and found.source == "closed form" else found
     except EvaluationError:
         found = None
-    if found is not None:
-        start = _of_other_joints(document, found) or _behind_other_joints(document, found)
-        start = start or (_of_other_points(document, names) if found.source == "closed form" else None)
-    else:
-        start = None if tables else _of_other_law(document) or _of_section_alone(document, names)
-    start = start or _of_letters_anew(document, names)
+    start = None
+    with suppress(TooComplex):
+        start = _next_start(document, names, found, tables)
     if start is None:
         yield document
         return
@@ -91,11 +89,21 @@ def _up_to_other_joints(document: Document) -> Iterator[Document]:
     yield from _up_to_other_joints(_between(document, start, (10**9, 0)))
 
 
+def _next_start(document: Document, names: Names, found: Candidate | None, tables: bool) -> Place | None:
+    """Return where the next arm begins in a part, of which the arm that it shows first is known or not."""
+    if found is not None:
+        start = _of_other_joints(document, found) or _behind_other_joints(document, found)
+        start = start or (_of_other_points(document, names) if found.source == "closed form" else None)
+    else:
+        start = None if tables else _of_other_law(document) or _of_section_alone(document, names)
+    return start or _of_letters_anew(document, names)
+
+
 def _of_section_alone(document: Document, names: Names) -> Place | None:
     """Return where the section begins, or ends, whose displays alone have a closed form: what other sections call x hides it."""
     runs = [tuple(run) for _, run in groupby(document.displays, key=lambda each: each.section)]
     for place, run in enumerate(runs) if len(runs) > 1 else ():
-        if candidate_of_closed_form(replace(document, displays=run, tables=()), names) is not None:
+        if any(_of_closed_form(replace(document, displays=run, tables=()), names)):
             edge = runs[place] if place else runs[1]
             return _place(edge[0])
     return None
@@ -359,8 +367,11 @@ def _is_level(arm: Candidate) -> bool:
 
 
 def _of_closed_form(part: Document, names: Names) -> Iterator[_Source]:
-    """Yield the arm that the closed form in a part shows, if one does."""
-    if (form := candidate_of_closed_form(part, names)) is not None:
+    """Yield the arm that the closed form in a part shows, if one does; none that takes more than a display may."""
+    form = None
+    with suppress(TooComplex):
+        form = candidate_of_closed_form(part, names)
+    if form is not None:
         at = next(each for each in part.displays if _place(each) == (form.cell or 0, form.line))
         yield _Source(_place(at), at.section, form)
 

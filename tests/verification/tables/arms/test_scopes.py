@@ -169,3 +169,15 @@ def test_a_joint_that_stands_beside_a_closed_form_ends_it_nowhere() -> None:
     assert [records[2].verdict.value for records in found] == ["proved", "refuted"]
     alone = [verify_text(SCARA_IN_STAGES.format(beside="", sign=sign)).equations for sign in "+-"]
     assert alone[1][1].verdict.value == "unchecked"  # of another arm, it may be
+
+
+def test_a_closed_form_that_takes_too_long_to_be_an_arm_costs_no_other_display_its_verdict() -> None:
+    reach = r"\ell_2 \cos\alpha + \ell_3 \sin(\alpha+\beta) - (\ell_4+\ell_5)\cos(\alpha+\beta+\gamma)"
+    tangent = r"\frac{l_1 + l_2 (\sin\alpha - \cos(\alpha + \beta)) - z}{l_2 (\cos\alpha + \sin(\alpha + \beta)) - \frac{y}{\sin\theta}}"
+    large = (
+        f"## Position\n\n$$ x = \\cos\\theta ({reach}) $$\n\n$$ y = \\sin\\theta ({reach}) $$\n\n"
+        r"$$ z = \ell_1 + \ell_2 \sin\alpha - \ell_3 \cos(\alpha+\beta) - (\ell_4+\ell_5)\sin(\alpha+\beta+\gamma) $$"
+        f"\n\n$$ \\gamma = \\tan^{{-1}} ({tangent}) - \\alpha - \\beta $$\n"
+    )
+    result = verify_text("## Exercise 1\n\n$$ \\cos^2 a + \\sin^2 a = 1 $$\n\n" + large)
+    assert verdicts(result)[0] == "proved" and len(result.equations) == 5
