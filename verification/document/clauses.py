@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import cache, lru_cache
 
 import armproof.verification.document.word_classes as word_classes
+from armproof.verification.document.word_lists import classes_of
 
 Kinds = frozenset[str]
 
@@ -235,8 +236,7 @@ def _phrases(language: str) -> re.Pattern[str]:
 def _table(language: str) -> dict[str, Kinds]:
     """Return the words and stems of a language, those with "~", each with its classes."""
     found: dict[str, set[str]] = {}
-    for line in getattr(word_classes, language).strip().replace("\n ", " ").split("\n"):
-        kind, *words = line.split()
+    for kind, words in classes_of(getattr(word_classes, language)):
         for word in words:
             found.setdefault(word, set()).add(kind)
     return {word: frozenset(kinds) for word, kinds in found.items()}

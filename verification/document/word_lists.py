@@ -2,7 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import cached_property
+
+
+def classes_of(lines: str) -> Iterator[tuple[str, list[str]]]:
+    """Yield each class of a table with its words and stems."""
+    for line in lines.strip().replace("\n ", " ").split("\n"):
+        name, *words = line.split()
+        yield name, words
 
 
 class WordLists:
@@ -14,10 +22,9 @@ class WordLists:
     @cached_property
     def _classes(self) -> dict[str, tuple[frozenset[str], tuple[str, ...]]]:
         """Of each class its whole words and its stems."""
-        lines = (line.split() for line in self._lines.strip().replace("\n ", " ").split("\n"))
         return {
             name: (frozenset(w for w in words if "~" not in w), tuple(w[:-1] for w in words if w.endswith("~")))
-            for name, *words in lines
+            for name, words in classes_of(self._lines)
         }
 
     def holds(self, word: str, kind: str) -> bool:
