@@ -224,3 +224,10 @@ def test_a_page_shows_the_remarks_on_its_document() -> None:
         document = parse_document(Path("page.md"), written)
         page = render_page(document, check_document(document))
         assert ("front-matter keys of other tools are left alone: layout" in page) is told
+
+
+def test_the_index_says_what_an_arm_was_taken_from() -> None:
+    text = "$$ x = l_1 c_1 + l_2 c_{12} $$\n\n$$ y = l_1 s_1 + l_2 s_{12} $$\n\n$$ \\det J = l_1 l_2 s_2 $$\n"
+    result = check_document(parse_document(Path("handout.md"), text))
+    index = render_index({result.path: "handout.html"}, [result])
+    assert "<td>arm of the closed form at line 1, classic DH</td>" in index and "DH table" not in index
