@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cache
@@ -154,6 +154,8 @@ def _parsed(template: str) -> tuple[tuple[str, str | None, str], ...]:
 def _term(term: Any, form: str, inside: Piece, audience: Audience) -> Iterator[tuple[str, Piece]]:
     if isinstance(term, Finding):
         yield from pieces(term, audience)
+    elif form == "lines":
+        yield _lines(term), inside
     elif isinstance(term, list | tuple):
         items = [list(_term(item, form, inside, audience)) for item in term]
         between = separator([text for item in items for text, kind in item if kind is not Piece.LATEX or "{,}" in text])
@@ -165,6 +167,13 @@ def _term(term: Any, form: str, inside: Piece, audience: Audience) -> Iterator[t
         if isinstance(term, str):
             term = term.said() if isinstance(term, Sentence) else look_up(term) if term in WORDS else term
         yield number_text(term, form) if inside is Piece.WORDS else format(term, form), inside
+
+
+def _lines(numbers: Sequence[int]) -> str:
+    """Return [7] as "line 7", and [7, 9] as "lines 7, 9"."""
+    if len(numbers) == 1:
+        return look_up("line {line}").format(line=numbers[0])
+    return look_up("lines {lines}").format(lines=", ".join(map(str, numbers)))
 
 
 def _nth(number: int) -> str:

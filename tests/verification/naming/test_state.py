@@ -364,4 +364,4 @@ def test_where_two_lines_say_otherwise_the_first_may_hold_the_slip() -> None:
     wrong = verify_text(MASSES.replace("FIRST", "c_2"))
     assert [str(record.verdict) for record in right.equations] == ["defined", "proved", "proved"]
     assert [str(record.verdict) for record in wrong.equations] == ["unchecked"] * 3
-    assert "what lines 4, 6 say does not hold with it" in wrong.equations[0].message
+    assert "what is said elsewhere (lines 4, 6)" in wrong.equations[0].message
