@@ -149,7 +149,7 @@ class DocumentChecker:
         taken = self.inferred.arm
         is_part = (taken is not None and taken.is_part) or tells_other_tool(document, self.names)
         self.names = replace(self.names, is_part=is_part)
-        is_of_formulas = self.inferred.arm is not None and self.inferred.arm.source == "closed form"
+        is_of_formulas = self.inferred.arm is not None and self.inferred.arm.source in ("closed form", "description")
         self.names = replace(
             self.names, lacks_base=lacks_base(document, arm, self.inferred), is_of_formulas=is_of_formulas
         )

@@ -29,7 +29,7 @@ from armproof.verification.document.index_directions import MAY_INDEX, told_indi
 from armproof.verification.document.left_sides import MAY_LEAD, with_left_sides
 from armproof.verification.document.listings import assigned_in, assignments, with_listings
 from armproof.verification.document.markdown import read_markdown_file
-from armproof.verification.document.model import CODE, INLINE, Called, Display, Document, Listing
+from armproof.verification.document.model import CODE, INLINE, Called, Display, Document, Listing, ToldPart
 from armproof.verification.document.moving_on import OF_MOTION
 from armproof.verification.document.named_quantities import NAMED
 from armproof.verification.document.notebook import read_notebook, read_percent
@@ -70,6 +70,7 @@ from armproof.verification.document.strange import is_in_known_language
 from armproof.verification.document.struck_out import MAY_STRIKE, with_struck_out
 from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
+from armproof.verification.document.told_chains import MAY_TELL_CHAIN, told_parts
 from armproof.verification.document.told_convention import MAY_TELL, conventions_below, told_convention
 from armproof.verification.document.told_ends import MAY_TELL_END, told_ends
 from armproof.verification.document.told_names import MAY_TELL_NAMES
@@ -158,12 +159,22 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     document = replace(document, named=named_arms(text), planar=planar, headings=headings, convention=convention)
     ends = tuple(_told_ends(text)) if MAY_TELL_END.search(small) else ()
     document = replace(document, scalars=frozenset(scalars), ends=ends)
+    if suffix not in (".ipynb", ".py") and MAY_TELL_CHAIN.search(small):
+        document = replace(document, told=tuple(_told_parts(document, text)))
     return with_accepts(document, text.replace("\r\n", "\n"), suffix) if MARK in text else document
 
 
 def _told_ends(text: str) -> Iterator[tuple[int, str]]:
     """Yield where the sentences of a text put the tool, each with its line."""
     yield from ((line, each) for line, sentence in sentences_with_lines(text) for each in told_ends(sentence))
+
+
+def _told_parts(document: Document, text: str) -> Iterator[ToldPart]:
+    """Yield what the sentences of a text tell of an arm's build, each with the line of the display behind it."""
+    lines = [display.line for display in document.displays if not display.file]
+    for line, sentence in sentences_with_lines(text) if lines else ():
+        if "$" in sentence or "\\(" in sentence:
+            yield from told_parts(sentence, line, next((each for each in lines if each > line), lines[-1]))
 
 
 def with_directions(document: Document, text: str, tells: Sequence[Callable[[str], Iterable[str]]]) -> Document:

@@ -1,0 +1,204 @@
+"""The arms that a text may tell of in words: chains of the joints, lengths and heights that its sentences name, in the ways in which they may be joined.
+
+Nothing tells one of them from another but the equations beside: an arm is taken that most of these hold for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import product
+
+from armproof.verification.document import Document
+from armproof.verification.document.told_chains import (
+    ABSOLUTE,
+    ALONG_X,
+    ALONG_Y,
+    DISTANCE,
+    DOWN,
+    HEIGHT,
+    LENGTH,
+    LIFTS,
+    OUTWARDS,
+    RELATIVE,
+    SLIDE,
+    TURN,
+    UP,
+    UPRIGHT,
+)
+from armproof.verification.naming.moving import index_of, rates_in
+from armproof.verification.naming.names import Names
+from armproof.verification.tables.arms.candidate import Candidate, symbol_of
+from armproof.verification.tables.arms.moves import Moves
+
+SOURCE = "description"
+MOST = 8  # readings that are weighed
+_MOST_LETTERS = 9
+_REACH = ("r", "d", "s", "rho")  # distances that mostly vary
+_FLAT, _UPRIGHT, _TURNED, _RAISED = "flat", "upright", "turned", "raised"  # planes: level, upright, upright and turned by the first joint, with y upwards
+_WAYS = {UP: "up", DOWN: "down", ALONG_X: "x", ALONG_Y: "y", OUTWARDS: "x"}
+
+# a column of a DH table or an axis to slide along; how far; the joint that moves it
+Step = tuple[str, str, str]
+
+
+@dataclass(frozen=True)
+class _Part:
+    """A letter of the build: its kind, and the words about it."""
+
+    key: str
+    kind: str
+    marks: frozenset[str]
+
+    @property
+    def moves(self) -> bool:
+        return self.kind in (TURN, SLIDE)
+
+
+@dataclass(frozen=True)
+class _Build:
+    """The letters of an arm in the order of its text, joints by their numbers where they have some."""
+
+    joints: tuple[_Part, ...]
+    lengths: tuple[_Part, ...]
+    heights: tuple[_Part, ...]
+
+    def chains(self) -> Iterator[list[Step]]:
+        """Yield the chains that these can be of."""
+        for plane in self._planes():
+            for ways in self._ways(plane):
+                for places in self._places(plane):
+                    yield self._steps(plane, ways, places)
+
+    @property
+    def _turns(self) -> list[_Part]:
+        return [each for each in self.joints if each.kind == TURN]
+
+    def _planes(self) -> list[str]:
+        turns = self._turns
+        if not turns:
+            return [_FLAT]
+        lifts = [LIFTS in each.marks for each in turns]
+        raised = [_RAISED] if self.heights else []
+        if UPRIGHT in turns[0].marks:
+            return [_TURNED, *([_FLAT] if not any(lifts[1:]) else [])] if len(turns) > 1 else [_FLAT]
+        if any(lifts):
+            return [_UPRIGHT, *raised, *([_TURNED] if len(turns) > 1 and not lifts[0] else [])]
+        return [_FLAT, _UPRIGHT, *raised, *([_TURNED] if len(turns) > 2 else [])]
+
+    def _ways(self, plane: str) -> Iterator[dict[str, str]]:
+        """Yield where each joint that slides may go."""
+        slides = [each for each in self.joints if each.kind == SLIDE]
+        told = [sorted(_WAYS[mark] for mark in each.marks if mark in _WAYS) for each in slides]
+        for chosen in product(*((own if len(own) == 1 else ["x", "up", "down"]) for own in told)):
+            yield {each.key: way for each, way in zip(slides, chosen, strict=True)}
+
+    def _places(self, plane: str) -> Iterator[dict[str, list[_Part]]]:
+        """Yield behind which joint each length may stand, "" for the base."""
+        turns = self._turns[1:] if plane == _TURNED else self._turns
+        first, numbers = self.joints[0].key, {index_of(each.key): each.key for each in self.joints}
+        own = [index_of(each.key) for each in self.lengths]
+        if all(own) and 0 not in numbers:
+            by_number: dict[str, list[_Part]] = {}
+            for each, number in zip(self.lengths, own, strict=True):
+                behind = max((k for k in numbers if k <= number), default=0)
+                by_number.setdefault(numbers.get(behind, ""), []).append(each)
+            yield by_number
+        extra = len(self.lengths) - len(turns)
+        if extra in (0, -1):
+            yield {turn.key: [each] for turn, each in zip(turns, self.lengths, strict=False)}
+        if extra == 1:
+            begin = first if plane == _TURNED else ""
+            yield {begin: [self.lengths[0]], **{turn.key: [each] for turn, each in zip(turns, self.lengths[1:], strict=True)}}
+
+    def _steps(self, plane: str, ways: dict[str, str], places: dict[str, list[_Part]]) -> list[Step]:
+        """Return the steps of a chain; what stands up goes first, where its height counts in the base."""
+        heights: list[Step] = [("d", f"-{each.key}" if DOWN in each.marks else each.key, "") for each in self.heights]
+        if plane == _RAISED:
+            heights = [("y", each.key, "") for each in self.heights]
+        found, is_up = [*heights, *_along(places.get("", ()))], False
+        for k, joint in enumerate(self.joints):
+            turns = joint.kind == TURN
+            stands = (plane == _UPRIGHT and (turns or ways[joint.key] == "x")) or (plane == _TURNED and turns and k > 0)
+            if stands and not is_up:
+                found.append(("alpha", "-pi/2" if self._leads_down() else "pi/2", ""))
+                is_up = True
+            is_in_plane = is_up or plane == _RAISED
+            found.append(("theta", joint.key, joint.key) if turns else self._slide(joint.key, ways[joint.key], is_in_plane))
+            found += _along(places.get(joint.key, ()))
+        return found
+
+    def _leads_down(self) -> bool:
+        return any(DOWN in each.marks for each in self._turns[1:])
+
+    @staticmethod
+    def _slide(key: str, way: str, is_in_plane: bool) -> Step:
+        if is_in_plane:
+            return ("y", key, key) if way == "up" else ("y", f"-{key}", key) if way == "down" else ("x", key, key)
+        return {"up": ("d", key, key), "down": ("-z", key, key), "x": ("x", key, key), "y": ("y", key, key)}[way]
+
+
+def _along(lengths: Sequence[_Part]) -> list[Step]:
+    return [("d" if UP in each.marks else "a", each.key, "") for each in lengths]
+
+
+def described_arms(document: Document, names: Names) -> list[Candidate]:
+    """Return the arms that a document's sentences may tell of; nothing where they tell of no chain, or of absolute angles."""
+    parts = _parts(document, names)
+    joints = [each for each in parts if each.moves]
+    if len(joints) < 2 or len(parts) > _MOST_LETTERS or not document.told:
+        return []
+    numbers = [index_of(each.key) for each in joints]
+    if all(numbers) and len({*numbers}) == len(numbers):
+        joints.sort(key=lambda each: index_of(each.key))
+    turns = [each for each in joints if each.kind == TURN]
+    in_plane = turns[1:] if turns and UPRIGHT in turns[0].marks else turns
+    if any(ABSOLUTE in each.marks and RELATIVE not in each.marks for each in in_plane[1:]):
+        return []
+    build = _Build(
+        tuple(joints),
+        tuple(each for each in parts if each.kind == LENGTH),
+        tuple(each for each in parts if each.kind == HEIGHT),
+    )
+    found: list[Candidate] = []
+    for steps in build.chains():
+        made = _candidate(steps, document.told[0].line)
+        if not any((each.rows, each.joints) == (made.rows, made.joints) for each in found):
+            found.append(made)
+    return found[:MOST]
+
+
+def _parts(document: Document, names: Names) -> list[_Part]:
+    """Return the letters of the build in their order, each once; a length that moves slides."""
+    moving = rates_in(document.displays)
+    kinds: dict[str, list[str]] = {}
+    marks: dict[str, frozenset[str]] = {}
+    for told in document.told:
+        key = names.reader.key_of(told.letter)
+        kinds.setdefault(key, []).append(told.kind)
+        marks[key] = marks.get(key, frozenset()) | told.marks
+    return [_Part(key, _kind(key, own, moving), _marks(own, marks[key])) for key, own in kinds.items() if key]
+
+
+def _kind(key: str, kinds: Sequence[str], moving: set[str]) -> str:
+    if TURN in kinds:
+        return TURN
+    if SLIDE in kinds or key in moving:
+        return SLIDE
+    return LENGTH if LENGTH in kinds else HEIGHT if HEIGHT in kinds else SLIDE if DISTANCE in kinds and (index_of(key) or key in _REACH) else LENGTH
+
+
+def _marks(kinds: Sequence[str], marks: frozenset[str]) -> frozenset[str]:
+    return marks | {UP} if HEIGHT in kinds and not marks & {DOWN} else marks
+
+
+def _candidate(steps: Sequence[Step], line: int) -> Candidate:
+    moves = Moves()
+    for where, value, joint in steps:
+        text = symbol_of(value) if not value.startswith("-") and where != "alpha" else value
+        own = symbol_of(joint) if joint else ""
+        if where in ("x", "y", "-z"):
+            moves.slide(where, text, own)
+        else:
+            moves.add(where, text, own)
+    return Candidate(SOURCE, line, None, tuple(moves.rows), tuple(moves.joints), conventions=("classic",), frames=moves.frames)
