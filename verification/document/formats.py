@@ -12,7 +12,7 @@ from armproof.models.catalogue import arm_names
 from armproof.verification.document.accepts import MARK, with_accepts
 from armproof.verification.document.arm_in_words import MAY_NAME, planar_arms
 from armproof.verification.document.arms_called import CALLED
-from armproof.verification.document.cells import percent_cells
+from armproof.verification.document.cells import notebook_cells, percent_cells
 from armproof.verification.document.code_tables import code_tables
 from armproof.verification.document.denials import (
     denied_in,
@@ -159,8 +159,8 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     document = replace(document, named=named_arms(text), planar=planar, headings=headings, convention=convention)
     ends = tuple(_told_ends(text)) if MAY_TELL_END.search(small) else ()
     document = replace(document, scalars=frozenset(scalars), ends=ends)
-    if suffix not in (".ipynb", ".py") and MAY_TELL_CHAIN.search(small):
-        document = replace(document, told=tuple(_told_parts(document, text)))
+    if MAY_TELL_CHAIN.search(small):
+        document = replace(document, told=tuple(_told_parts(document, text, suffix)))
     return with_accepts(document, text.replace("\r\n", "\n"), suffix) if MARK in text else document
 
 
@@ -169,12 +169,17 @@ def _told_ends(text: str) -> Iterator[tuple[int, str]]:
     yield from ((line, each) for line, sentence in sentences_with_lines(text) for each in told_ends(sentence))
 
 
-def _told_parts(document: Document, text: str) -> Iterator[ToldPart]:
-    """Yield what the sentences of a text tell of an arm's build, each with the line of the display behind it."""
-    lines = [display.line for display in document.displays if not display.file]
-    for line, sentence in sentences_with_lines(text) if lines else ():
-        if "$" in sentence or "\\(" in sentence:
-            yield from told_parts(sentence, line, next((each for each in lines if each > line), lines[-1]))
+def _told_parts(document: Document, text: str, suffix: str) -> Iterator[ToldPart]:
+    """Yield what the sentences of a text tell of an arm's build, each with the place of the display behind it."""
+    cells = {".ipynb": notebook_cells, ".py": percent_cells}.get(suffix)
+    texts = [(each.text, each.line, k) for k, each in enumerate(cells(text)) if each.kind == "markdown"] if cells else []
+    places = sorted((each.cell or 0, each.line) for each in document.displays if not each.file)
+    for own, first, cell in texts if cells else [(text, 1, None)]:
+        for line, sentence in sentences_with_lines(own) if places else ():
+            if "$" in sentence or "\\(" in sentence:
+                at = (cell or 0, line + first - 1)
+                behind = next((place for place in places if place > at), places[-1])
+                yield from told_parts(sentence, (cell, at[1]), behind)
 
 
 def with_directions(document: Document, text: str, tells: Sequence[Callable[[str], Iterable[str]]]) -> Document:

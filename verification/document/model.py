@@ -134,10 +134,10 @@ class Accept:
 
 @dataclass(frozen=True)
 class ToldPart:
-    """What a sentence tells of one letter of an arm's build: what it is, and the words about it; `before` is the line of the display behind it."""
+    """What a sentence tells of one letter of an arm's build: what it is, and the words about it; `before` is the place of the display behind it."""
 
-    line: int
-    before: int
+    place: tuple[int | None, int]  # cell and line
+    before: tuple[int, int]  # cell (0 where there is none) and line
     kind: str
     letter: str  # its LaTeX
     marks: frozenset[str] = frozenset()

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from itertools import pairwise, takewhile
 
 from armproof.verification.document.hearing import formulas_of, with_axes, words_of
 from armproof.verification.document.model import ToldPart
@@ -17,8 +17,10 @@ from armproof.verification.document.word_lists import WordLists
 MAY_TELL_CHAIN = re.compile(  # in small letters: what no text lacks that tells of a length, a slide or a height of an arm
     r"length|links?\b|slid|extend|telescop|rises|raise|height|distance|longueur|gliss|coulisse|translat|allong|hauteur|länge|läng|schieb|höhe|abstand|longitud|desliza|altura|distancia|lunghezz|scorr|altezz|distanz|compriment|desliza"
 )
-TURN, SLIDE, LENGTH, HEIGHT, DISTANCE = "turn", "slide", "length", "height", "distance"
+TURN, SLIDE, LENGTH, HEIGHT, DISTANCE, OFFSET = "turn", "slide", "length", "height", "distance", "offset"
+END, PLANE = "end", "plane"  # the name of the tool's point; the axes between which the arm moves
 UPRIGHT, LIFTS, ABSOLUTE, RELATIVE = "upright", "lifts", "absolute", "relative"  # an axis, what turns in an upright plane, from where an angle counts
+XZ, YZ = "xz", "yz"
 UP, DOWN, ALONG_X, ALONG_Y, OUTWARDS = "up", "down", "x", "y", "outwards"  # where what slides goes
 
 _is = WordLists("""
@@ -28,7 +30,7 @@ LENGTH length lengths long longueur longueurs länge längen longitud longitudes
 LINK link links segment segments bar bars rod rods barre barres glied glieder stab stäbe eslabón eslabones barra barras braccio bracci elo elos segmenti segmento segmentos
 HEIGHT height high hauteur höhe altura altezza alta alto
 DISTANCE distance distances abstand entfernung distancia distanza distância
-SLIDES slid~ glide~ extend~ extension~ telescop~ translat~ prismatic stroke travel~ moves advances moved coulisse~ gliss~ translation allonge~ s'allonge course avance~ télescop~ déplace sort verschieb~ schieb~ fährt hub ausgefahren ausfahren ausfährt teleskop~ desliza~ extiende~ avanza~ desplaza~ traslad~ carrera scorr~ estende~ estensione avanza corsa trasla~ prolonga~ curso desloca~ telescóp~
+SLIDES slid~ glide~ extend~ extension~ telescop~ translat~ prismatic stroke travel~ moves advances moved coulisse~ gliss~ translation allonge~ s'allonge course avance~ télescop~ déplace sort verschieb~ schieb~ sposta~ fährt hub ausgefahren ausfahren ausfährt teleskop~ desliza~ extiende~ avanza~ desplaza~ traslad~ carrera scorr~ estende~ estensione avanza corsa trasla~ prolonga~ curso desloca~ telescóp~
 RISES rise~ raise~ lift~ climbs ascends monte s'élève élève lève soulève hebt steigt angehoben anhebt sube eleva alza sale solleva
 FALLS lower~ descend~ sinks drops downward~ down descend descente abaisse~ bas plonge senkt absenkt abgesenkt abwärts unten baja desciende abajo scende abbassa basso desce baixa
 VERTICAL vertical~ upright z-axis senkrecht~ lotrecht~ verticale verticali hochachse
@@ -36,6 +38,13 @@ ABOUT about around autour um alrededor attorno intorno torno
 BASE base column turret pedestal mast post socle colonne tourelle mât embase fût säule sockel basis turm columna torreta colonna torretta coluna
 ELEVATION elevation pitch élévation hausse erhebung höhenwinkel elevación elevazione elevação
 LEVEL horizontal~ orizzontale ground floor waagerecht~ waagrecht~ sol suelo suolo x-axis boden
+OFFSET offset offsets shifted décalé décalée décalage déport déporté versetzt versatz desplazado desfasado spostato sfalsato deslocado lateral~ seitlich~ latéral~
+TOOL tip end effector end-effector gripper hand tool extrémité bout outil pince effecteur spitze ende greifer werkzeug~ endeffektor armspitze extremo efector pinza herramienta estremità estremo punta utensile terminale extremidade ponta garra
+LAST last dernier dernière letzten último última ultimo ultima third troisième dritten tercer terzo terceiro
+FIRST first premier première ersten primer primero primo prima primeiro primeira elbow coude ellbogen codo gomito cotovelo
+SECOND second seconde deuxième zweiten segundo segunda secondo seconda
+PLANE plane plan ebene plano piano
+AXIS axis axe d' achse eje asse eixo along parallel parallèle parallele paralelo
 FROM from with avec von vom mit gegen zur zum con com depuis desde dal dalla dall' gegenüber and above over über par_rapport respect relative
 SAME same même gleichen mismo stessa stesso mesmo absolute absolu absolue absolus absolues absoluten absolut absolutos absoluto assoluto assoluti all tous toutes alle todos tutti
 PREVIOUS first previous preceding premier première précédent précédente ersten vorigen vorhergehenden primero primer anterior primo precedente primeiro upper second deuxième zweiten segundo secondo bras oberarm celui prolongement extension verlängerung prolongación prolungamento
@@ -52,6 +61,8 @@ _ANGLE = re.compile(rf"{_GREEK}(?:\s*_\s*(?:\{{\s*\w+\s*\}}|\w))?'?")
 _ANY = re.compile(r"(?:[A-Za-z]|\\(?:ell|rho|delta|lambda))(?:\s*_\s*(?:\{\s*\w+\s*\}|\w))?'?")
 _NEVER = re.compile(r"[xyzXYZOPTJMEABCFWSVGIijkmgnptv](?:\s*_.*)?")  # points, axes, matrices, masses
 _AXIS = re.compile(r"(?:\\(?:vec|hat|mathbf|boldsymbol|overrightarrow)\s*\{?\s*)?(?:O_?0?)?([xyz])\}?(?:\s*_\s*\{?\s*0\s*\}?)?")
+_POINT = re.compile(r"[PEMTHABCDQ]")
+_PLANE = re.compile(r"\W*(?:O\s*,?\s*)?(?:\\vec\s*\{?\s*)?([xy])\}?\s*(?:_\s*\{?\s*0\s*\}?)?\s*,?\s*(?:\\vec\s*\{?\s*)?z\}?\s*(?:_\s*\{?\s*0\s*\}?)?\W*")
 _FENCE = re.compile(r"\\(?:left|right|big|Big)?\s*[()\[\]]|[()\[\]]|\\[,;:! ]|\\q?quad|\^\{?(?:T|\\top)\}?")
 _AND = frozenset("and et und y e ou or o oder".split())
 _ENDS = frozenset(", ; : . ! ?".split())
@@ -61,9 +72,10 @@ _FAR = 7  # words between a letter and what calls it
 Word = tuple[str, tuple[str, ...]]
 
 
-def told_parts(sentence: str, line: int, before: int) -> Iterator[ToldPart]:
-    """Yield what a sentence tells of letters of an arm's build, in their order; `before` is the line of the display behind it."""
+def told_parts(sentence: str, place: tuple[int | None, int], before: tuple[int, int]) -> Iterator[ToldPart]:
+    """Yield what a sentence tells of letters of an arm's build, in their order; `before` is the place of the display behind it."""
     said = _words(sentence)
+    yield from (ToldPart(place, before, PLANE, axes) for axes in _planes(said))
     places = [k for k, (_, letters) in enumerate(said) if letters]
     begin = 0
     for k in places:
@@ -77,7 +89,7 @@ def told_parts(sentence: str, line: int, before: int) -> Iterator[ToldPart]:
         for letter in said[k][1]:
             kind = _kind(letter, left, right)
             if kind:
-                yield ToldPart(line, before, kind, letter, frozenset(_marks(kind, clause, left, right)))
+                yield ToldPart(place, before, kind, letter, frozenset(_marks(kind, clause, left, right)))
 
 
 def _words(sentence: str) -> list[Word]:
@@ -93,10 +105,12 @@ def _words(sentence: str) -> list[Word]:
             found.append((word, ()))
             continue
         formula = next(numbers)
-        axis = _AXIS.fullmatch(formula.strip())
-        letters = () if axis else tuple(_letters(formula))
+        axis, plane = _AXIS.fullmatch(formula.strip()), _PLANE.fullmatch(formula)
+        letters = () if axis or plane else tuple(_letters(formula))
         if axis:
             found.append((f"{axis[1]}-axis", ()))
+        elif plane:
+            found.append((f"{plane[1]}z", ()))
         elif letters and (joined := _listed(found)):
             while found[-1][0]:
                 found.pop()
@@ -104,6 +118,13 @@ def _words(sentence: str) -> list[Word]:
         else:
             found.append(("" if letters else "¤", letters))
     return found
+
+
+def _planes(said: Sequence[Word]) -> Iterator[str]:
+    """Yield the upright planes that a sentence names: "le plan vertical $(x, z)$"."""
+    for (word, letters), (behind, _) in pairwise(said):
+        if behind in (XZ, YZ) and (_is(word, "PLANE") or _is(word, "VERTICAL")) and not letters:
+            yield behind
 
 
 def _listed(found: Sequence[Word]) -> bool:
@@ -118,7 +139,7 @@ def _letters(formula: str) -> Iterator[str]:
     """Yield the letters of a formula that may be joints or lengths: of a list, of OP = r, of l_1 = 0.4."""
     for part in _FENCE.sub(" ", formula).split(","):
         sides = [side.strip() for side in part.split("=")]
-        own = [side for side in sides if _ANGLE.fullmatch(side) or (_ANY.fullmatch(side) and not _NEVER.fullmatch(side))]
+        own = [side for side in sides if _ANGLE.fullmatch(side) or _POINT.fullmatch(side) or (_ANY.fullmatch(side) and not _NEVER.fullmatch(side))]
         if own and len(sides) <= 2:
             yield own[0]
 
@@ -127,26 +148,25 @@ def _kind(letter: str, left: Sequence[str], right: Sequence[str]) -> str:
     """Return what the words nearest to a letter call it, those before it first."""
     if _ANGLE.fullmatch(letter):
         return TURN
+    if _POINT.fullmatch(letter):
+        return END if any(_is(word, "TOOL") for word in (*left[:3], *right[:4])) else ""
     is_q = letter.startswith("q")
     before = next((kind for word in left if (kind := _called(word, is_q))), "")
     behind = next((kind for word in right if (kind := _called(word, is_q))), "")
     kind = before or behind
-    if kind in ("", LENGTH) and any(_is(one, "ALONG") and _is_axis(other) for one, other in pairwise(right)):
+    if kind in ("", LENGTH) and any(_is(word, "ALONG") and any(map(_is_axis, right[k + 1 : k + 4])) for k, word in enumerate(right)):
         return SLIDE
-    near = (*left, *right) if kind == DISTANCE else left[:4] if kind == HEIGHT else ()
+    lead = [*takewhile(lambda word: word != ",", left)]
+    if any(_is(word, "OFFSET") for word in lead):
+        return OFFSET
+    near = (*left, *right) if kind == DISTANCE else lead if kind in (HEIGHT, LENGTH) else ()
     if any(_is(word, each) for word in near for each in ("SLIDES", "RISES", "FALLS")):
         return SLIDE
-    if kind == SLIDE and _is_length_right_before(left):
-        return LENGTH
     return kind
 
 
 def _is_axis(word: str) -> bool:
     return word.endswith("-axis") or _is(word, "VERTICAL")
-
-
-def _is_length_right_before(left: Sequence[str]) -> bool:
-    return bool(left) and _is(left[0], "LENGTH")
 
 
 def _called(word: str, is_q: bool) -> str:
@@ -159,14 +179,21 @@ def _called(word: str, is_q: bool) -> str:
     return ""
 
 
+def _has_upright_axis(clause: Sequence[str]) -> bool:
+    return any(_is(one, "AXIS") and _is(other, "VERTICAL") for one, other in pairwise(clause))
+
+
 def _marks(kind: str, clause: Sequence[str], left: Sequence[str], right: Sequence[str]) -> Iterator[str]:
     """Yield what the words of a clause say of its letter besides."""
     has = {name for name in ("VERTICAL", "ABOUT", "BASE", "ELEVATION", "LEVEL", "FROM", "SAME", "PREVIOUS", "RELATIVE", "RISES", "FALLS", "X", "Y", "OUTWARDS")
            if any(_is(word, name) for word in clause)}  # fmt: skip
+    if kind == END:
+        yield from (mark for name, mark in (("FIRST", "1"), ("SECOND", "2")) if any(_is(word, name) for word in right))
+        return
     if kind == TURN:
-        if {"ABOUT", "VERTICAL"} <= has or ("BASE" in has and not has & {"RISES", "ELEVATION"}):
+        if {"ABOUT", "VERTICAL"} <= has or _has_upright_axis(clause) or ("BASE" in has and not has & {"RISES", "ELEVATION"}):
             yield UPRIGHT
-        if has & {"RISES", "ELEVATION"} or ("VERTICAL" in has and "ABOUT" not in has):
+        if has & {"RISES", "ELEVATION"}:
             yield LIFTS
         if has & {"LEVEL", "SAME"} and not has & {"RELATIVE", "ABOUT"}:
             yield ABSOLUTE

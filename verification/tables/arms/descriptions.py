@@ -5,26 +5,33 @@ Nothing tells one of them from another but the equations beside: an arm is taken
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from itertools import product
+from typing import Any
 
 from armproof.verification.document import Document
+from armproof.verification.document.model import ToldPart
 from armproof.verification.document.told_chains import (
     ABSOLUTE,
     ALONG_X,
     ALONG_Y,
     DISTANCE,
     DOWN,
+    END,
     HEIGHT,
     LENGTH,
     LIFTS,
+    OFFSET,
     OUTWARDS,
+    PLANE,
     RELATIVE,
     SLIDE,
     TURN,
     UP,
     UPRIGHT,
+    YZ,
 )
 from armproof.verification.naming.moving import index_of, rates_in
 from armproof.verification.naming.names import Names
@@ -34,8 +41,9 @@ from armproof.verification.tables.arms.moves import Moves
 SOURCE = "description"
 MOST = 8  # readings that are weighed
 _MOST_LETTERS = 9
+_EACH = re.compile(r"_\s*\{?\s*[ik]\s*\}?$")  # the angle of each link
 _REACH = ("r", "d", "s", "rho")  # distances that mostly vary
-_FLAT, _UPRIGHT, _TURNED, _RAISED = "flat", "upright", "turned", "raised"  # planes: level, upright, upright and turned by the first joint, with y upwards
+_FLAT, _UPRIGHT, _TURNED, _RAISED, _SIDEWAYS = "flat", "upright", "turned", "raised", "sideways"  # planes: level, upright, upright and turned by the first joint, with y upwards
 _WAYS = {UP: "up", DOWN: "down", ALONG_X: "x", ALONG_Y: "y", OUTWARDS: "x"}
 
 # a column of a DH table or an axis to slide along; how far; the joint that moves it
@@ -62,13 +70,21 @@ class _Build:
     joints: tuple[_Part, ...]
     lengths: tuple[_Part, ...]
     heights: tuple[_Part, ...]
+    offsets: tuple[_Part, ...] = ()
+    told_planes: frozenset[str] = frozenset()
 
     def chains(self) -> Iterator[list[Step]]:
         """Yield the chains that these can be of."""
         for plane in self._planes():
             for ways in self._ways(plane):
                 for places in self._places(plane):
-                    yield self._steps(plane, ways, places)
+                    yield from self._with_offsets(plane, self._steps(plane, ways, places))
+
+    def _with_offsets(self, plane: str, steps: list[Step]) -> Iterator[list[Step]]:
+        """Yield the chain with what is shifted aside at its end, or in the turned plane before that stands up, to either side."""
+        at = next((k for k, (where, _, _) in enumerate(steps) if where == "alpha"), len(steps)) if plane == _TURNED else len(steps)
+        for sign in ("", "-") if self.offsets else ("",):
+            yield [*steps[:at], *(("y", sign + each.key, "") for each in self.offsets), *steps[at:]]
 
     @property
     def _turns(self) -> list[_Part]:
@@ -76,7 +92,9 @@ class _Build:
 
     def _planes(self) -> list[str]:
         turns = self._turns
-        if not turns:
+        if self.told_planes and not (turns and UPRIGHT in turns[0].marks and len(self.joints) > 2):
+            return [_SIDEWAYS if YZ in self.told_planes else _UPRIGHT]
+        if not turns or all(UPRIGHT in each.marks for each in turns):
             return [_FLAT]
         lifts = [LIFTS in each.marks for each in turns]
         raised = [_RAISED] if self.heights else []
@@ -117,6 +135,8 @@ class _Build:
         if plane == _RAISED:
             heights = [("y", each.key, "") for each in self.heights]
         found, is_up = [*heights, *_along(places.get("", ()))], False
+        if plane == _SIDEWAYS:  # its x is the y of the base, its y the z
+            found, is_up = [*heights, ("theta", "pi/2", ""), ("alpha", "pi/2", ""), *_along(places.get("", ()))], True
         for k, joint in enumerate(self.joints):
             turns = joint.kind == TURN
             stands = (plane == _UPRIGHT and (turns or ways[joint.key] == "x")) or (plane == _TURNED and turns and k > 0)
@@ -126,7 +146,7 @@ class _Build:
             is_in_plane = is_up or plane == _RAISED
             found.append(("theta", joint.key, joint.key) if turns else self._slide(joint.key, ways[joint.key], is_in_plane))
             found += _along(places.get(joint.key, ()))
-        return found
+        return [*found, ("alpha", "-pi/2", ""), ("theta", "-pi/2", "")] if plane == _SIDEWAYS else found
 
     def _leads_down(self) -> bool:
         return any(DOWN in each.marks for each in self._turns[1:])
@@ -144,7 +164,8 @@ def _along(lengths: Sequence[_Part]) -> list[Step]:
 
 def described_arms(document: Document, names: Names) -> list[Candidate]:
     """Return the arms that a document's sentences may tell of; nothing where they tell of no chain, or of absolute angles."""
-    parts = _parts(document, names)
+    parts = _parts([each for each in document.told if each.kind not in (END, PLANE)], document, names)
+    parts = _of_joints(parts)
     joints = [each for each in parts if each.moves]
     if len(joints) < 2 or len(parts) > _MOST_LETTERS or not document.told:
         return []
@@ -152,6 +173,8 @@ def described_arms(document: Document, names: Names) -> list[Candidate]:
     if all(numbers) and len({*numbers}) == len(numbers):
         joints.sort(key=lambda each: index_of(each.key))
     turns = [each for each in joints if each.kind == TURN]
+    if any(ABSOLUTE in told.marks and _EACH.search(told.letter) for told in document.told):
+        return []
     in_plane = turns[1:] if turns and UPRIGHT in turns[0].marks else turns
     if any(ABSOLUTE in each.marks and RELATIVE not in each.marks for each in in_plane[1:]):
         return []
@@ -159,21 +182,31 @@ def described_arms(document: Document, names: Names) -> list[Candidate]:
         tuple(joints),
         tuple(each for each in parts if each.kind == LENGTH),
         tuple(each for each in parts if each.kind == HEIGHT),
+        tuple(each for each in parts if each.kind == OFFSET),
+        frozenset(each.letter for each in document.told if each.kind == PLANE),
     )
     found: list[Candidate] = []
     for steps in build.chains():
-        made = _candidate(steps, document.told[0].line)
+        made = _candidate(steps, document)
         if not any((each.rows, each.joints) == (made.rows, made.joints) for each in found):
             found.append(made)
     return found[:MOST]
 
 
-def _parts(document: Document, names: Names) -> list[_Part]:
+def _of_joints(parts: Sequence[_Part]) -> list[_Part]:
+    """Return the parts without angles that number no joint beside such that do, φ of a hand, and distances beside joints enough."""
+    numbered = any(each.kind == TURN and index_of(each.key) for each in parts)
+    found = [each for each in parts if not (numbered and each.kind == TURN and not index_of(each.key))]
+    joints = sum(each.moves for each in found)
+    return [each if each.kind != DISTANCE else replace(each, kind=SLIDE) for each in found if each.kind != DISTANCE or joints < 2]
+
+
+def _parts(all_told: Sequence[ToldPart], document: Document, names: Names) -> list[_Part]:
     """Return the letters of the build in their order, each once; a length that moves slides."""
     moving = rates_in(document.displays)
     kinds: dict[str, list[str]] = {}
     marks: dict[str, frozenset[str]] = {}
-    for told in document.told:
+    for told in all_told:
         key = names.reader.key_of(told.letter)
         kinds.setdefault(key, []).append(told.kind)
         marks[key] = marks.get(key, frozenset()) | told.marks
@@ -185,20 +218,40 @@ def _kind(key: str, kinds: Sequence[str], moving: set[str]) -> str:
         return TURN
     if SLIDE in kinds or key in moving:
         return SLIDE
-    return LENGTH if LENGTH in kinds else HEIGHT if HEIGHT in kinds else SLIDE if DISTANCE in kinds and (index_of(key) or key in _REACH) else LENGTH
+    if OFFSET in kinds:
+        return OFFSET
+    if DISTANCE in kinds and not index_of(key) and key in _REACH:
+        return DISTANCE
+    return LENGTH if LENGTH in kinds else HEIGHT if HEIGHT in kinds else SLIDE if index_of(key) else LENGTH
 
 
 def _marks(kinds: Sequence[str], marks: frozenset[str]) -> frozenset[str]:
     return marks | {UP} if HEIGHT in kinds and not marks & {DOWN} else marks
 
 
-def _candidate(steps: Sequence[Step], line: int) -> Candidate:
+def _candidate(steps: Sequence[Step], document: Document) -> Candidate:
     moves = Moves()
     for where, value, joint in steps:
-        text = symbol_of(value) if not value.startswith("-") and where != "alpha" else value
+        sign = "-" if value.startswith("-") else ""
+        text = value if value.endswith("pi/2") else sign + symbol_of(value.removeprefix("-"))
         own = symbol_of(joint) if joint else ""
         if where in ("x", "y", "-z"):
             moves.slide(where, text, own)
         else:
             moves.add(where, text, own)
-    return Candidate(SOURCE, line, None, tuple(moves.rows), tuple(moves.joints), conventions=("classic",), frames=moves.frames)
+    cell, line = document.told[0].place
+    found = Candidate(SOURCE, line, cell, tuple(moves.rows), tuple(moves.joints), conventions=("classic",), frames=moves.frames)
+    return replace(found, quantities=_of_end(found, document))
+
+
+def _of_end(found: Candidate, document: Document) -> dict[str, Any]:
+    """Return the coordinates that have the name of the tool's point, x_P, where the text says which one that is."""
+    count = str(sum(map(bool, found.joints)))
+    ends = {each.letter for each in document.told if each.kind == END and each.marks <= {count}}
+    frame = (found.frames or tuple(map(str, range(found.first, found.last + 1))))[-1]
+    return {
+        f"{axis}_{letter}": {"origin": frame, "component": axis}
+        for letter in sorted(ends)
+        for axis in "xyz"
+        if any(re.search(rf"(?<![A-Za-z]){axis}\s*\}}?\s*_\s*\{{?\s*{letter}(?![A-Za-z])", each.latex) for each in document.displays)
+    }

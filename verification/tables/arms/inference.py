@@ -102,23 +102,21 @@ def _of_formulas(document: Document, names: Names) -> list[Candidate]:
 
 
 def _of_words(document: Document, of_formulas: Sequence[Candidate]) -> Inference | None:
-    """Return the document with the arm that its text tells of, where two of its equations hold for that, more than do not, and no arm of its formulas has more."""
+    """Return the document with the arm that its text tells of, where two of its equations hold for that, and more than do not; three where its formulas show another one."""
     described = described_arms(document, plain_names(document)) if document.told else []
     used, moving = joints_used(document.displays), rates_in(document.displays)
     found = [each for each in described if not each.lacks(used) and each.lengths.isdisjoint(moving)]
     if not found:
         return None
+    fronts = [front for each in found for front in _fronts(document, each)]
+    own = [front for each in of_formulas for front in _fronts(document, each)]
     try:
-        fronts = [front for each in found for front in _fronts(document, each)]
-        own = [front for each in of_formulas for front in _fronts(document, each)]
-        readings = weigh(document, [*fronts, *own], source=found[0].source)
+        best, *others = weigh(document, fronts, source=found[0].source, to_the_end=True)
+        shown = weigh(document, own, source=found[0].source, to_the_end=True)[0] if own else None
     except ArmproofError:
         return None
-    best = min((each for each in readings if each.front in fronts), key=lambda one: one.counts)
-    others = [each for each in readings if each is not best]
-    if best.held < _FEWEST or best.held <= best.failed or readings[0].counts < best.counts:
-        return None
-    if any(each.front in fronts for each in _rivals(best, others)):
+    is_disputed = shown is not None and shown.counts < best.counts
+    if best.held < _FEWEST + is_disputed or best.held <= best.failed or _rivals(best, others):
         return None
     return _taken(document, found, best, False)
 

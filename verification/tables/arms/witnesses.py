@@ -168,6 +168,7 @@ def weigh(
     numbers: Mapping[str, Fraction] = MappingProxyType({}),
     only: Collection[tuple[int | None, int]] = (),
     source: str = "",
+    to_the_end: bool = False,
 ) -> list[Reading]:
     """Return the readings that an arm can be built of, the one under which most holds first; raises where there is none.
 
@@ -181,7 +182,7 @@ def weigh(
             for trial in dict.fromkeys(trial for _, trial in trials):
                 trial.take(display, (display.cell, display.line) not in apart)
             best, *others = sorted((trial.held for _, trial in trials), reverse=True)
-            if best - max(others, default=0) >= LEAD:
+            if best - max(others, default=0) >= LEAD and not to_the_end:
                 break
     return sorted((trial.reading(front) for front, trial in trials), key=lambda one: one.counts)
 
