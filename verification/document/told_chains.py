@@ -52,8 +52,8 @@ RELATIVE relative relativ~ between entre zwischen tra fra
 JOINT joint joints variable variables articulaire articulaires gelenkvariablen variablen articulares giunto
 ALONG along suivant entlang längs lungo le_long largo longo direction
 X x-axis
-Y y-axis
-OUTWARDS radial~ horizontally horizontal outward~ out horizontalement extend~ telescop~ télescop~ allonge~ s'allonge sort teleskop~ ausfahren ausgefahren ausfährt extiende~ estende~ prolonga~
+Y y-axis own-y-axis
+OUTWARDS own-x-axis radial~ horizontally horizontal outward~ out horizontalement extend~ telescop~ télescop~ allonge~ s'allonge sort teleskop~ ausfahren ausgefahren ausfährt extiende~ estende~ prolonga~
 MASS mass masse massen masa massa gravity pesanteur barycentre
 """).holds
 _GREEK = r"\\(?:var)?(?:theta|vartheta|phi|psi|alpha|beta|gamma)"
@@ -63,6 +63,7 @@ _NEVER = re.compile(r"[xyzXYZOPTJMEABCFWSVGIijkmgnptv](?:\s*_.*)?")  # points, a
 _AXIS = re.compile(r"(?:\\(?:vec|hat|mathbf|boldsymbol|overrightarrow)\s*\{?\s*)?(?:O_?0?)?([xyz])\}?(?:\s*_\s*\{?\s*0\s*\}?)?")
 _POINT = re.compile(r"[PEMTHABCDQ]")
 _PLANE = re.compile(r"\W*(?:O\s*,?\s*)?(?:\\vec\s*\{?\s*)?([xy])\}?\s*(?:_\s*\{?\s*0\s*\}?)?\s*,?\s*(?:\\vec\s*\{?\s*)?z\}?\s*(?:_\s*\{?\s*0\s*\}?)?\W*")
+_LOCAL_AXIS = re.compile(r"(?:\\(?:vec|hat|mathbf|boldsymbol)\s*\{?\s*)?([xyz])\}?\s*_\s*\{?\s*[1-9]\s*\}?")
 _FENCE = re.compile(r"\\(?:left|right|big|Big)?\s*[()\[\]]|[()\[\]]|\\[,;:! ]|\\q?quad|\^\{?(?:T|\\top)\}?")
 _AND = frozenset("and et und y e ou or o oder".split())
 _ENDS = frozenset(", ; : . ! ?".split())
@@ -105,10 +106,13 @@ def _words(sentence: str) -> list[Word]:
             found.append((word, ()))
             continue
         formula = next(numbers)
+        local = _LOCAL_AXIS.fullmatch(formula.strip())
         axis, plane = _AXIS.fullmatch(formula.strip()), _PLANE.fullmatch(formula)
-        letters = () if axis or plane else tuple(_letters(formula))
+        letters = () if axis or plane or local else tuple(_letters(formula))
         if axis:
             found.append((f"{axis[1]}-axis", ()))
+        elif local:
+            found.append((f"own-{local[1]}-axis", ()))
         elif plane:
             found.append((f"{plane[1]}z", ()))
         elif letters and (joined := _listed(found)):
@@ -154,11 +158,11 @@ def _kind(letter: str, left: Sequence[str], right: Sequence[str]) -> str:
     before = next((kind for word in left if (kind := _called(word, is_q))), "")
     behind = next((kind for word in right if (kind := _called(word, is_q))), "")
     kind = before or behind
-    if kind in ("", LENGTH) and any(_is(word, "ALONG") and any(map(_is_axis, right[k + 1 : k + 4])) for k, word in enumerate(right)):
-        return SLIDE
     lead = [*takewhile(lambda word: word != ",", left)]
     if any(_is(word, "OFFSET") for word in lead):
         return OFFSET
+    if kind in ("", LENGTH) and any(_is(word, "ALONG") and any(map(_is_axis, right[k + 1 : k + 4])) for k, word in enumerate(right)):
+        return SLIDE
     near = (*left, *right) if kind == DISTANCE else lead if kind in (HEIGHT, LENGTH) else ()
     if any(_is(word, each) for word in near for each in ("SLIDES", "RISES", "FALLS")):
         return SLIDE

@@ -83,7 +83,8 @@ class _Build:
     def _with_offsets(self, plane: str, steps: list[Step]) -> Iterator[list[Step]]:
         """Yield the chain with what is shifted aside at its end, or in the turned plane before that stands up, to either side."""
         at = next((k for k, (where, _, _) in enumerate(steps) if where == "alpha"), len(steps)) if plane == _TURNED else len(steps)
-        for sign in ("", "-") if self.offsets else ("",):
+        is_told = all(ALONG_Y in each.marks for each in self.offsets)
+        for sign in ("",) if is_told else ("", "-"):
             yield [*steps[:at], *(("y", sign + each.key, "") for each in self.offsets), *steps[at:]]
 
     @property
@@ -169,6 +170,9 @@ def described_arms(document: Document, names: Names) -> list[Candidate]:
     joints = [each for each in parts if each.moves]
     if len(joints) < 2 or len(parts) > _MOST_LETTERS or not document.told:
         return []
+    moving = rates_in(document.displays)
+    if any(each.key in moving for each in joints) and any(_stands(each, moving) for each in joints):
+        return []
     numbers = [index_of(each.key) for each in joints]
     if all(numbers) and len({*numbers}) == len(numbers):
         joints.sort(key=lambda each: index_of(each.key))
@@ -191,6 +195,11 @@ def described_arms(document: Document, names: Names) -> list[Candidate]:
         if not any((each.rows, each.joints) == (made.rows, made.joints) for each in found):
             found.append(made)
     return found[:MOST]
+
+
+def _stands(part: _Part, moving: set[str]) -> bool:
+    """Whether a slide has neither a number nor a rate, where other joints have: it may be a length."""
+    return part.kind == SLIDE and not index_of(part.key) and part.key not in moving
 
 
 def _of_joints(parts: Sequence[_Part]) -> list[_Part]:

@@ -101,6 +101,11 @@ def _of_formulas(document: Document, names: Names) -> list[Candidate]:
     return [with_last_turn(each, document, names) for each in found or filter(None, [by_law])]
 
 
+def is_described(document: Document) -> bool:
+    """Whether a document's text tells of an arm of which its equations hold."""
+    return _of_words(document, ()) is not None
+
+
 def _of_words(document: Document, of_formulas: Sequence[Candidate]) -> Inference | None:
     """Return the document with the arm that its text tells of, where two of its equations hold for that, and more than do not; three where its formulas show another one."""
     described = described_arms(document, plain_names(document)) if document.told else []

@@ -22,7 +22,7 @@ from armproof.verification.tables.arms.closed_forms import (
     point_given_anew,
 )
 from armproof.verification.tables.arms.coordinate_slips import are_equal
-from armproof.verification.tables.arms.inference import arms_of, dh_tables, joints_used, plain_names
+from armproof.verification.tables.arms.inference import arms_of, dh_tables, is_described, joints_used, plain_names
 from armproof.verification.tables.arms.last_turn import with_last_turn
 from armproof.verification.tables.arms.laws import candidate_of_law
 from armproof.verification.tables.arms.letters import equations_of
@@ -82,7 +82,7 @@ def _up_to_other_joints(document: Document) -> Iterator[Document]:
         start = _of_other_joints(document, found) or _behind_other_joints(document, found)
         start = start or (_of_other_points(document, names) if found.source == "closed form" else None)
     else:
-        start = None if tables else _of_other_law(document) or _of_section_alone(document, names)
+        start = None if tables or is_described(document) else _of_other_law(document) or _of_section_alone(document, names)
     start = start or _of_letters_anew(document, names)
     if start is None:
         yield document
