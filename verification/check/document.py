@@ -47,6 +47,7 @@ from armproof.verification.tables.arms import (
     table_of_named,
     tells_other_tool,
     unless_disputed,
+    unless_rivalled,
     with_armless,
 )
 from armproof.verification.verdict import DECIDED, DocumentResult, Record, TakenArm, Verdict
@@ -102,6 +103,7 @@ def check_document(
         results = [unless_called_another(k, parts, result) for k, result in enumerate(results)]
     if seeks and samples:
         results = [unless_disputed(part, result, plainly) for part, result in zip(parts, results, strict=True)]
+        results = [unless_rivalled(part, result, plainly) for part, result in zip(parts, results, strict=True)]
         results = [with_armless(part, result, plainly) for part, result in zip(parts, results, strict=True)]
     result = results[0] if len(results) == 1 else joined(document, results)
     return with_accepted(document, result) if document.accepts else result

@@ -43,6 +43,7 @@ TOOL tip end effector end-effector gripper hand tool extrémité bout outil pinc
 LAST last dernier dernière letzten último última ultimo ultima third troisième dritten tercer terzo terceiro
 FIRST first premier première ersten primer primero primo prima primeiro primeira elbow coude ellbogen codo gomito cotovelo
 SECOND second seconde deuxième zweiten segundo segunda secondo seconda
+MEASURED measured counted mesuré mesurée compté comptée gemessen gezählt medido contado misurato contato positive positif
 PLANE plane plan ebene plano piano
 AXIS axis axe d' achse eje asse eixo along parallel parallèle parallele paralelo
 FROM from with avec von vom mit gegen zur zum con com depuis desde dal dalla dall' gegenüber and above over über par_rapport respect relative
@@ -67,6 +68,7 @@ _LOCAL_AXIS = re.compile(r"(?:\\(?:vec|hat|mathbf|boldsymbol)\s*\{?\s*)?([xyz])\
 _FENCE = re.compile(r"\\(?:left|right|big|Big)?\s*[()\[\]]|[()\[\]]|\\[,;:! ]|\\q?quad|\^\{?(?:T|\\top)\}?")
 _AND = frozenset("and et und y e ou or o oder".split())
 _ENDS = frozenset(", ; : . ! ?".split())
+_NEAR = 4
 _FAR = 7  # words between a letter and what calls it
 
 # a word, "" with the letters of a formula
@@ -77,20 +79,34 @@ def told_parts(sentence: str, place: tuple[int | None, int], before: tuple[int, 
     """Yield what a sentence tells of letters of an arm's build, in their order; `before` is the place of the display behind it."""
     said = _words(sentence)
     yield from (ToldPart(place, before, PLANE, axes) for axes in _planes(said))
-    places = [k for k, (_, letters) in enumerate(said) if letters]
-    begin = 0
-    for k in places:
-        end = next((j for j in range(k + 1, len(said)) if said[j][0] in _ENDS or said[j][1]), len(said))
+    begin, last = 0, ""
+    for k in (k for k, (_, letters) in enumerate(said) if letters):
+        end = _end(said, k)
         clause = [word for word, _ in said[begin:end]]
         left = [word for word, _ in reversed(said[max(begin, k - _FAR) : k])]
         right = [word for word, _ in said[k + 1 : end]][:_FAR]
-        begin = end if end < len(said) and said[end][0] in _ENDS else k + 1
+        begin = end if end < len(said) and not said[end][1] else k + 1
         if any(_is(word, "MASS") for word in clause):
             continue
         for letter in said[k][1]:
-            kind = _kind(letter, left, right)
+            kind = _kind(letter, left, right) or (LENGTH if last == LENGTH and _goes_on(letter, left) else "")
+            last = kind
             if kind:
                 yield ToldPart(place, before, kind, letter, frozenset(_marks(kind, clause, left, right)))
+
+
+def _end(said: Sequence[Word], k: int) -> int:
+    """Return where the clause of a letter ends: at a stop, at the next letter; behind "measured from …", if that follows."""
+    end = next((j for j in range(k + 1, len(said)) if said[j][0] in _ENDS or said[j][1]), len(said))
+    behind = said[end + 1][0] if end + 1 < len(said) and said[end][0] == "," else ""
+    if not _is(behind, "MEASURED"):
+        return end
+    return next((j for j in range(end + 1, len(said)) if said[j][0] in _ENDS | _AND or said[j][1]), len(said))
+
+
+def _goes_on(letter: str, left: Sequence[str]) -> bool:
+    """Whether a letter goes on from a length: "the upper arm has length $l_2$ and the forearm $l_3$"."""
+    return not letter.startswith("q") and len(left) <= _NEAR and any(word in _AND for word in left)
 
 
 def _words(sentence: str) -> list[Word]:
@@ -206,9 +222,9 @@ def _marks(kind: str, clause: Sequence[str], left: Sequence[str], right: Sequenc
         if "FALLS" in has:
             yield DOWN
         return
-    if "FALLS" in has:
+    if "FALLS" in has and not ({"RISES"} & has and kind == SLIDE) and "up" not in clause:
         yield DOWN
-    elif kind == SLIDE and has & {"RISES", "VERTICAL"}:
+    elif kind == SLIDE and ("up" in clause or has & {"RISES", "VERTICAL"}):
         yield UP
     if "X" in has:
         yield ALONG_X

@@ -163,38 +163,67 @@ def _along(lengths: Sequence[_Part]) -> list[Step]:
     return [("d" if UP in each.marks else "a", each.key, "") for each in lengths]
 
 
-def described_arms(document: Document, names: Names) -> list[Candidate]:
-    """Return the arms that a document's sentences may tell of; nothing where they tell of no chain, or of absolute angles."""
-    parts = _parts([each for each in document.told if each.kind not in (END, PLANE)], document, names)
-    parts = _of_joints(parts)
+def described_arms(document: Document, names: Names) -> tuple[list[Candidate], list[Candidate]]:
+    """Return the arms that a document's sentences may tell of, and those in which one of their directions is turned round.
+
+    Nothing where they tell of no chain, or of absolute angles.
+    """
+    build = _build(document, names) if document.told else None
+    told: list[Candidate] = []
+    turned: list[Candidate] = []
+    for steps in build.chains() if build is not None else ():
+        _add(_candidate(steps, document), told)
+        for other in _turned_round(steps):
+            _add(_candidate(other, document), turned)
+    return told[:MOST], [each for each in turned if not _is_among(each, told)][:MOST]
+
+
+def _add(made: Candidate, found: list[Candidate]) -> None:
+    if not _is_among(made, found):
+        found.append(made)
+
+
+def _is_among(made: Candidate, found: Sequence[Candidate]) -> bool:
+    return any((each.rows, each.joints) == (made.rows, made.joints) for each in found)
+
+
+def _turned_round(steps: Sequence[Step]) -> Iterator[list[Step]]:
+    """Yield a chain with each of its directions turned round: along z, aside, or how it stands up."""
+    for k, (where, value, joint) in enumerate(steps):
+        if where in ("d", "-z") and joint:
+            yield [*steps[:k], ("-z" if where == "d" else "d", value, joint), *steps[k + 1 :]]
+        elif where in ("d", "y", "alpha"):
+            other = value.removeprefix("-") if value.startswith("-") else f"-{value}"
+            yield [*steps[:k], (where, other, joint), *steps[k + 1 :]]
+
+
+def _build(document: Document, names: Names) -> _Build | None:
+    """Return what a document's sentences tell of one chain, or None."""
+    told = [each for each in document.told if each.kind not in (END, PLANE)]
+    parts = _of_joints(_parts(told, document, names))
     joints = [each for each in parts if each.moves]
-    if len(joints) < 2 or len(parts) > _MOST_LETTERS or not document.told:
-        return []
     moving = rates_in(document.displays)
+    if len(joints) < 2 or len(parts) > _MOST_LETTERS or any(_is_of_each(each) for each in told):
+        return None
     if any(each.key in moving for each in joints) and any(_stands(each, moving) for each in joints):
-        return []
+        return None
     numbers = [index_of(each.key) for each in joints]
     if all(numbers) and len({*numbers}) == len(numbers):
         joints.sort(key=lambda each: index_of(each.key))
     turns = [each for each in joints if each.kind == TURN]
-    if any(ABSOLUTE in told.marks and _EACH.search(told.letter) for told in document.told):
-        return []
     in_plane = turns[1:] if turns and UPRIGHT in turns[0].marks else turns
     if any(ABSOLUTE in each.marks and RELATIVE not in each.marks for each in in_plane[1:]):
-        return []
-    build = _Build(
-        tuple(joints),
-        tuple(each for each in parts if each.kind == LENGTH),
-        tuple(each for each in parts if each.kind == HEIGHT),
-        tuple(each for each in parts if each.kind == OFFSET),
-        frozenset(each.letter for each in document.told if each.kind == PLANE),
-    )
-    found: list[Candidate] = []
-    for steps in build.chains():
-        made = _candidate(steps, document)
-        if not any((each.rows, each.joints) == (made.rows, made.joints) for each in found):
-            found.append(made)
-    return found[:MOST]
+        return None
+    if len(in_plane) - 1 > sum(each.kind == LENGTH for each in parts) + sum(each.kind == SLIDE for each in joints):
+        return None  # the text does not tell all
+    of_kind = {kind: tuple(each for each in parts if each.kind == kind) for kind in (LENGTH, HEIGHT, OFFSET)}
+    planes = frozenset(each.letter for each in document.told if each.kind == PLANE)
+    return _Build(tuple(joints), of_kind[LENGTH], of_kind[HEIGHT], of_kind[OFFSET], planes)
+
+
+def _is_of_each(told: ToldPart) -> bool:
+    """Whether a sentence counts the angle of each link from one axis."""
+    return ABSOLUTE in told.marks and _EACH.search(told.letter) is not None
 
 
 def _stands(part: _Part, moving: set[str]) -> bool:

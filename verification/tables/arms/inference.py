@@ -40,6 +40,7 @@ from armproof.verification.tables.columns import CONVENTIONS, read_columns
 from armproof.verification.tables.row import SCALES
 from armproof.verification.verdict import TakenArm
 
+_MOST_RIVALS = 2
 _FEWEST = 2  # equations that hold for an arm that is told in words
 _NUMBER = re.compile(r"(?<![\d._{])[1-9]\d*(?:\.\d+)?(?![\d.])")
 _AT_REST = re.compile(r"\\dot\s*\{?\s*\\?(?:theta|q)\s*_\s*\{?\d+[\s}]*=\s*0(?![\d.])")  # of what does not move
@@ -79,6 +80,8 @@ def _inferred(document: Document) -> Inference:
     found = found or _of_formulas(document, plain_names(document))
     found = found or (candidate_of_rotations(document, plain_names(document)) if of_table.problem is None else [])
     settled = _settle(document, found) if found else of_table
+    if settled.arm is None and found and found[0].source == "matrices" and (own := _of_words(document, ())) is not None:
+        return own
     if settled.arm is None and not found and of_table.problem is None:
         settled = _of_code(document)
     return settled if settled.arm is not None else of_table
@@ -107,23 +110,33 @@ def is_described(document: Document) -> bool:
 
 
 def _of_words(document: Document, of_formulas: Sequence[Candidate]) -> Inference | None:
-    """Return the document with the arm that its text tells of, where two of its equations hold for that, and more than do not; three where its formulas show another one."""
-    described = described_arms(document, plain_names(document)) if document.told else []
+    """Return the document with the arm that its text tells of, where two of its equations hold for that, and more than do not.
+
+    What as much holds of, an arm of its formulas or the same with a direction turned round, is its rival.
+    """
+    told, turned = described_arms(document, plain_names(document)) if document.told else ([], [])
     used, moving = joints_used(document.displays), rates_in(document.displays)
-    found = [each for each in described if not each.lacks(used) and each.lengths.isdisjoint(moving)]
+    found = [each for each in told if not each.lacks(used) and each.lengths.isdisjoint(moving)]
     if not found:
         return None
-    fronts = [front for each in found for front in _fronts(document, each)]
-    own = [front for each in of_formulas for front in _fronts(document, each)]
+    fronts = [front for each in (*found, *turned, *of_formulas) for front in _fronts(document, each)]
+    own = [front for each in found for front in _fronts(document, each)]
     try:
-        best, *others = weigh(document, fronts, source=found[0].source, to_the_end=True)
-        shown = weigh(document, own, source=found[0].source, to_the_end=True)[0] if own else None
+        readings = weigh(document, fronts, source=found[0].source, to_the_end=True)
     except ArmproofError:
         return None
-    is_disputed = shown is not None and shown.counts < best.counts
-    if best.held < _FEWEST + is_disputed or best.held <= best.failed or _rivals(best, others):
+    best = next((each for each in readings if each.front in own), None)
+    if best is None or best.held < _FEWEST or best.held <= best.failed:
         return None
-    return _taken(document, found, best, False)
+    others = {repr(each.front["arm"]): each for each in readings if _is_rival(each, best)}
+    taken = _taken(document, found, best, False)
+    assert taken.arm is not None
+    return replace(taken, arm=replace(taken.arm, rivals=tuple(each.front for each in others.values())[:_MOST_RIVALS]))
+
+
+def _is_rival(one: Reading, best: Reading) -> bool:
+    """Whether as much holds under another reading, or more, and not all there is under both."""
+    return one.held >= best.held and one.front["arm"] != best.front["arm"] and (one.failed > 0 or best.failed > 0)
 
 
 def _of_tables(document: Document) -> Inference:
