@@ -45,7 +45,7 @@ FIRST first premier première ersten primer primero primo prima primeiro primeir
 SECOND second seconde deuxième zweiten segundo segunda secondo seconda
 MEASURED measured counted mesuré mesurée compté comptée gemessen gezählt medido contado misurato contato positive positif
 PLANE plane plan ebene plano piano
-AXIS axis axe d' achse eje asse eixo along parallel parallèle parallele paralelo
+AXIS axis axes achsen assi ejes axe d' achse eje asse eixo along parallel parallèle parallele paralelo
 FROM from with avec von vom mit gegen zur zum con com depuis desde dal dalla dall' gegenüber and above over über par_rapport respect relative
 SAME same même gleichen mismo stessa stesso mesmo absolute absolu absolue absolus absolues absoluten absolut absolutos absoluto assoluto assoluti all tous toutes alle todos tutti
 PREVIOUS first previous preceding premier première précédent précédente ersten vorigen vorhergehenden primero primer anterior primo precedente primeiro upper second deuxième zweiten segundo secondo bras oberarm celui prolongement extension verlängerung prolongación prolungamento
@@ -199,6 +199,11 @@ def _called(word: str, is_q: bool) -> str:
     return ""
 
 
+def _has_level_axis(clause: Sequence[str]) -> bool:
+    """Whether what lies level is an axis about which something turns, and nothing to count an angle from."""
+    return any(_is(one, "LEVEL") and _is(other, "AXIS") or _is(one, "AXIS") and _is(other, "LEVEL") for one, other in pairwise(clause))
+
+
 def _has_upright_axis(clause: Sequence[str]) -> bool:
     return any(_is(one, "AXIS") and _is(other, "VERTICAL") for one, other in pairwise(clause))
 
@@ -207,6 +212,8 @@ def _marks(kind: str, clause: Sequence[str], left: Sequence[str], right: Sequenc
     """Yield what the words of a clause say of its letter besides."""
     has = {name for name in ("VERTICAL", "ABOUT", "BASE", "ELEVATION", "LEVEL", "FROM", "SAME", "PREVIOUS", "RELATIVE", "RISES", "FALLS", "X", "Y", "OUTWARDS")
            if any(_is(word, name) for word in clause)}  # fmt: skip
+    if _has_level_axis(clause) and not any(word.endswith("-axis") for word in clause):
+        has.discard("LEVEL")
     if kind == END:
         yield from (mark for name, mark in (("FIRST", "1"), ("SECOND", "2")) if any(_is(word, name) for word in right))
         return

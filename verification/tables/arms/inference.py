@@ -136,7 +136,7 @@ def _of_words(document: Document, of_formulas: Sequence[Candidate]) -> Inference
 
 def _is_rival(one: Reading, best: Reading) -> bool:
     """Whether as much holds under another reading, or more, and not all there is under both."""
-    return one.held >= best.held and one.front["arm"] != best.front["arm"] and (one.failed > 0 or best.failed > 0)
+    return one.counts <= best.counts and one.front["arm"] != best.front["arm"] and (one.failed > 0 or best.failed > 0)
 
 
 def _of_tables(document: Document) -> Inference:
