@@ -337,7 +337,7 @@ class TakenArm:
     """An arm of a document, and what it was taken from.
 
     Attributes:
-        source: "front matter", "table" or "matrices".
+        source: "front matter", "table", "matrices", "closed form" or "description".
         line, cell: where that stands: the key of the front matter, the table, the first link matrix.
         convention: classic, modified, or empty where the arm is none of a DH table.
         transforms: which index of a transform's name is the reference, upper or lower.
@@ -348,6 +348,7 @@ class TakenArm:
         is_part: whether the document speaks of joints behind its last one.
         mended: the links, from 1, whose printed matrices are none, and would be with another entry.
         in_words: whether the text names the arm of the Jacobian that it was taken from.
+        rivals: the front matter of other arms of which as much holds, where the text tells of the arm.
         told_by: the joint whose equation must hold before anything is refuted for it, where a law of cosines gave it.
     """
 
@@ -365,6 +366,7 @@ class TakenArm:
     told_by: str = ""
     mended: frozenset[int] = frozenset()
     in_words: bool = False
+    rivals: tuple[Mapping[str, Any], ...] = ()
 
     def __str__(self) -> str:
         """Return "arm of the table at line 12, classic DH"."""

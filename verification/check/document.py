@@ -47,6 +47,7 @@ from armproof.verification.tables.arms import (
     table_of_named,
     tells_other_tool,
     unless_disputed,
+    unless_rivalled,
     with_armless,
 )
 from armproof.verification.verdict import DECIDED, DocumentResult, Record, TakenArm, Verdict
@@ -102,6 +103,7 @@ def check_document(
         results = [unless_called_another(k, parts, result) for k, result in enumerate(results)]
     if seeks and samples:
         results = [unless_disputed(part, result, plainly) for part, result in zip(parts, results, strict=True)]
+        results = [unless_rivalled(part, result, plainly) for part, result in zip(parts, results, strict=True)]
         results = [with_armless(part, result, plainly) for part, result in zip(parts, results, strict=True)]
     result = results[0] if len(results) == 1 else joined(document, results)
     return with_accepted(document, result) if document.accepts else result
@@ -149,7 +151,7 @@ class DocumentChecker:
         taken = self.inferred.arm
         is_part = (taken is not None and taken.is_part) or tells_other_tool(document, self.names)
         self.names = replace(self.names, is_part=is_part)
-        is_of_formulas = self.inferred.arm is not None and self.inferred.arm.source == "closed form"
+        is_of_formulas = self.inferred.arm is not None and self.inferred.arm.source in ("closed form", "description")
         self.names = replace(
             self.names, lacks_base=lacks_base(document, arm, self.inferred), is_of_formulas=is_of_formulas
         )

@@ -22,7 +22,7 @@ from armproof.verification.conditions.told_otherwise import ToldOtherwise
 from armproof.verification.conditions.told_relative import unless_relative
 from armproof.verification.document import Display
 from armproof.verification.document.first_order import FIRST_ORDER
-from armproof.verification.document.other_meanings import FRAME
+from armproof.verification.document.other_meanings import BASE_AT, FRAME
 from armproof.verification.document.sentences import EVERYWHERE, SAME_POINT, not_known_in, quoted
 from armproof.verification.document.subjects import WRIST
 from armproof.verification.document.told_constraints import CONSTRAINED, NEGATIVE
@@ -60,6 +60,7 @@ class WordsAround:
         if display.supposed:
             outcome = replace(outcome.unless_refuted(say(Kind.IS_SUPPOSED)), as_usual=None)
         is_elsewhere = display.of_other_point or (bool(display.meant) and self._is_of_other_frame(display))
+        is_elsewhere |= self._is_from_other_base(display)
         is_elsewhere |= any(f"{SAME_POINT} {line}" in display.meant for line in self.names.state.elsewhere)
         if is_elsewhere or (outcome.as_usual is not None and outcome.as_usual.of_another):
             self.names.state.elsewhere.add(display.line)
@@ -106,6 +107,12 @@ class WordsAround:
             words = ", ".join(not_known_in(display.strange))
             outcome = outcome.left_open(say(Kind.STRANGE_WORDS, text=quoted(display.strange), words=words))
         return outcome
+
+    def _is_from_other_base(self, display: Display) -> bool:
+        """Whether the text has the shoulder at a height that is no length of the arm."""
+        told = [each.removeprefix(BASE_AT) for each in display.meant if each.startswith(BASE_AT)]
+        lengths = self.circumstances.given.lengths
+        return any(self.names.known_symbol(self.names.reader.key_of(each)) not in lengths for each in told)
 
     def _unless_noted(self, outcome: Outcome, display: Display) -> Outcome:
         """Leave open what is written in a notation that the text says to be another, and a rank that it says to be so everywhere and that is not."""

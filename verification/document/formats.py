@@ -12,7 +12,7 @@ from armproof.models.catalogue import arm_names
 from armproof.verification.document.accepts import MARK, with_accepts
 from armproof.verification.document.arm_in_words import MAY_NAME, planar_arms
 from armproof.verification.document.arms_called import CALLED
-from armproof.verification.document.cells import percent_cells
+from armproof.verification.document.cells import notebook_cells, percent_cells
 from armproof.verification.document.code_tables import code_tables
 from armproof.verification.document.denials import (
     denied_in,
@@ -29,7 +29,7 @@ from armproof.verification.document.index_directions import MAY_INDEX, told_indi
 from armproof.verification.document.left_sides import MAY_LEAD, with_left_sides
 from armproof.verification.document.listings import assigned_in, assignments, with_listings
 from armproof.verification.document.markdown import read_markdown_file
-from armproof.verification.document.model import CODE, INLINE, Called, Display, Document, Listing
+from armproof.verification.document.model import CODE, INLINE, Called, Display, Document, Listing, ToldPart
 from armproof.verification.document.moving_on import OF_MOTION
 from armproof.verification.document.named_quantities import NAMED
 from armproof.verification.document.notebook import read_notebook, read_percent
@@ -70,6 +70,7 @@ from armproof.verification.document.strange import is_in_known_language
 from armproof.verification.document.struck_out import MAY_STRIKE, with_struck_out
 from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
+from armproof.verification.document.told_chains import MAY_TELL_CHAIN, told_parts
 from armproof.verification.document.told_convention import MAY_TELL, conventions_below, told_convention
 from armproof.verification.document.told_ends import MAY_TELL_END, told_ends
 from armproof.verification.document.told_names import MAY_TELL_NAMES
@@ -158,12 +159,27 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     document = replace(document, named=named_arms(text), planar=planar, headings=headings, convention=convention)
     ends = tuple(_told_ends(text)) if MAY_TELL_END.search(small) else ()
     document = replace(document, scalars=frozenset(scalars), ends=ends)
+    if MAY_TELL_CHAIN.search(small):
+        document = replace(document, told=tuple(_told_parts(document, text, suffix)))
     return with_accepts(document, text.replace("\r\n", "\n"), suffix) if MARK in text else document
 
 
 def _told_ends(text: str) -> Iterator[tuple[int, str]]:
     """Yield where the sentences of a text put the tool, each with its line."""
     yield from ((line, each) for line, sentence in sentences_with_lines(text) for each in told_ends(sentence))
+
+
+def _told_parts(document: Document, text: str, suffix: str) -> Iterator[ToldPart]:
+    """Yield what the sentences of a text tell of an arm's build, each with the place of the display behind it."""
+    cells = {".ipynb": notebook_cells, ".py": percent_cells}.get(suffix)
+    texts = [(each.text, each.line, k) for k, each in enumerate(cells(text)) if each.kind == "markdown"] if cells else []
+    places = sorted((each.cell or 0, each.line) for each in document.displays if not each.file)
+    for own, first, cell in texts if cells else [(text, 1, None)]:
+        for line, sentence in sentences_with_lines(own) if places else ():
+            if "$" in sentence or "\\(" in sentence:
+                at = (cell or 0, line + first - 1)
+                behind = next((place for place in places if place > at), places[-1])
+                yield from told_parts(sentence, (cell, at[1]), behind)
 
 
 def with_directions(document: Document, text: str, tells: Sequence[Callable[[str], Iterable[str]]]) -> Document:

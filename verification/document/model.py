@@ -133,6 +133,17 @@ class Accept:
 
 
 @dataclass(frozen=True)
+class ToldPart:
+    """What a sentence tells of one letter of an arm's build: what it is, and the words about it; `before` is the place of the display behind it."""
+
+    place: tuple[int | None, int]  # cell and line
+    before: tuple[int, int]  # cell (0 where there is none) and line
+    kind: str
+    letter: str  # its LaTeX
+    marks: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True)
 class Called:
     """What a sentence calls the arms that it speaks of: numbers, letters, kinds."""
 
@@ -159,6 +170,7 @@ class Document:
     planar: frozenset[int] = frozenset()  # how many joints the planar arms have that its text names
     convention: str = ""  # that of a DH table which its text names, "classic" or "modified"
     ends: tuple[tuple[int, str], ...] = ()  # where its text puts the tool in a frame, with their lines: "3\te\t0\t0"
+    told: tuple[ToldPart, ...] = ()  # what its sentences tell of an arm's build, in their order
     scalars: frozenset[str] = frozenset()  # the letters that its text calls a size or a moment: "size L", "moment M"
 
     def writes(self, key: str, *besides: tuple[int | None, int]) -> bool:

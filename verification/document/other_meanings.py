@@ -113,6 +113,7 @@ _IS_SIGNED = re.compile(  # d_2 is positive on one side and negative on the othe
 _MOST_AGAIN = 50  # times that a name is said to be something, of which the next one below another heading counts
 _ROW_OF_TABLE = re.compile(r"^[ \t]*\|.*$", re.MULTILINE)  # of a table, which is no sentence
 _SHIFTS = re.compile(r"\bby \Z|height \Z")
+_HEIGHT = re.compile(r"(?:[a-zHDL]|\\ell)(?:\s*_\s*(?:\{\s*\w+\s*\}|\w))?")
 _OF_ROW = re.compile(r"([adrlL])\s*_?\s*\{?\s*(\d)\s*\}?")
 _TELLS_LANGUAGE = 8000  # characters of a text
 _NOUGHT = re.compile(r"\(\s*0(?:\s*[,;]\s*0)*\s*\)")
@@ -154,6 +155,7 @@ ASKED = "asked"  # what the reader is to call true or false
 EQUAL = "equal"  # lengths that are, where two letters have two lengths elsewhere
 SIGNED = "signed"  # a letter of the arm that may have either sign
 COLUMNS = "columns"  # J_1, J_2 that are columns of J
+BASE_AT = "base at"  # the height of a shoulder, which an arm may have
 ORDER = "order"  # the joint variables as q holds them
 ANEW = "anew"  # a letter that is something else for a while
 FRAME, JACOBIAN = "link", "J"  # the origin of one; that whose columns are those of joints in another order
@@ -335,19 +337,26 @@ def _of_places(line: int, plain: str, words: str, formulas: Sequence[str], text:
     if _IS_SIGNED.search(words):
         alone = tuple(f"{SIGNED} {each.strip()}" for each in formulas if _LETTER.fullmatch(each.strip()))
         yield Meaning(line, alone)
-    is_elsewhere = says("OTHER_ORIGIN", words) and not _is_by_a_row(words, formulas, text)
-    if is_elsewhere or _has_base_elsewhere(words.lower(), formulas):
+    by = _shift(words, formulas)
+    is_elsewhere = says("OTHER_ORIGIN", words) and not _is_in_a_row(by, text)
+    if is_elsewhere and _HEIGHT.fullmatch(by):
+        yield Meaning(line, (f"{BASE_AT} {by}",))
+    elif is_elsewhere or _has_base_elsewhere(words.lower(), formulas):
         yield Meaning(line, is_origin=True)
 
 
-def _is_by_a_row(words: str, formulas: Sequence[str], text: str) -> bool:
-    """Whether a shoulder is shifted, or stands at a height, by a letter that a table of the text holds: "shifted by d2 along it" is in its row."""
+def _shift(words: str, formulas: Sequence[str]) -> str:
+    """Return the letter by which a shoulder is shifted, or of the height at which it stands: "shifted by d2 along it"; "" where none is said."""
     found = hears("OTHER_ORIGIN", words)
     if found is None or "¤" in found.group() or not _SHIFTS.search(found.group()):
-        return False
+        return ""
     behind = words[found.end() :].split()[:1]
-    by = formulas[words.count("¤", 0, found.end())] if behind == ["¤"] else "".join(behind)
-    letter = _OF_ROW.fullmatch(by.strip())
+    return (formulas[words.count("¤", 0, found.end())] if behind == ["¤"] else "".join(behind)).strip()
+
+
+def _is_in_a_row(by: str, text: str) -> bool:
+    """Whether a table of a text holds a letter: what it shifts is in its row."""
+    letter = _OF_ROW.fullmatch(by)
     cell = rf"(?<![A-Za-z\\]){letter[1]}\s*_?\s*\{{?\s*{letter[2]}(?!\d)" if letter is not None else r"(?!)"
     return any(re.search(cell, row) for row in _ROW_OF_TABLE.findall(text))
 

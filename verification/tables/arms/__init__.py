@@ -6,6 +6,7 @@ from armproof.verification.tables.arms.catalogue import difference, table_of_nam
 from armproof.verification.tables.arms.disputed import unless_disputed
 from armproof.verification.tables.arms.ends import tells_other_tool
 from armproof.verification.tables.arms.inference import infer_arm, joints_used
+from armproof.verification.tables.arms.rivals import unless_rivalled
 from armproof.verification.tables.arms.scopes import scopes
 from armproof.verification.tables.arms.settling import Inference, settle_data
 from armproof.verification.tables.arms.support import is_of_no_arm, links_of, links_that_explain
@@ -28,5 +29,6 @@ __all__ = [
     "table_of_named",
     "tells_other_tool",
     "unless_disputed",
+    "unless_rivalled",
     "with_armless",
 ]

@@ -19,6 +19,7 @@ from armproof.verification.tables.arms.beyond import with_point_beyond
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.closed_forms import candidates_of_closed_form
 from armproof.verification.tables.arms.code_letters import in_letters_of
+from armproof.verification.tables.arms.descriptions import described_arms
 from armproof.verification.tables.arms.ends import with_ends
 from armproof.verification.tables.arms.general_link import shown_convention
 from armproof.verification.tables.arms.last_turn import with_last_turn
@@ -39,6 +40,8 @@ from armproof.verification.tables.columns import CONVENTIONS, read_columns
 from armproof.verification.tables.row import SCALES
 from armproof.verification.verdict import TakenArm
 
+_MOST_RIVALS = 2
+_FEWEST = 2  # equations that hold for an arm that is told in words
 _NUMBER = re.compile(r"(?<![\d._{])[1-9]\d*(?:\.\d+)?(?![\d.])")
 _AT_REST = re.compile(r"\\dot\s*\{?\s*\\?(?:theta|q)\s*_\s*\{?\d+[\s}]*=\s*0(?![\d.])")  # of what does not move
 _INDEXED = re.compile(r"(?:theta(?:\s*_)?|(?<![A-Za-z])[qcsCS]\s*_)\s*\{?\s*(\d+)(?!\d|\s*\\times)")
@@ -70,9 +73,15 @@ def _inferred(document: Document) -> Inference:
         return (
             of_table if of_table.problem is not None else Inference(document, None, problem, problem.terms.get("line"))
         )
+    if not found and of_table.problem is None:
+        found = _of_formulas(document, plain_names(document))
+        if (described := _of_words(document, found)) is not None:
+            return described
     found = found or _of_formulas(document, plain_names(document))
     found = found or (candidate_of_rotations(document, plain_names(document)) if of_table.problem is None else [])
     settled = _settle(document, found) if found else of_table
+    if settled.arm is None and found and found[0].source == "matrices" and (own := _of_words(document, ())) is not None:
+        return own
     if settled.arm is None and not found and of_table.problem is None:
         settled = _of_code(document)
     return settled if settled.arm is not None else of_table
@@ -93,6 +102,41 @@ def _of_formulas(document: Document, names: Names) -> list[Candidate]:
     found = [with_point_of_law(each, document, names) for each in candidates_of_closed_form(document, names, has_table)]
     by_law = candidate_of_law(document, names) if not found else None
     return [with_last_turn(each, document, names) for each in found or filter(None, [by_law])]
+
+
+def is_described(document: Document) -> bool:
+    """Whether a document's text tells of an arm of which its equations hold."""
+    return _of_words(document, ()) is not None
+
+
+def _of_words(document: Document, of_formulas: Sequence[Candidate]) -> Inference | None:
+    """Return the document with the arm that its text tells of, where two of its equations hold for that, and more than do not.
+
+    What as much holds of, an arm of its formulas or the same with a direction turned round, is its rival.
+    """
+    told, turned = described_arms(document, plain_names(document)) if document.told else ([], [])
+    used, moving = joints_used(document.displays), rates_in(document.displays)
+    found = [each for each in told if not each.lacks(used) and each.lengths.isdisjoint(moving)]
+    if not found:
+        return None
+    fronts = [front for each in (*found, *turned, *of_formulas) for front in _fronts(document, each)]
+    own = [front for each in found for front in _fronts(document, each)]
+    try:
+        readings = weigh(document, fronts, source=found[0].source, to_the_end=True)
+    except ArmproofError:
+        return None
+    best = next((each for each in readings if each.front in own), None)
+    if best is None or best.held < _FEWEST or best.held <= best.failed:
+        return None
+    others = {repr(each.front["arm"]): each for each in readings if _is_rival(each, best)}
+    taken = _taken(document, found, best, False)
+    assert taken.arm is not None
+    return replace(taken, arm=replace(taken.arm, rivals=tuple(each.front for each in others.values())[:_MOST_RIVALS]))
+
+
+def _is_rival(one: Reading, best: Reading) -> bool:
+    """Whether as much holds under another reading, or more, and not all there is under both."""
+    return one.counts <= best.counts and one.front["arm"] != best.front["arm"] and (one.failed > 0 or best.failed > 0)
 
 
 def _of_tables(document: Document) -> Inference:

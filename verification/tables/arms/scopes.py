@@ -23,7 +23,7 @@ from armproof.verification.tables.arms.closed_forms import (
     point_given_anew,
 )
 from armproof.verification.tables.arms.coordinate_slips import are_equal
-from armproof.verification.tables.arms.inference import arms_of, dh_tables, joints_used, plain_names
+from armproof.verification.tables.arms.inference import arms_of, dh_tables, is_described, joints_used, plain_names
 from armproof.verification.tables.arms.last_turn import with_last_turn
 from armproof.verification.tables.arms.laws import candidate_of_law
 from armproof.verification.tables.arms.letters import equations_of
@@ -95,7 +95,7 @@ def _next_start(document: Document, names: Names, found: Candidate | None, table
         start = _of_other_joints(document, found) or _behind_other_joints(document, found)
         start = start or (_of_other_points(document, names) if found.source == "closed form" else None)
     else:
-        start = None if tables else _of_other_law(document) or _of_section_alone(document, names)
+        start = None if tables or is_described(document) else _of_other_law(document) or _of_section_alone(document, names)
     return start or _of_letters_anew(document, names)
 
 
@@ -414,4 +414,5 @@ def _between(document: Document, begin: Place, end: Place) -> Document:
     displays = tuple(display for display in document.displays if begin <= _place(display) < end)
     tables = tuple(table for table in document.tables if begin <= _place(table) < end)
     in_code = tuple(table for table in document.in_code if begin <= _place(table) < end)
-    return replace(document, displays=displays, tables=tables, in_code=in_code)
+    told = tuple(each for each in document.told if begin <= each.before < end)
+    return replace(document, displays=displays, tables=tables, in_code=in_code, told=told)

@@ -22,6 +22,7 @@ FRAMES, ORDER, TOLD = 0, -1, -2
 HEIGHTS = -6  # of which coordinates an equation tells what they hold without a joint, x first
 # how the frames between base and tool lie, the first one's next to it: the tool's pose tells nothing of them
 INNER = -9
+OF_TOOL = ("closed form", "description")  # sources that tell nothing of the frames between base and tool
 _MOVES = ("jacobian", "velocity", "determinant")
 _TURNS = frozenset(["rotation", "axis"])
 
@@ -43,7 +44,7 @@ def links_of(outcome: Outcome, members: Members, source: str = "", told_by: str 
         return frozenset()
     one, other = outcome.true.node, outcome.printed.node
     told, others = _quantities(one, members), _quantities(other, members)
-    if source == "closed form":  # q_3 = h - z tells of z
+    if source in OF_TOOL:  # q_3 = h - z tells of z
         told, others = [*told, *_rates(one, members)], [*others, *_rates(other, members)]
         is_of_one = not (told and others) or outcome.verdict is Verdict.REFUTED
         is_linear = not any(_multiplies_moves(below, members) for side in (one, other) for below in n.walk(side))
@@ -92,7 +93,7 @@ def _moves(node: n.Node, members: Members) -> bool:
 
 def _links(quantities: Sequence[Quantity], members: Members, source: str, is_linear: bool = False) -> frozenset[int]:
     links = frozenset(link for quantity in quantities for link in _span(quantity, members))
-    if source != "closed form":
+    if source not in OF_TOOL:
         return links
     axes = (_axes(quantity, members) for quantity in quantities if is_linear)
     return links.union(*(_untold(quantity, members) for quantity in quantities), *axes)

@@ -99,6 +99,7 @@ class _Trial:
         self.checker.confirm, self.checker.route.weighs = False, True
         for key, number in numbers.items():
             names.define(key, methodcaller("rational", number), by_table=True)
+        self.is_strict = False
         self.held = self.failed = self.entries = self.near = 0
         self.wrong: set[str] = set()  # of which entries fail
         self.joints: set[str] = set()
@@ -121,7 +122,7 @@ class _Trial:
                         )
         if not counts:
             self.held, self.entries = held, entries
-        if _is_of_a_case(display):
+        if _is_of_a_case(display, self.is_strict):
             self.failed, self.wrong = failed, wrong
 
     def _take_chain(self, chain: n.Chain, line: int) -> None:
@@ -154,9 +155,9 @@ class _Trial:
         return Reading(front, self.name, self.held, self.failed, self.entries, frozenset(self.joints), self.near)
 
 
-def _is_of_a_case(display: Display) -> bool:
-    """Whether the text puts a display under values, or says otherwise that it does not hold of the tool everywhere."""
-    if display.supposed or display.of_other_point or display.in_other_frame or display.meant:
+def _is_of_a_case(display: Display, is_strict: bool = False) -> bool:
+    """Whether the text puts a display under values, or says otherwise that it does not hold of the tool everywhere; what it says of letters only where that is not strict."""
+    if display.supposed or display.of_other_point or display.in_other_frame or (display.meant and not is_strict):
         return True
     return FROM_VALUES in display.said or any(map(values_of, (display.section, *sections_around(display.section))))
 
@@ -168,12 +169,15 @@ def weigh(
     numbers: Mapping[str, Fraction] = MappingProxyType({}),
     only: Collection[tuple[int | None, int]] = (),
     source: str = "",
+    to_the_end: bool = False,
 ) -> list[Reading]:
     """Return the readings that an arm can be built of, the one under which most holds first; raises where there is none.
 
-    What stands at the places `apart` is no evidence; `numbers` are those that names stand for by their indices. Where `only` names places, what stands elsewhere only tells how the document is spelt. What a `source` of its own shows an arm to be, rates tell of, too. What is read is judged by its equations alone: labels often belong to another convention than the table beside them.
+    What stands at the places `apart` is no evidence; `numbers` are those that names stand for by their indices. Where `only` names places, what stands elsewhere only tells how the document is spelt. What a `source` of its own shows an arm to be, rates tell of, too. `to_the_end` weighs all displays, and lets what the text says of letters excuse none. What is read is judged by its equations alone: labels often belong to another convention than the table beside them.
     """
     trials = list(_trials(document, fronts, numbers, source))
+    for _, trial in trials:
+        trial.is_strict = to_the_end
     for display in (each for each in document.displays if not only or each.place in only):
         if sum(trial.checker.exact.budget.asked for _, trial in trials) > WORK_IN_ALL:
             break
@@ -181,7 +185,7 @@ def weigh(
             for trial in dict.fromkeys(trial for _, trial in trials):
                 trial.take(display, (display.cell, display.line) not in apart)
             best, *others = sorted((trial.held for _, trial in trials), reverse=True)
-            if best - max(others, default=0) >= LEAD:
+            if best - max(others, default=0) >= LEAD and not to_the_end:
                 break
     return sorted((trial.reading(front) for front, trial in trials), key=lambda one: one.counts)
 
