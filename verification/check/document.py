@@ -16,6 +16,7 @@ from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.check.beforehand import Beforehand, lacks_base, shown_transforms
 from armproof.verification.check.display import DisplayChecker
+from armproof.verification.check.identities import resting_on_nothing
 from armproof.verification.check.limits import SECONDS_TO_DECIDE
 from armproof.verification.check.mended import Judged, Mends, mistakes, told, with_mistakes
 from armproof.verification.check.noticed import settle_noticed
@@ -245,6 +246,7 @@ class DocumentChecker:
         if any(each.of_table for record in equations for each in record.outcomes):
             equations = settle_angles(equations)
         if self._has_definitions(equations):
+            equations = resting_on_nothing(equations, self.statements)
             settled = settle_definitions(equations, self.displays.slips.is_cleared)
             equations = settle_used(with_mistakes(settled, self.mended))
         if self.inferred.arm is not None or self.inferred.problem is not None:

@@ -409,7 +409,8 @@ class _ClosedForm:
             letter for letter in letters if _SLIDE.fullmatch(letter) and index_of(letter) not in map(index_of, angles)
         ]
         numbers = sorted(map(index_of, (*angles, *found)))
-        return found if not strictly and numbers == list(range(1, len(numbers) + 1)) else told
+        are_all = {*told} <= {*found} and numbers == list(range(1, len(numbers) + 1))
+        return found if not strictly and are_all else told
 
     def _level(
         self, x: Scalar, y: Scalar, z: Scalar, angles: Sequence[str], slides: Sequence[str]

@@ -94,8 +94,15 @@ def _links(quantities: Sequence[Quantity], members: Members, source: str, is_lin
     links = frozenset(link for quantity in quantities for link in _span(quantity, members))
     if source != "closed form":
         return links
+    if links and all(_is_of_place(quantity) for quantity in quantities) and not _is_long(max(links), members):
+        links -= {max(links)}  # a hand that turns about the tool's origin
     axes = (_axes(quantity, members) for quantity in quantities if is_linear)
     return links.union(*(_untold(quantity, members) for quantity in quantities), *axes)
+
+
+def _is_of_place(quantity: Quantity) -> bool:
+    """Whether a quantity tells where a point is or how it moves, and of no turn."""
+    return quantity.kind == "origin" or (quantity.kind in _MOVES and max(quantity.rows or (6,)) <= 3)
 
 
 def _axes(quantity: Quantity, members: Members) -> Iterator[int]:
@@ -215,7 +222,7 @@ def _rates(side: n.Node, members: Members) -> list[Quantity]:
     dotted = (node for node in n.names(side) if node.dots)
     found = (members.quantity_of(replace(name, dots=0)) for name in dotted)
     return [
-        replace(quantity, kind="velocity") for quantity in found if quantity is not None and quantity.kind == "origin"
+        replace(quantity, kind="velocity", rows=quantity.rows or (1, 2, 3)) for quantity in found if quantity is not None and quantity.kind == "origin"
     ]
 
 
