@@ -14,6 +14,7 @@ from armproof.models.catalogue import arm_of, load_arm
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Ring
+from armproof.verification.check.as_usual import Bound, bound_as_usual
 from armproof.verification.check.beforehand import Beforehand, lacks_base, shown_transforms
 from armproof.verification.check.display import DisplayChecker
 from armproof.verification.check.identities import resting_on_nothing
@@ -139,12 +140,15 @@ class DocumentChecker:
         samples: bool = True,
         inferred: Inference | None = None,
         mended: Mends | None = None,
+        bound: Bound | None = None,
     ) -> None:
         self.document = document
         self.arm = arm
         self.inferred = inferred or Inference(document)
         try:
-            self.names = read_names(arm, document.front)
+            quantities = {**(document.front.get("quantities") or {}), **(bound or {})}
+            front = {**document.front, "quantities": quantities} if bound else document.front
+            self.names = read_names(arm, front)
         except DocumentError as error:
             raise document.fault(error.key or "quantities", error) from None
         taken = self.inferred.arm
@@ -216,12 +220,26 @@ class DocumentChecker:
 
     def result_of(self, equations: tuple[Record, ...]) -> DocumentResult:
         """Return the document's result for the records of its displays, judged with its mistakes mended where it has some."""
+        checked: dict[str, tuple[DocumentChecker, tuple[Record, ...]]] = {}
+
+        def bind(bound: Bound) -> tuple[Record, ...]:
+            options = self.checker.confirm, self.correct, self.samples, self.inferred, None, bound
+            again = DocumentChecker(self.document, self.arm, *options)
+            checked[repr(bound)] = again, again.check_displays()
+            return checked[repr(bound)][1]
+
+        bound = bound_as_usual(equations, bind) if self.arm is not None else {}
+        about, records = checked[repr(bound)] if bound else (self, equations)
+        return about._with_mistakes(records, bound)
+
+    def _with_mistakes(self, equations: tuple[Record, ...], bound: Bound) -> DocumentResult:
+        """Return the document's result, judged with the definitions mended that are its mistakes."""
         checked = {told(()): (self, equations)}
 
         def judge(mended: Mends) -> Judged:
             slips = told(mended.values())
             if slips not in checked:
-                options = self.checker.confirm, self.correct, self.samples, self.inferred, mended
+                options = self.checker.confirm, self.correct, self.samples, self.inferred, mended, bound
                 again = DocumentChecker(self.document, self.arm, *options)
                 checked[slips] = again, again.check_displays()
             about, records = checked[slips]

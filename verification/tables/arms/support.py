@@ -64,6 +64,13 @@ def _is_long(link: int, members: Members) -> bool:
     return not is_zero(members.exact.quantity(Quantity("origin", frames[link], frames[link - 1])))
 
 
+def _is_hand(link: int, members: Members) -> bool:
+    """Whether a joint turns a link about the origin of its frame: where a point is tells nothing of it."""
+    assert members.names.arm is not None
+    frames, depth = members.names.arm.frames, trace_of(members.names.arm).depth
+    return depth(frames[link]) > depth(frames[link - 1]) and not _is_long(link, members)
+
+
 def _moves_otherwise(outcome: Outcome, members: Members) -> bool:
     """Whether what is printed for a coordinate differs by what a joint moves: its rate tells that it is wrong, whatever is constant in it."""
     pair, arm = outcome.pair, members.names.arm
@@ -94,8 +101,8 @@ def _links(quantities: Sequence[Quantity], members: Members, source: str, is_lin
     links = frozenset(link for quantity in quantities for link in _span(quantity, members))
     if source != "closed form":
         return links
-    if links and all(_is_of_place(quantity) for quantity in quantities) and not _is_long(max(links), members):
-        links -= {max(links)}  # a hand that turns about the tool's origin
+    if links and all(map(_is_of_place, quantities)) and _is_hand(max(links), members):
+        links -= {max(links)}
     axes = (_axes(quantity, members) for quantity in quantities if is_linear)
     return links.union(*(_untold(quantity, members) for quantity in quantities), *axes)
 
