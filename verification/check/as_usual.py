@@ -6,26 +6,37 @@ witness beside these lines, and so is the coordinate along another axis, which h
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import yaml
 
-from armproof.verification.findings import MISPRINTS, Kind
+from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.quantity_kinds import as_front_matter
+from armproof.verification.findings import MISPRINTS, OTHER_ANGLES, Kind
 from armproof.verification.naming.shown import point_of
 from armproof.verification.verdict import HOLDS, EquationResult, Record, Verdict
 
+_COORDINATE = re.compile(r"[xyzXYZ]|[pP]_[xyz]")
+# slips by which a coordinate is not counted from another origin
+_OF_ALL_TERMS = MISPRINTS - OTHER_ANGLES | {Kind.WRONG_SIGNS_OF_TERMS, Kind.WRONG_POWER}
 MOST_TRIALS = 4  # each judges the document again
 SEVERAL = 2  # displays that hold
 Bound = Mapping[str, Any]  # names, each with the quantity that it stands for as front matter writes it
 Place = tuple[int, int]  # which display, and which of its equations
 
 
-def bound_as_usual(records: Sequence[Record], judge: Callable[[Bound], Sequence[Record]]) -> dict[str, Any]:
-    """Return the names that are what they usually are wherever it matters, each with its quantity; `judge` takes them as bound by front matter."""
+def bound_as_usual(
+    records: Sequence[Record], judge: Callable[[Bound], Sequence[Record]], usual: Callable[[str], Sequence[Quantity]]
+) -> dict[str, Any]:
+    """Return the names that are what they usually are wherever it matters, each with its quantity.
+
+    `judge` takes names as bound by front matter; `usual` tells what a key may stand for by convention.
+    """
     found: dict[str, Any] = {}
-    for key, quantity, at in [*_said_otherwise(records)][:MOST_TRIALS]:
+    for key, quantity, at in [*_said_otherwise(records), *_contradicted(records, usual)][:MOST_TRIALS]:
         trial = {**found, key: quantity}
         if key not in found and _Trial(quantity, at, records, judge(trial)).shows_slip:
             found, records = trial, judge(trial)
@@ -36,8 +47,7 @@ def _said_otherwise(records: Sequence[Record]) -> Iterator[tuple[str, Any, int]]
     """Yield the names to which one display alone gives another meaning than the usual one, with that and the number of the display."""
     told = [
         (str(finding.terms["name"]), str(finding.terms["line"]), at)
-        for at, record in enumerate(records)
-        for each in (() if record.erratum else record.outcomes)
+        for at, each in _outcomes(records)
         for finding in each.findings
         if finding.kind is Kind.NOT_AS_USUAL_BOUND and any(key == finding.terms["name"] for key, _ in each.defines)
     ]
@@ -46,6 +56,18 @@ def _said_otherwise(records: Sequence[Record]) -> Iterator[tuple[str, Any, int]]
             quantities = yaml.safe_load(line).get("quantities", {})
             if key in quantities:
                 yield key, quantities[key], at
+
+
+def _contradicted(
+    records: Sequence[Record], usual: Callable[[str], Sequence[Quantity]]
+) -> Iterator[tuple[str, Any, int]]:
+    """Yield the coordinates that a display defines, and that displays behind it do not hold with, with what they usually are: y = r² sin θ."""
+    wrong = {key for _, each in _outcomes(records) if each.verdict is Verdict.REFUTED for key in each.uses}
+    defined = [(key, at) for at, each in _outcomes(records) if each.verdict is Verdict.DEFINED for key in each.defines]
+    for (key, line), at in defined:
+        names = [name for (name, _), _ in defined]
+        if (key, line) in wrong and names.count(key) == 1 and _COORDINATE.fullmatch(key):
+            yield from ((key, as_front_matter(quantity), at) for quantity in usual(key)[:1])
 
 
 @dataclass(frozen=True)
@@ -82,7 +104,7 @@ class _Trial:
     def _is_no_other_origin(self) -> bool:
         """Whether what is wrong is more than a term too many or too few, with which a coordinate is counted from elsewhere."""
         found = [entry.finding for entry in self.after[self.defining].entries]
-        return bool(found) and all(each is None or each.kind in (*MISPRINTS, Kind.WRONG_SIGNS_OF_TERMS) for each in found)
+        return bool(found) and all(each is None or each.kind in _OF_ALL_TERMS for each in found)
 
     @property
     def _has_point_beside(self) -> bool:

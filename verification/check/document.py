@@ -228,7 +228,7 @@ class DocumentChecker:
             checked[repr(bound)] = again, again.check_displays()
             return checked[repr(bound)][1]
 
-        bound = bound_as_usual(equations, bind) if self.arm is not None else {}
+        bound = bound_as_usual(equations, bind, self._usual) if self.arm is not None else {}
         about, records = checked[repr(bound)] if bound else (self, equations)
         return about._with_mistakes(records, bound)
 
