@@ -22,6 +22,7 @@ from armproof.verification.verdict import HOLDS, EquationResult, Record, Verdict
 _COORDINATE = re.compile(r"[xyzXYZ]|[pP]_[xyz]")
 # slips by which a coordinate is not counted from another origin
 _OF_ALL_TERMS = MISPRINTS - OTHER_ANGLES | {Kind.WRONG_SIGNS_OF_TERMS, Kind.WRONG_POWER}
+_NAME = re.compile(r"\w+")  # what front matter can bind as it is
 MOST_TRIALS = 4  # each judges the document again
 SEVERAL = 2  # displays that hold
 Bound = Mapping[str, Any]  # names, each with the quantity that it stands for as front matter writes it
@@ -37,9 +38,11 @@ def bound_as_usual(
     """
     found: dict[str, Any] = {}
     for key, quantity, at in [*_said_otherwise(records), *_contradicted(records, usual)][:MOST_TRIALS]:
+        if key in found or not _NAME.fullmatch(key):
+            continue
         trial = {**found, key: quantity}
-        if key not in found and _Trial(quantity, at, records, judge(trial)).shows_slip:
-            found, records = trial, judge(trial)
+        if _Trial(quantity, at, records, again := judge(trial)).shows_slip:
+            found, records = trial, again
     return found
 
 
