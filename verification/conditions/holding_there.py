@@ -30,17 +30,20 @@ def holds_where(checker: ChainChecker, conditions: Sequence[n.Chain], claim: n.C
 def fails_at_values(
     checker: ChainChecker, given: Sequence[Mapping[str, n.Node] | None], outcome: Outcome
 ) -> bool:
-    """Whether the sides of an equation differ where all that is given are values of joints, these moving on or at rest."""
+    """Whether the sides of an equation differ where all that is given are values of joints and lengths, the joints moving on or at rest."""
     values = {name: checker.member(node).value for each in given for name, node in (each or {}).items()}
-    if outcome.pair is None or not values or not all(given) or not {*values} <= {*checker.names.joints}:
+    known = {*checker.names.joints, *checker.names.lengths}
+    if outcome.pair is None or not values or not all(given) or not {*values} <= known:
         return False
-    differences = outcome.pair.differences()
-    at_rest = {each: 0 for each in symbols_in(differences) if is_rate(each) and each.rpartition(" ")[2] in values}
+    true, printed = outcome.pair.true.cells, outcome.pair.printed.cells
+    at_rest = {each: 0 for each in symbols_in([*true, *printed]) if is_rate(each) and each.rpartition(" ")[2] in values}
     with WhereDefined():
-        return all(
-            any(not substitute(each, {**values, **rates}).normal().is_zero() for each in differences)
-            for rates in ({}, at_rest)
-        )
+        for rates in ({}, at_rest):
+            sides = [[substitute(each, {**values, **rates}).normal() for each in side] for side in (true, printed)]
+            tells = not rates or any(not each.is_zero() for each in sides[0])  # where all joints rest, nothing moves
+            if tells and all((a - b).is_zero() for a, b in zip(*sides, strict=True)):
+                return False
+        return True
     return False
 
 
