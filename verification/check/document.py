@@ -14,8 +14,10 @@ from armproof.models.catalogue import arm_of, load_arm
 from armproof.models.errors import ArmproofError
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Ring
+from armproof.verification.check.as_usual import Bound, bound_as_usual
 from armproof.verification.check.beforehand import Beforehand, lacks_base, shown_transforms
 from armproof.verification.check.display import DisplayChecker
+from armproof.verification.check.identities import resting_on_nothing
 from armproof.verification.check.limits import SECONDS_TO_DECIDE
 from armproof.verification.check.mended import Judged, Mends, mistakes, told, with_mistakes
 from armproof.verification.check.noticed import settle_noticed
@@ -140,12 +142,15 @@ class DocumentChecker:
         samples: bool = True,
         inferred: Inference | None = None,
         mended: Mends | None = None,
+        bound: Bound | None = None,
     ) -> None:
         self.document = document
         self.arm = arm
         self.inferred = inferred or Inference(document)
         try:
-            self.names = read_names(arm, document.front)
+            quantities = {**(document.front.get("quantities") or {}), **(bound or {})}
+            front = {**document.front, "quantities": quantities} if bound else document.front
+            self.names = read_names(arm, front)
         except DocumentError as error:
             raise document.fault(error.key or "quantities", error) from None
         taken = self.inferred.arm
@@ -217,12 +222,26 @@ class DocumentChecker:
 
     def result_of(self, equations: tuple[Record, ...]) -> DocumentResult:
         """Return the document's result for the records of its displays, judged with its mistakes mended where it has some."""
+        checked: dict[str, tuple[DocumentChecker, tuple[Record, ...]]] = {}
+
+        def bind(bound: Bound) -> tuple[Record, ...]:
+            options = self.checker.confirm, self.correct, self.samples, self.inferred, None, bound
+            again = DocumentChecker(self.document, self.arm, *options)
+            checked[repr(bound)] = again, again.check_displays()
+            return checked[repr(bound)][1]
+
+        bound = bound_as_usual(equations, bind, self._usual) if self.arm is not None else {}
+        about, records = checked[repr(bound)] if bound else (self, equations)
+        return about._with_mistakes(records, bound)
+
+    def _with_mistakes(self, equations: tuple[Record, ...], bound: Bound) -> DocumentResult:
+        """Return the document's result, judged with the definitions mended that are its mistakes."""
         checked = {told(()): (self, equations)}
 
         def judge(mended: Mends) -> Judged:
             slips = told(mended.values())
             if slips not in checked:
-                options = self.checker.confirm, self.correct, self.samples, self.inferred, mended
+                options = self.checker.confirm, self.correct, self.samples, self.inferred, mended, bound
                 again = DocumentChecker(self.document, self.arm, *options)
                 checked[slips] = again, again.check_displays()
             about, records = checked[slips]
@@ -247,6 +266,7 @@ class DocumentChecker:
         if any(each.of_table for record in equations for each in record.outcomes):
             equations = settle_angles(equations)
         if self._has_definitions(equations):
+            equations = resting_on_nothing(equations, self.statements)
             settled = settle_definitions(equations, self.displays.slips.is_cleared)
             equations = settle_used(with_mistakes(settled, self.mended))
         if self.inferred.arm is not None or self.inferred.problem is not None:

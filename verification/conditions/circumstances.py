@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -12,7 +13,7 @@ from armproof.verification.algebra.calculus import substitute, symbols_in
 from armproof.verification.algebra.matrix import as_matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.heeding import Heeding, unbraced, value_of
-from armproof.verification.conditions.holding_there import holds_where, postures_of
+from armproof.verification.conditions.holding_there import fails_at_values, holds_where, postures_of
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.conditions.postures import vanish_at_quarter_turns
 from armproof.verification.document.postures import THERE, tells_kind
@@ -31,6 +32,7 @@ from armproof.verification.naming.state import Told
 from armproof.verification.verdict import HOLDS, Role, Verdict
 
 ON_A_BRANCH = (Kind.ON_A_BRANCH, Kind.TO_DECIMALS_ON_A_BRANCH)
+_SINGULAR = re.compile("singul")
 OF_A_SIGN = ("sqrt", "abs", *n.ARCS)  # a root or an angle that has another sign elsewhere
 
 
@@ -67,7 +69,9 @@ class Circumstances:
         if outcome.verdict is not Verdict.REFUTED or outcome.true is None or outcome.printed is None:
             return outcome
         conditions: list[n.Chain] = []
-        is_of_determinant = False  # "det J = 0 when the arm is stretched" says so of the determinant
+        if FROM_VALUES in said and self._is_in_letters(said, outcome):
+            return outcome
+        is_of_determinant = self._is_determinant(outcome) and any(map(_SINGULAR.search, said))  # there it is 0
         for latex in self.text.in_letters(each for each in said if each not in (FROM_VALUES, NOT_THERE)):
             if outcome.role is not Role.LAW and tells_kind(latex):  # of which kind a joint is, and no posture
                 continue
@@ -88,6 +92,22 @@ class Circumstances:
         if outcome.true is None or outcome.printed is None or not self._follows(behind, outcome):
             return outcome
         return outcome.left_open(say(Kind.HOLDS_AS_BEHIND))
+
+    def _is_in_letters(self, said: Sequence[str], outcome: Outcome) -> bool:
+        """Whether an equation is written in a length to which what leads to the next display gives its value."""
+        symbols = symbols_in(outcome.pair.printed.cells) if outcome.pair is not None else set()
+        for latex in self.text.in_letters(each for each in said if each != FROM_VALUES):
+            with suppress(ReadError, RecursionError):
+                found = [each for each in self.names.reader.read(unbraced(latex)) if isinstance(each, n.Chain)]
+                given = {name for each in found for name in self.given.values_of(each) or {}}
+                if given & symbols & {*self.given.lengths}:
+                    return True
+        return False
+
+    def _is_determinant(self, outcome: Outcome) -> bool:
+        """Whether an equation gives a determinant that moves."""
+        pair, nodes = outcome.pair, [below for node in outcome.nodes for below in n.walk(node)]
+        return pair is not None and bool(symbols_in(pair.printed.cells)) and any(n.is_call(each, "det") for each in nodes)
 
     def _vanishes(self, conditions: Sequence[n.Chain], outcome: Outcome) -> bool:
         """Whether an equation gives a determinant that moves, and says 0 = 0 under conditions: "so the arm is singular where θ_2 = 0"."""
@@ -362,6 +382,8 @@ class Circumstances:
     def _follows(self, conditions: Sequence[n.Chain], outcome: Outcome) -> bool:
         """Whether an equation holds, or nobody can tell, under conditions."""
         assert outcome.true is not None and outcome.printed is not None
+        if fails_at_values(self.checker, [self.given.values_of(each) for each in conditions], outcome):
+            return False
         return holds_where(self.checker, conditions, n.Chain((outcome.true.node, outcome.printed.node), ("=",)))
 
     def _is_told(self, outcome: Outcome, told: Told) -> bool:

@@ -30,6 +30,7 @@ from armproof.verification.tables.arms.poses import candidate_of_pose, frame_of_
 
 _COORDINATE = re.compile(r"([xyzXYZ])(?:_(?:e|E|ee|EE|tool|n|\d))?|[pP]_(?:e|E|ee|EE|(?P<point>\d))?,?([xyz])")
 _OF_WRIST = re.compile(r"[pP]_(?:W|w|WC|wc),?([xyz])|(?:WC|wc)_([xyz])|([xyzXYZ])_(?:WC|wc)")
+_OF_FIGURE = re.compile(r"[xyz]_([A-Z])")
 _POINTS = ("p", "P", "X", "x")
 _ENDS_OF = {letter: [f"{letter}_{end}" for end in ("e", "E", "ee", "EE", "tool", "n", "tip")] for letter in _POINTS}
 _ANGLE = re.compile(r"(?:theta|q|phi|varphi)(?:_?\d+)?")
@@ -54,7 +55,8 @@ def candidates_of_closed_form(document: Document, names: Names, has_table: bool 
         of_pose = candidate_of_pose(document, names, algebra, beyond) if not has_table else None
     if of_pose is not None and all({*each.more_lines} == {*of_pose.more_lines} for each in found):
         return [of_pose]
-    return found or _of_point(document, names, _OF_WRIST) or _of_components(document, names)
+    found = found or _of_point(document, names, _OF_WRIST) or _of_components(document, names)
+    return found or _of_lettered_point(document, names)
 
 
 def _of_point(document: Document, names: Names, spelt: re.Pattern[str]) -> list[Candidate]:
@@ -88,6 +90,25 @@ def _of_point(document: Document, names: Names, spelt: re.Pattern[str]) -> list[
         above = _arm_of_jacobian(document, names, algebra, rates, order) if not arms and spelt is _COORDINATE else []
         told = [(display.cell or 0, display.line) for _, display in found.values()]
         return arms or [each for each in above if all((each.cell or 0, each.line) < place for place in told)]
+
+
+def _of_lettered_point(document: Document, names: Names) -> list[Candidate]:
+    """Return the arm whose tool is a point of a figure, B of x_B and y_B, where a document has no other coordinates; of A and B the last."""
+    told = [
+        found[1]
+        for display in document.displays
+        for chain in equations_of(display, names)
+        if (found := _OF_FIGURE.fullmatch(bare_key(chain.members[0]) or "")) is not None
+    ]
+    for letter in dict.fromkeys(reversed(told)):
+        arms = _of_point(document, names, re.compile(f"([xyz])_{letter}"))
+        if arms:
+            named = [(f"{axis}_{letter}", axis) for axis in "xyz" if document.writes(f"{axis}_{letter}")]
+            return [
+                replace(each, quantities={key: {"origin": each.last, "component": axis} for key, axis in named})
+                for each in arms
+            ]
+    return []
 
 
 def _of_components(document: Document, names: Names) -> list[Candidate]:
@@ -409,7 +430,8 @@ class _ClosedForm:
             letter for letter in letters if _SLIDE.fullmatch(letter) and index_of(letter) not in map(index_of, angles)
         ]
         numbers = sorted(map(index_of, (*angles, *found)))
-        return found if not strictly and numbers == list(range(1, len(numbers) + 1)) else told
+        are_all = {*told} <= {*found} and numbers == list(range(1, len(numbers) + 1))
+        return found if not strictly and are_all else told
 
     def _level(
         self, x: Scalar, y: Scalar, z: Scalar, angles: Sequence[str], slides: Sequence[str]

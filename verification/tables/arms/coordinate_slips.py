@@ -28,10 +28,25 @@ def mended_coordinates(found: Found, algebra: ExactAlgebra) -> Iterator[tuple[di
         is_mirrored = turned.normal().is_zero() or len(lengths_in(turned)) < len(lengths_in(apart))
         is_of_same = symbols_in([values[axis]]) <= symbols_in([by_other])
         is_slip = is_near(Pair(as_matrix(by_other), as_matrix(values[axis]))) or _lacks_one_link(values[axis], by_other)
+        is_slip = is_slip or _has_cosine_for_sine(values[axis], by_other, algebra)
         if is_of_same and not is_mirrored and is_slip:
             yield {**values, axis: by_other}, {each: given for each, given in found.items() if each != axis}
+    for height in _heights_of_one_slide(values):
+        yield {**values, "z": height}, {each: given for each, given in found.items() if each != "z"}
     for height in _heights_by_reach(values, first, algebra) if first and "z" in values else ():
         yield {**values, "z": height}, {each: given for each, given in found.items() if each != "z"}
+
+
+def _heights_of_one_slide(values: Mapping[str, Scalar]) -> Iterator[Scalar]:
+    """Yield the height without a letter of the reach, where both stand in it and nothing turns: z = h of z = h + r."""
+    z = values.get("z")
+    if z is None or angles_in(z):
+        return
+    level = lengths_in(values["x"]) & lengths_in(values["y"]) & lengths_in(z)
+    for letter in sorted(level):
+        without = substitute(z, {letter: z.ring.zero}).normal()
+        if len(level) == 1 and lengths_in(without):
+            yield without
 
 
 def _heights_by_reach(values: Mapping[str, Scalar], first: str, algebra: ExactAlgebra) -> Iterator[Scalar]:
@@ -71,6 +86,16 @@ def standing(value: Scalar) -> Scalar:
                 (ring.generator(each) ** power for each, power in powers.items()), start=ring.rational(factor)
             )
     return total
+
+
+def _has_cosine_for_sine(value: Scalar, meant: Scalar, algebra: ExactAlgebra) -> bool:
+    """Whether a coordinate is another with the cosine of one angle for its sine in all terms: y = cos θ_1 (l_2 c_2 + l_3 c_23)."""
+    for angle in angles_in(value) & angles_in(meant):
+        symbol = algebra.ring.symbol(angle)
+        others = zip(algebra.cos_sin(symbol), algebra.cos_sin(symbol)[::-1], strict=True)
+        if any(are_equal(value * other, meant * own) for own, other in others):
+            return True
+    return False
 
 
 def _lacks_one_link(value: Scalar, whole: Scalar) -> bool:

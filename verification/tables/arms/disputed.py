@@ -13,6 +13,7 @@ from armproof.verification.algebra.ring import Ring
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.naming.reading import read_names
+from armproof.verification.tables.arms.own_letters import is_index_slip
 from armproof.verification.tables.arms.settling import Inference
 from armproof.verification.tables.arms.values import entries_by_place
 from armproof.verification.tables.arms.witnesses import weigh
@@ -63,11 +64,36 @@ def unless_disputed(part: Inference, result: DocumentResult, check: Check) -> Do
     is_against = Verdict.REFUTED in held or (len(gained) < FEWEST and not set(held) <= {*HOLDS})
     if len(gained) < _fewest(other, own) or is_against:
         return result
+    if len(gained) >= FEWEST and _has_index_slip(part, other):
+        of_table = part.arm.source == "table"
+        mended, tables = (
+            tuple(_with_slip(each, other, part) if of_table else each for each in records)
+            for records in (there.equations, result.tables)
+        )
+        return replace(there, front=result.front, arms=result.arms, equations=mended, tables=tables)
     return replace(
         result,
         equations=tuple(_doubted(each, other, gained, part) for each in result.equations),
         tables=tuple(_doubted(each, other, gained, part) for each in result.tables),
     )
+
+
+def _has_index_slip(part: Inference, other: _Other) -> bool:
+    """Whether the length of a row is that of another, by the index that its author gave the others."""
+    arm = part.document.front["arm"]
+    row = other.link - _first(arm) + 1
+    is_whole = "base" not in arm and "first" not in arm and "frames" not in arm
+    return is_whole and is_index_slip(arm["rows"], row, other.column, (other.printed, other.correct), str(arm["dh"]))
+
+
+def _with_slip(record: Record, other: _Other, part: Inference) -> Record:
+    """Return the record of the table that the arm was taken from, refuted where it has a slip."""
+    if not _is_data(record, part) or record.erratum:
+        return record
+    change = {"row": other.link, "parameter": other.column, "printed": other.printed, "correct": other.correct}
+    found = (say(Kind.TABLE_ENTRY, **change),)
+    outcomes = tuple(replace(each, verdict=Verdict.REFUTED, findings=found) for each in record.outcomes)
+    return replace(record, verdict=Verdict.REFUTED, outcomes=outcomes, findings=found, corrections=None)
 
 
 def _without_refuted(result: DocumentResult, problem: Finding | None) -> DocumentResult:

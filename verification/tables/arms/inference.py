@@ -73,11 +73,11 @@ def _inferred(document: Document) -> Inference:
         return (
             of_table if of_table.problem is not None else Inference(document, None, problem, problem.terms.get("line"))
         )
-    if not found and of_table.problem is None:
-        found = _of_formulas(document, plain_names(document))
-        if (described := _of_words(document, found)) is not None:
+    if not found or all(each.lengths & rates_in(document.displays) for each in found):  # a slide along x is no row of DH
+        forms = _of_formulas(document, plain_names(document))
+        if not found and of_table.problem is None and (described := _of_words(document, forms)) is not None:
             return described
-    found = found or _of_formulas(document, plain_names(document))
+        found = forms or found
     found = found or (candidate_of_rotations(document, plain_names(document)) if of_table.problem is None else [])
     settled = _settle(document, found) if found else of_table
     if settled.arm is None and found and found[0].source == "matrices" and (own := _of_words(document, ())) is not None:

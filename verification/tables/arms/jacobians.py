@@ -29,8 +29,9 @@ def coordinates_of_jacobian(
     """
     printed = list(_jacobians(document, names, algebra))
     told = [
-        (_point(value), value, used, display) for value, used, display in printed if any(map(angles_in, value.cells))
+        (_point(value), value, used, display) for value, used, display, _ in printed if any(map(angles_in, value.cells))
     ]
+    named = [id(value) for value, *_, is_named in printed if is_named]
     found = [(point, used, display) for point, _, used, display in told if point is not None]
     wrong = [value for point, value, *_ in told if point is None]
     if not found and len(told) == 1:
@@ -38,6 +39,8 @@ def coordinates_of_jacobian(
         found = [(point, used, display) for point in _points_with_a_slip(value)]
     elif found:
         first = found[0][0]
+        if any(point is not None and id(value) in named for point, value, *_ in told):  # J^T and J^{-1} are made of it
+            wrong = [value for value in wrong if id(value) in named]
         is_near = all(any(_is_same(point, first) for point in _points_with_a_slip(value)) for value in wrong)
         found = found[:1] if is_near and all(_is_same(point, first) for point, *_ in found) else []
     letters.update({name.key: name for _, used, _ in found for name in used})
@@ -71,15 +74,15 @@ def _is_same(one: tuple[Scalar, Scalar], other: tuple[Scalar, Scalar]) -> bool:
 
 def _jacobians(
     document: Document, names: Names, algebra: ExactAlgebra
-) -> Iterator[tuple[Matrix, tuple[n.Name, ...], Display]]:
-    """Yield the matrices that J, J_v, J^T or J^{-1} is equated to, as J, with the letters in them."""
+) -> Iterator[tuple[Matrix, tuple[n.Name, ...], Display, bool]]:
+    """Yield the matrices that J, J_v, J^T or J^{-1} is equated to, as J, with the letters in them, and whether it is J itself."""
     for display in document.displays:
         for chain in equations_of(display, names) if "J" in display.latex else ():
             turned = _turned(chain.members[0])
             printed = n.Postfix(chain.members[-1], turned) if turned else chain.members[-1]
             evaluated = value_in_letters(printed, names, algebra) if turned is not None else None
             if evaluated is not None and isinstance(evaluated[0], Matrix):
-                yield evaluated[0].map(lambda cell: cell.normal()), evaluated[1], display
+                yield evaluated[0].map(lambda cell: cell.normal()), evaluated[1], display, turned == ""
 
 
 def _turned(node: n.Node) -> str | None:

@@ -13,6 +13,7 @@ class Moves:
 
     rows: list[dict[str, str]] = field(default_factory=list)
     joints: list[str] = field(default_factory=list)
+    turning: set[int] = field(default_factory=set)  # the rows that only turn the frame to where the next joint slides
 
     def add(self, column: str, value: str, joint: str = "") -> None:
         """Add one entry of a row: to the last row, where that leads to the same frame; a shift by nothing is none."""
@@ -30,8 +31,10 @@ class Moves:
         """Add a joint that slides along an axis; the frame keeps its orientation."""
         around = {"x": (("theta", _TURNED), ("alpha", _TURNED)), "y": (("alpha", _BACK),), "-z": (("alpha", "pi"),)}
         back = {"x": (("alpha", _BACK), ("theta", _BACK)), "y": (("alpha", _TURNED),), "-z": (("alpha", "pi"),)}
+        count = len(self.rows)
         for column, angle in around.get(axis, ()):
             self.add(column, angle)
+        self.turning |= {*range(count, len(self.rows))} if count else set()
         self.add("d", value, joint)
         for column, angle in back.get(axis, ()):
             self.add(column, angle)
@@ -44,5 +47,6 @@ class Moves:
         names = ["0"]
         for row, after in enumerate([*self.joints[1:], "end"]):
             count = sum(map(bool, self.joints[: row + 1]))
-            names.append(str(count) if after and count else f"{count}{'abcdefgh'[row % 8]}")
+            is_last = (after or row + 1 in self.turning) and row not in self.turning
+            names.append(str(count) if is_last and count else f"{count}{'abcdefgh'[row % 8]}")
         return tuple(names)

@@ -3,11 +3,28 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 from armproof.verification.findings import Kind
 from armproof.verification.verdict import TakenArm, WrongEntry
 
 _LENGTH = re.compile(r"(?<![A-Za-z\\])([adlrADLR])_\{?(\d)\}?")
+
+
+def is_index_slip(rows: Sequence[Mapping[str, Any]], link: int, column: str, lengths: tuple[str, str], convention: str) -> bool:
+    """Whether a row holds the length of another row, which has it too, where that of its own index stands in none: a_2 twice, and a_3 nowhere.
+
+    The lengths are the one that is printed and the one that is meant.
+    """
+    found = [_LENGTH.fullmatch(each) for each in lengths]
+    if column not in ("a", "d") or found[0] is None or found[1] is None or found[0][1] != found[1][1]:
+        return False
+    shift = 1 if column == "a" and convention == "modified" else 0
+    elsewhere = {place: {str(row["a"]), str(row["d"])} for place, row in enumerate(rows, 1) if place != link}
+    is_own = int(found[1][2]) == link - shift != int(found[0][2])
+    is_of_other = lengths[0] in elsewhere.get(int(found[0][2]) + shift, ())
+    return is_own and is_of_other and not any(lengths[1] in each for each in elsewhere.values())
 
 
 def has_index_of_another(taken: TakenArm, link: int, wrong: WrongEntry) -> bool:

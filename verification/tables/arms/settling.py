@@ -229,6 +229,7 @@ class _Settled:
         links = result.links.union(*(self.named.get(key, ()) for key in result.uses))
         doubtful = links - self.confirmed
         is_of_links = bool(doubtful) and min(doubtful) > 0 and (len(doubtful) == 1 or self._is_alone(result, record))
+        is_of_links = is_of_links and not doubtful & self._hand
         if is_of_links and result.explained_by is not None and not doubtful & result.explained_by:
             links, doubtful = self.confirmed & links, frozenset()  # no link in its place makes it right
         has_entry = any(entry.equation == result.index for entry in record.entries)
@@ -299,14 +300,21 @@ class _Settled:
         """What coordinates tell for certain that fit together: of z only where it turns, and no constant."""
         rows = self.taken.front["arm"]["rows"]
         turns_up = any(str(row["alpha"]) != "0" for row in rows)
-        return frozenset({*range(1, len(rows) + 1), AXES, AXES - 1, *([AXES - 2] if turns_up else [])})
+        return frozenset({*range(1, len(rows) + 1)} - self._hand | {AXES, AXES - 1, *([AXES - 2] if turns_up else [])})
+
+    @property
+    def _hand(self) -> frozenset[int]:
+        """The joint that turns a tool behind a slide downwards, either way, of which its coordinates tell nothing."""
+        rows = self.taken.front["arm"]["rows"] if self.taken.source == "closed form" else []
+        is_turn = bool(rows) and all(rows[-1][column] == 0 for column in ("a", "alpha", "d"))
+        return frozenset({len(rows)} if is_turn and any(row["alpha"] == "pi" for row in rows) else ())
 
     def _data(self, index: int, links: frozenset[int] = frozenset()) -> EquationResult:
         doubts = (
             lines.get(link, frozenset()) for lines in (self.against, self.in_doubt) for link in links - self.confirmed
         )
         lines = sorted(frozenset[int]().union(*doubts))
-        is_known = self.taken.in_words or (self.is_used and not lines)
+        is_known = self.taken.in_words or (self.is_used and not lines and not links & self._hand - self.confirmed)
         verdict = Verdict.DEFINED if is_known else Verdict.UNCHECKED
         gives = say(Kind.GIVES_ARM, convention=self.taken.convention)
         doubt = (say(Kind.CONTRADICTED, lines=lines),) if lines and not self.taken.in_words else ()

@@ -65,6 +65,13 @@ def _is_long(link: int, members: Members) -> bool:
     return not is_zero(members.exact.quantity(Quantity("origin", frames[link], frames[link - 1])))
 
 
+def _is_hand(link: int, members: Members) -> bool:
+    """Whether a joint turns a link about the origin of its frame: where a point is tells nothing of it."""
+    assert members.names.arm is not None
+    frames, depth = members.names.arm.frames, trace_of(members.names.arm).depth
+    return depth(frames[link]) > depth(frames[link - 1]) and not _is_long(link, members)
+
+
 def _moves_otherwise(outcome: Outcome, members: Members) -> bool:
     """Whether what is printed for a coordinate differs by what a joint moves: its rate tells that it is wrong, whatever is constant in it."""
     pair, arm = outcome.pair, members.names.arm
@@ -95,8 +102,15 @@ def _links(quantities: Sequence[Quantity], members: Members, source: str, is_lin
     links = frozenset(link for quantity in quantities for link in _span(quantity, members))
     if source not in OF_TOOL:
         return links
+    if links and all(map(_is_of_place, quantities)) and _is_hand(max(links), members):
+        links -= {max(links)}
     axes = (_axes(quantity, members) for quantity in quantities if is_linear)
     return links.union(*(_untold(quantity, members) for quantity in quantities), *axes)
+
+
+def _is_of_place(quantity: Quantity) -> bool:
+    """Whether a quantity tells where a point is or how it moves, and of no turn."""
+    return quantity.kind == "origin" or (quantity.kind in _MOVES and max(quantity.rows or (6,)) <= 3)
 
 
 def _axes(quantity: Quantity, members: Members) -> Iterator[int]:
@@ -216,7 +230,7 @@ def _rates(side: n.Node, members: Members) -> list[Quantity]:
     dotted = (node for node in n.names(side) if node.dots)
     found = (members.quantity_of(replace(name, dots=0)) for name in dotted)
     return [
-        replace(quantity, kind="velocity") for quantity in found if quantity is not None and quantity.kind == "origin"
+        replace(quantity, kind="velocity", rows=quantity.rows or (1, 2, 3)) for quantity in found if quantity is not None and quantity.kind == "origin"
     ]
 
 
