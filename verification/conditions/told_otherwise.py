@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from armproof.verification.algebra.calculus import substitute, symbols_in
 from armproof.verification.algebra.ring import Scalar
+from armproof.verification.document.amended_tables import AMENDED
 from armproof.verification.document.locked_joints import LOCKED
 from armproof.verification.document.told_builds import (
     COUNTED_FROM_ONE,
@@ -39,6 +40,8 @@ class ToldOtherwise:
             return outcome
         if OTHER_BUILD in meant or FROM_TOOL in meant:
             return outcome.left_open(say(Kind.OF_OTHER_ARM))
+        if (amended := next((each for each in meant if each.startswith(AMENDED)), None)) is not None:
+            return outcome.left_open(say(Kind.TABLE_AMENDED, text=amended.removeprefix(AMENDED).strip()))
         if COUNTED_FROM_ONE in meant and (counted := next(self._of_frames(outcome), None)) is not None:
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=counted))
         if JOINTS_FROM_ZERO in meant and (counted := next(self._of_joints(outcome), None)) is not None:

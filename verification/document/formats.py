@@ -10,10 +10,11 @@ from typing import Any
 
 from armproof.models.catalogue import arm_names
 from armproof.verification.document.accepts import MARK, with_accepts
+from armproof.verification.document.amended_tables import AMENDED
 from armproof.verification.document.arm_in_words import MAY_NAME, planar_arms
 from armproof.verification.document.arms_called import CALLED
 from armproof.verification.document.cells import percent_cells
-from armproof.verification.document.code_tables import code_tables
+from armproof.verification.document.code_tables import amended_in_code, code_tables
 from armproof.verification.document.denials import (
     denied_in,
     denies_above,
@@ -233,9 +234,11 @@ def _with_what_is_said(document: Document) -> Document:
     works_out = any(display.latex.count("=") > 1 for display in told)
     told = tuple(with_listings(told, listings)) if listings or works_out else told
     code = [each for each in document.displays if each.opening == CODE]
-    return replace(
-        document, displays=told, called=tuple(_called(document)), in_code=tuple(code_tables(code)) if code else ()
-    )
+    amended = [f"{AMENDED} {said}" for said in amended_in_code(code)] if "arm" not in document.front else []
+    if amended:
+        told = tuple(each if each.erratum else replace(each, meant=(*each.meant, amended[0])) for each in told)
+    in_code = tuple(code_tables(code)) if code and not amended else ()
+    return replace(document, displays=told, called=tuple(_called(document)), in_code=in_code)
 
 
 def _with_what_is_above(display: Display, latex: str) -> Display:
