@@ -134,7 +134,7 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     if MAY_LEAD.search(text):
         document = with_left_sides(document, text)
     document = _with_what_is_said(with_screws(document))
-    if suffix not in (".ipynb", ".py") and MAY_STRIKE.search(text):
+    if suffix in (".ipynb", ".py") or MAY_STRIKE.search(text):
         document = with_struck_out(document, text, suffix)
     if any(display.strange for display in document.displays) and not is_in_known_language(
         words_of(text[:_TELLS_LANGUAGE])
