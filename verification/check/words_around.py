@@ -18,6 +18,7 @@ from armproof.verification.conditions.told_jacobians import unless_of_told_jacob
 from armproof.verification.conditions.told_motions import at_told_motion
 from armproof.verification.conditions.told_names import ToldNames
 from armproof.verification.conditions.told_notation import ATAN2, written_as_told
+from armproof.verification.conditions.told_operations import unless_of_told_operation
 from armproof.verification.conditions.told_otherwise import ToldOtherwise
 from armproof.verification.conditions.told_relative import unless_relative
 from armproof.verification.document import Display
@@ -76,7 +77,9 @@ class WordsAround:
             outcome = self.meanings.of_arm(outcome, display.meant)
             outcome = self.otherwise.judge(outcome, display.meant)
             outcome = self.branches.judge(outcome, display.meant)
-            outcome = unless_of_told_jacobian(outcome, display, self.names)
+            outcome = unless_of_told_operation(
+                unless_of_told_jacobian(outcome, display, self.names), display, self.names
+            )
         elif display.meant and not display.erratum and outcome.tells(Kind.SIGNED_DISTANCE):
             outcome = self.branches.judge(outcome, display.meant)
         if FIRST_ORDER in display.meant and not display.erratum and holds_to_first_order(outcome, self.names):

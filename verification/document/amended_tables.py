@@ -14,7 +14,7 @@ from armproof.verification.document.word_lists import WordLists
 
 AMENDED = "amended"  # the table of the arm is, with what the text says
 MAY_AMEND = re.compile(  # what no such sentence lacks, in small letters
-    r"table|tableau|\brows?\b|lignes?\b|zeile|tabla|\bfilas?\b|tabella|\brigh?[ae]\b|linha|these (?:length|angle)|ces (?:longueur|angle)|diese[rn]? (?:länge|winkel)|est[ao]s (?:longitud|ángul|comprim|ângul)|quest[ei] (?:lunghezz|angol)"
+    r"table|tableau|\brows?\b|lignes?\b|zeile|tabla|tabela|\bfilas?\b|tabella|\brigh?[ae]\b|linha|these (?:length|angle)|ces (?:longueur|angle)|diese[rn]? (?:länge|winkel)|headings?\b|headers?\b|en-t[êe]tes?|überschrift|cabecera|encabez|intestazion|column|colonne|spalte|colonna|coluna|est[ao]s (?:longitud|ángul|comprim|ângul)|quest[ei] (?:lunghezz|angol)"
     r"|(?:angle|twist|offset|length|winkel|länge|longueur|ángulo|longitud|angolo|lunghezza|ângulo) (?:of|de|du|von|des|del|della|do) .{0,20}?(?:link|joint|segment|corps|articulation|glied|gelenk|eslabón|articulación|giunto|membro|junta)|^\W*[*†‡§¹²³]"
 )
 _is = WordLists(r"""
@@ -32,7 +32,9 @@ ADD add added adding addieren addiert addiere addieren hinzu dazu hinzuzufügen 
 HAS contains contain contient enthält contiene contém includes inclut
 ERROR misprint~ misprinted typo~ mistake wrong incorrect~ erroneous errat~ erreur erreurs faux fausse incorrecte fehler falsch druckfehler tippfehler error erróneo equivocad~ errore sbagliat~ errato erro errad~ swapped exchanged interchanged swap~ interverti~ échangé~ permuté~ inversé~ vertauscht verwechselt intercambi~ scambi~ trocad~ confused confondu~ coquille refuso forgot forgotten forgets missing oublié~ manque vergessen fehlt olvid~ falta dimentic~ manca esquec~
 PLAIN common often typical typically avoid careful carefully easily beware likely not no don' never would could if compare check find souvent facilement attention-à évite~ häufig oft leicht si wenn falls nicht kein keine pas aucun aucune ne frecuente comprob~ spesso non não nunca nie nessun ningún nenhum tracking rounding numerical measurement positioning without sans ohne sin senza sem
-CHANGED half halved halves twice double doubled doubles triple tripled negative negated negativ negativen moitié double doublées doublés divisées négatives négatifs négatif hälfte halb halbe halben doppelt doppelte doppelten verdoppelt mitad doble dobles duplicadas negativas negativos negativo metà doppio doppie negative negativi raddoppiate metade dobro dobradas negativos opposite opposés opposées entgegengesetzt~ opuest~ oppost~ opost~ reversed inverted flipped multiplied scaled multipliées multipliziert multiplicad~ moltiplicat~
+CHANGED half halved halves twice double doubled doubles triple tripled negative negated negativ negativen moitié double doublées doublés divisées négatives négatifs négatif hälfte halb halbe halben doppelt doppelte doppelten verdoppelt mitad doble dobles duplicadas negativas negativos negativo metà doppio doppie negative negativi raddoppiate metade dobro dobradas negativos opposite opposés opposées entgegengesetzt~ opuest~ oppost~ opost~ reversed inverted flipped multiplied scaled multipliées multipliziert multiplicad~ multiplicar moltiplicat~ multiply multiplied
+INSERT insert inserted insérer insérez intercaler einfügen einzufügen eingefügt insertar intercalar inserire inserir
+HEADING heading headings header headers title titles titre titres en-tête en-têtes überschrift überschriften cabecera cabeceras encabezado~ intestazion~ cabeçalho~
 IGNORE ignore ignored omit omitted delete deleted remove removed disregard drop dropped discard strike crossed ignorer ignorez ignoriere~ omettre omettez supprimer supprimez supprimée weglassen weggelassen streichen gestrichen ignorar ignore ignórese omitir omítase suprimir borrar ignorare ignorate omettere cancellare tralasciare omitir apagar
 SHOULD should must ought doit doivent faut soll sollte muss müssen debe deben debería deve devono dovrebbe devem
 REPLACE replace replaced change changed correct corrected remplacer remplacé remplacez changer corriger corrigé ersetze ersetzen ersetzt ändere ändern korrigiere korrigieren reemplazar reemplácese sustituir sustitúyase cambiar corregir sostituire sostituisci sostituito cambiare correggere substituir substitua trocar corrigir
@@ -96,6 +98,7 @@ def amends_table(words: str, formulas: Sequence[str], table: Cells, line: int) -
     if _MARK.match(words) and _amounts(words, formulas) - _amounts_shown(shown):
         return True
     has_row = has_table or any(_is(each, "ROW") for each in said)
+    has_row |= any(_is(each, "COLUMN") for each in said)
     if not (has_row or MAY_AMEND.search(words.lower())):
         return False
     return any((
@@ -103,7 +106,8 @@ def amends_table(words: str, formulas: Sequence[str], table: Cells, line: int) -
         _adds(said, words, formulas, shown),
         has_row and _is_wrong(said),
         _changes_all(said, has_table),
-        has_row and _ignores(said),
+        has_row and (_ignores(said) or any(_is(each, "INSERT") for each in said)),
+        any(_is(each, "HEADING") for each in said) and _is_wrong(said),
         has_row and _is_replaced(said),
         has_table and any(_is(each, "UNLIKE") for each in said),
     ))  # fmt: skip

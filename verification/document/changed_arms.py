@@ -11,7 +11,7 @@ from collections.abc import Collection, Iterator, Sequence
 from armproof.verification.document.word_lists import WordLists
 
 MAY_CHANGE_ARM = re.compile(  # what no such sentence lacks, in small letters
-    r"robot|\barms?\b|manipul|\bbase\b|\bbras\b|roboter|\bit\b|\bil\b|link|bar\b|bars\b|length|forearm|segment|longueur|barre|länge|glied|unterarm|longitud|brazo|lunghezz|bracci|tool|outil|pen\b|stylo|screw|tube|long\b"
+    r"robot|\barms?\b|manipul|\bbase\b|\bbras\b|roboter|\bit\b|\bil\b|link|bar\b|bars\b|length|forearm|segment|longueur|barre|länge|glied|unterarm|longitud|brazo|lunghezz|bracci|tool|outil|spindle|\bnut\b|pitch|hélico|helic|elico|\bvis\b|schraub|spindel|tornillo|\bvite\b|parafuso|pen\b|stylo|screw|tube|long\b"
 )
 _is = WordLists("""
 ARM robot robots arm manipulator base bras manipulateur roboter roboterarm brazo manipulador braccio manipolatore braço robô machine mechanism mécanisme it il elle er lo
@@ -23,6 +23,10 @@ ALL all both every each toutes tous les chaque alle beide jede todas todos ambas
 HELD pen pencil screwdriver tube extension probe drill torch brush nozzle tool rod stick finger needle marker gripper hand spike pointer blade knife adapter spacer pipe stylo crayon tournevis rallonge sonde perceuse torche pinceau buse outil tige doigt aiguille feutre pince lame couteau adaptateur tuyau perche stift bleistift schraubendreher schraubenzieher verlängerung rohr bohrer pinsel düse werkzeug stab finger nadel greifer adapter lápiz destornillador tubo extensión sonda broca antorcha pincel herramienta penna matita cacciavite prolunga sonda trapano pennello utensile caneta chave extensão ferramenta
 NO_LENGTH transform~ homogeneous matrix matrices matric~ matrizen product~ angle angles side sides membres seiten equation~ équation~ gleichung~ speed~ velocit~ vitesse~ geschwindigkeit~ torque~ couple couples force~ drehmoment~ rate rates area~ row rows column~ vector~ velocidad~ coppie winkel~ term terms square~ carré~
 THE the this that dh la le der die das el los il lo o our its
+SCREW screw screws screw-joint helical helicoidal spindle nut pitch hélicoïdale hélicoïdal vis pas schraube~ schraub~ spindel mutter steigung gewinde~ helicoidal tornillo husillo elicoidale vite passo fuso parafuso
+TURNS turn turns turned turning rotate~ rotation tourne tournant tourner dreht drehen dreh~ gira girar girando ruota ruotando ruotare rotaz~
+PART hand tool gripper quill slide joint it wrist outil main pince organe liaison articulation glissière hand werkzeug greifer gelenk schub pinole mano herramienta pinza articulación giunto utensile ferramenta junta
+NEVER not no never without nicht kein keine ohne ne pas sans no sin non senza não sem motor shaft handle
 MIGHT can could may might often usually typically generally peut peuvent souvent kann können oft puede pueden può possono pode podem
 """).holds
 _LENGTH_LETTER = re.compile(
@@ -32,6 +36,7 @@ _BY = frozenset("by of de d' um von por di height hauteur höhe altura altezza".
 _OF_LENGTH = re.compile(
     r"(?<!\S)(?:(?:of|with|whose|the|de|d' une|der|mit der|von der|con|di|da|la|a|is|has|and) )*(?:length|height|longueur|hauteur|länge|höhe|longitud|altura|lunghezza|altezza|comprimento) (?:of |is |de |est |von |ist |es |di |è |é )?¤ |¤ (?:long|lang|de long|de longueur|largo|lungo) "
 )
+_OF_PITCH = frozenset("de du le un son".split())  # before "pas", which denies nothing then
 _OF_ROWS = ("table", "column")  # "the table" is that of the rows
 _NEAR = 8  # words between what is held and how long it is
 
@@ -41,8 +46,19 @@ def changes_arm(words: str, formulas: Sequence[str], letters_above: Collection[s
     said = words.lower().replace("upper arm", "upper-arm").replace("upside down", "upside-down").split()
     if said[-1:] == ["?"] or any(_is(each, "MIGHT") for each in said):
         return False
+    if _turns_as_it_slides(said):
+        return True
     new = [bool(_LENGTH_LETTER.fullmatch(each)) and _plain(each) not in letters_above for each in formulas]
     return _is_elsewhere(said, new) or _is_scaled(said, new) or any(_holds(words.lower(), said, new))
+
+
+def _turns_as_it_slides(said: Sequence[str]) -> bool:
+    """Whether a joint is a screw that turns the hand, which no table has: "sliding it also turns the hand", "La troisième liaison est hélicoïdale"."""
+    has_screw = any(_is(each, "SCREW") for each in said)
+    plain = [each for before, each in zip(["", *said], said, strict=False) if before not in _OF_PITCH]
+    if not has_screw or any(_is(each, "NEVER") for each in plain):
+        return False
+    return any(_is(each, "TURNS") for each in said) and any(_is(each, "PART") for each in said)
 
 
 def _plain(latex: str) -> str:

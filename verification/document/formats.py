@@ -22,6 +22,7 @@ from armproof.verification.document.denials import (
     heading_may_deny,
     is_denied_by_headings,
 )
+from armproof.verification.document.flat_cells import flat_text, on_flat_lines
 from armproof.verification.document.formula_links import shows_its_latex
 from armproof.verification.document.front_matter import read_any_text, suffix_of
 from armproof.verification.document.heading import encloses
@@ -140,6 +141,25 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
         words_of(text[:_TELLS_LANGUAGE])
     ):
         document = replace(document, displays=tuple(replace(each, strange="") for each in document.displays))
+    flat, above = flat_text(text) if suffix == ".ipynb" and text else (text, {})
+    document = _with_what_is_told(on_flat_lines(document, above) if above else document, flat)
+    document = on_flat_lines(document, above, -1) if above else document
+    small = flat.lower()
+    if (images := sum(not shows_its_latex(each) for each in _IMAGE.findall(text))) and suffix != ".py":
+        told = say(Kind.IMAGES, count=images) if images > 1 else say(Kind.IMAGE)
+        document = replace(document, remarks=(*document.remarks, told))
+    headings = tuple(_headings(text)) if "arms" in document.front and suffix not in (".ipynb", ".py") else ()
+    planar = planar_arms(flat) if MAY_NAME.search(flat) else frozenset[int]()
+    convention = told_convention(flat) if MAY_TELL.search(flat) else ""
+    scalars = frozenset(each for each, *_ in told_below(flat, told_scalars)) if MAY_CALL_SIZE.search(small) else ()
+    document = replace(document, named=named_arms(text), planar=planar, headings=headings, convention=convention)
+    ends = tuple(_told_ends(flat)) if MAY_TELL_END.search(small) else ()
+    document = replace(document, scalars=frozenset(scalars), ends=ends)
+    return with_accepts(document, text.replace("\r\n", "\n"), suffix) if MARK in text else document
+
+
+def _with_what_is_told(document: Document, text: str) -> Document:
+    """Return a document whose displays know what the sentences of its text tell of letters, places, directions and arms."""
     small = text.lower()
     if any(
         each.search(small)
@@ -149,17 +169,7 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     tells = [(MAY_ORIENT, told_orientations), (MAY_INDEX, told_indices), (MAY_TELL, conventions_below)]
     if heard := [tell for may, tell in tells if may.search(small)]:
         document = with_directions(document, text, heard)
-    if (images := sum(not shows_its_latex(each) for each in _IMAGE.findall(text))) and suffix != ".py":
-        told = say(Kind.IMAGES, count=images) if images > 1 else say(Kind.IMAGE)
-        document = replace(document, remarks=(*document.remarks, told))
-    headings = tuple(_headings(text)) if "arms" in document.front and suffix not in (".ipynb", ".py") else ()
-    planar = planar_arms(text) if MAY_NAME.search(text) else frozenset[int]()
-    convention = told_convention(text) if MAY_TELL.search(text) else ""
-    scalars = frozenset(each for each, *_ in told_below(text, told_scalars)) if MAY_CALL_SIZE.search(small) else ()
-    document = replace(document, named=named_arms(text), planar=planar, headings=headings, convention=convention)
-    ends = tuple(_told_ends(text)) if MAY_TELL_END.search(small) else ()
-    document = replace(document, scalars=frozenset(scalars), ends=ends)
-    return with_accepts(document, text.replace("\r\n", "\n"), suffix) if MARK in text else document
+    return document
 
 
 def _told_ends(text: str) -> Iterator[tuple[int, str]]:

@@ -10,18 +10,21 @@ from itertools import groupby
 from armproof.verification.document.model import CODE, INLINE, Display
 
 MAY_MARK = re.compile(  # what no text that has such marks lacks
-    r"[❌✗✘✖👎🚫⛔☒🙅☐]|:(?:x|-1|thumbsdown|no_entry\w*|negative_squared_cross_mark|heavy_multiplication_x):|\\xmark|\\ding\{5[3-6]\}|\[[ xX]\][ \t]|\\(?:wrong|incorrect)?choice\b|(?:^|(?<=[\s(*]))[A-Da-d][.)](?=[\s*]|\\\[|\$)",
+    r"[❌✗✘✖👎🚫⛔☒🙅☐]|:(?:x|-1|thumbsdown|no_entry\w*|negative_squared_cross_mark|heavy_multiplication_x):|\\xmark|\\ding\{5[3-6]\}|\[[ xX]\][ \t]|\\(?:wrong|incorrect)?choice\b|(?:^|(?<=[\s(*]))[A-Da-d1][.)](?=[\s*]|\\\[|\$)",
     re.MULTILINE,
 )
-_WRONG = re.compile(
+WRONG = re.compile(
     r"[❌✗✘✖👎🚫⛔☒🙅]|:(?:x|-1|thumbsdown|no_entry\w*|negative_squared_cross_mark|heavy_multiplication_x):|\\xmark|\\ding\{5[3-6]\}|\\(?:wrong|incorrect)choice\b"
 )
-_WRONG_ALONE = re.compile(rf"[\W_]*(?:(?:{_WRONG.pattern})[\W_]*)+")  # with no word beside
+_WRONG_ALONE = re.compile(rf"[\W_]*(?:(?:{WRONG.pattern})[\W_]*)+")  # with no word beside
 _BOX = re.compile(r"(?:^|\s)(?:[-*+]|\d+[.)])\s+\[(?P<box>[ xX])\]\s|(?P<sign>[☐☑])")
 _CHOICE = re.compile(r"\\choice\b")
 _LABEL = re.compile(r"\W*(?:\\item\s*)?(?:\[?\s*)?\(?(?P<label>[A-Fa-f])\s*[.):]\W*")
-_ENVIRONMENT = re.compile(r"\\begin\{(?:one)?(?:par)?(?:choices|checkboxes)\}")
-_CORRECT = re.compile(r"\\[Cc]orrect[Cc]hoice\b")
+_NUMBER = re.compile(r"\W*(?P<label>[1-9])\s*[.):]\W*")
+_ASKS = re.compile(  # above items that bear numbers: steps do, too
+    r"\b(?:(?:only |exactly )?one|which|what) of (?:these|the)|(?:une seule|laquelle|lesquelles) (?:de ces|des)|(?:nur )?(?:eine|welche) (?:dieser|der|von)|(?:sólo |solo )?(?:una|cuál) de (?:estas|las)|(?:solo )?(?:una|quale) di queste|(?:só )?(?:uma|qual) destas",
+    re.IGNORECASE,
+)
 _NEAR = 2  # lines above a display of which all but the one with its mark are empty
 _LONGEST = 40  # characters of a mark with its label
 _PLAIN = re.compile(r"\s|\\(?:left|right|,|;|!|quad)(?![A-Za-z])")
@@ -47,11 +50,13 @@ def marked_wrong(displays: Sequence[Display], texts: Mapping[int | None, str]) -
     boxes = {each.place: found for each in own if (found := _BOX.search(beside[each.place].before)) is not None}
     for each in own:
         marks = beside[each.place]
-        is_wrong = _WRONG.search(marks.before) is not None or _WRONG_ALONE.fullmatch(marks.behind) is not None
+        is_wrong = WRONG.search(marks.before) is not None or _WRONG_ALONE.fullmatch(marks.behind) is not None
         is_other = _CHOICE.search(marks.before) is not None
         if is_wrong or is_other or _is_empty(boxes.get(each.place)):
             yield each
-    yield from _alternatives(own, beside)
+    asks = any(_ASKS.search(text) for text in texts.values())
+    for label in (_LABEL, _NUMBER) if asks else (_LABEL,):
+        yield from _alternatives(own, beside, label)
 
 
 def _is_empty(box: re.Match[str] | None) -> bool:
@@ -64,19 +69,26 @@ def _beside(display: Display, lines: Sequence[str]) -> _Beside:
     before = re.split(r"\$\$?|\\\[|\\begin\{", first)[0]
     above = next((each for each in reversed(lines[max(0, at - _NEAR) : at]) if each.strip()), "")
     if not re.search(r"\w|[^\w\s>*_#-]", before) and len(above) <= _LONGEST:
-        is_mark = _WRONG_ALONE.fullmatch(above) or _BOX.fullmatch(f"{above.rstrip()} ") or _LABEL.fullmatch(above)
+        is_mark = (
+            _WRONG_ALONE.fullmatch(above)
+            or _BOX.fullmatch(f"{above.rstrip()} ")
+            or _LABEL.fullmatch(above)
+            or _NUMBER.fullmatch(above)
+        )
         before = f"{above} " if is_mark or _CHOICE.fullmatch(above.strip()) else before
     last = lines[min(at + display.latex.count("\n"), len(lines) - 1)] if lines else ""
     behind = re.split(r"\$\$|\\\]|\\end\{\w+\*?\}", last)
     return _Beside(before, behind[-1] if len(behind) > 1 else "")
 
 
-def _alternatives(own: Sequence[Display], beside: Mapping[tuple[int | None, int], _Beside]) -> Iterator[Display]:
+def _alternatives(
+    own: Sequence[Display], beside: Mapping[tuple[int | None, int], _Beside], mark: re.Pattern[str]
+) -> Iterator[Display]:
     """Yield the displays that bear letters one after another, in which the same is something else in each: of these one at most holds."""
     for _, run in groupby(own, key=lambda each: (each.cell, each.section)):
         group: list[tuple[str, Display]] = []
         for each in (*run, None):
-            found = _LABEL.match(beside[each.place].before) if each is not None else None
+            found = mark.match(beside[each.place].before) if each is not None else None
             label = found["label"] if found is not None else ""
             if group and not (label and ord(label) - ord(group[-1][0]) == 1):
                 yield from _if_apart([one for _, one in group])

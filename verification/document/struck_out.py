@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import lru_cache
 
 from armproof.verification.document.cells import notebook_cells, percent_cells
-from armproof.verification.document.denials import denies_within
+from armproof.verification.document.denials import denies_within, is_not_to_copy
 from armproof.verification.document.marked_wrong import MAY_MARK, marked_wrong
 from armproof.verification.document.model import Document
 
@@ -18,6 +18,7 @@ MAY_STRIKE = re.compile(  # what no text that strikes out or denies in a box lac
     re.MULTILINE,
 )
 MOST = 4000  # characters that are struck out or stand in a box: what is not closed is looked through no further
+_TITLE = 120  # characters of what a box begins with
 _INSIDE = rf".{{0,{MOST}}}?"
 _STRUCK = re.compile(
     rf"<(?P<tag>del|s|strike)(?:\s[^<>\n]*)?>{_INSIDE}</(?P=tag)>|<(?P<any>span|div|p)\s[^<>\n]*line-through[^<>\n]*>{_INSIDE}</(?P=any)>|\\(?:st|sout|xout)\s*\{{{_INSIDE}(?<!\\)\}}(?=\s*(?:\\|\n|\Z))",
@@ -56,7 +57,7 @@ def with_struck_out(document: Document, text: str, suffix: str) -> Document:
 
 def _texts(text: str, suffix: str) -> Mapping[int | None, str]:
     """Return the texts of a document by their cells, None where there are none; its lines are those of the displays."""
-    if suffix not in (".ipynb", ".py"):
+    if suffix not in (".ipynb", ".py") or not text:
         return {None: text}
     cells = notebook_cells(text) if suffix == ".ipynb" else percent_cells(text)
     return {number: "\n" * (each.line - 1) + each.text for number, each in enumerate(cells) if each.kind == "markdown"}
@@ -74,7 +75,8 @@ def _lines(text: str, suffix: str) -> Iterator[tuple[int, int]]:
 def _denies(box: re.Match[str]) -> bool:
     """Whether the name or the title of a box denies what stands in it."""
     words = " ".join(filter(None, box.group("name", "option", "class", "summary", "words")))
-    return _says_no(re.sub(r"[-_{}:.=\"#]", " ", words))
+    begins = box.string[box.end() : box.end() + _TITLE].split("\n\n")[0].strip().split("\n")[0]  # a title of its own
+    return _says_no(re.sub(r"[-_{}:.=\"#]", " ", words)) or is_not_to_copy(begins)
 
 
 @lru_cache(maxsize=256)
