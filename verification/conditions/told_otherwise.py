@@ -27,6 +27,11 @@ from armproof.verification.verdict import DECIDED, Verdict
 _OF_FRAMES = (*"pPoOTAHRzZxyXYvVJ", "omega")  # what bears the number of a frame
 
 
+def is_of_other_build(meant: Sequence[str]) -> bool:
+    """Whether a display is of an arm that the text builds otherwise, or whose table it amends."""
+    return OTHER_BUILD in meant or FROM_TOOL in meant or any(each.startswith((AMENDED, TURNED_ROUND)) for each in meant)
+
+
 class ToldOtherwise:
     """Leaves open what rests on an arm, rows or rates that the text tells otherwise."""
 

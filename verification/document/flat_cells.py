@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TypeVar
 
-from armproof.verification.document.cells import notebook_cells
+from armproof.verification.document.cells import notebook_cells, percent_cells
 from armproof.verification.document.model import Display, Document, Table
 
 _Part = TypeVar("_Part", Display, Table)
@@ -21,6 +21,16 @@ def flat_text(text: str) -> tuple[str, Mapping[int, int]]:
         own = cell.text.split("\n")
         lines += [*(own if cell.kind == "markdown" else [""] * len(own)), ""]
     return "\n".join(lines), above
+
+
+def spoken_text(text: str) -> str:
+    """Return the text of a py:percent file on its own lines, without comment marks, blank where it is code."""
+    lines = [""] * (text.count("\n") + 1)
+    for cell in percent_cells(text):
+        if cell.kind == "markdown":
+            own = cell.text.split("\n")
+            lines[cell.line - 1 : cell.line - 1 + len(own)] = own
+    return "\n".join(lines)
 
 
 def on_flat_lines(document: Document, above: Mapping[int, int], sign: int = 1) -> Document:
