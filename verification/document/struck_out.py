@@ -42,7 +42,8 @@ def with_struck_out(document: Document, text: str, suffix: str) -> Document:
     """Return a document whose displays know that they are struck out, stand in a box that denies them, or bear a mark that does."""
     texts = _texts(text, suffix)
     lines = {cell: [*_lines(each, suffix)] for cell, each in texts.items() if MAY_STRIKE.search(each)}
-    marked = {each.place for each in marked_wrong(document.displays, texts)} if MAY_MARK.search(text) else set()
+    may_mark = any(MAY_MARK.search(each) for each in texts.values())
+    marked = {each.place for each in marked_wrong(document.displays, texts)} if may_mark else set()
     if not (any(lines.values()) or marked):
         return document
     displays = tuple(
