@@ -25,6 +25,7 @@ from armproof.verification.check.parts import joined, unless_called_another, unl
 from armproof.verification.check.points import Points
 from armproof.verification.check.table_values import values_of_tables
 from armproof.verification.check.told_quantities import settle_told_quantities
+from armproof.verification.conditions.told_otherwise import is_of_other_build
 from armproof.verification.diagnosis.accepted import with_accepted
 from armproof.verification.display.statements import Statements
 from armproof.verification.document import Display, Document, Table, parse_document, read_document
@@ -248,6 +249,8 @@ class DocumentChecker:
             return Judged(records, about.names.state.met, about.displays.parts_of)
 
         found = mistakes(judge({}), judge) if self.names.state.met else {}
+        elsewhere = {each.line for each in self.document.displays if is_of_other_build(each.meant)}
+        found = {key: slip for key, slip in found.items() if slip.line not in elsewhere}
         about, records = checked[told(found.values())]
         return about._result_of(records)
 

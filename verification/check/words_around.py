@@ -18,7 +18,8 @@ from armproof.verification.conditions.told_jacobians import unless_of_told_jacob
 from armproof.verification.conditions.told_motions import at_told_motion
 from armproof.verification.conditions.told_names import ToldNames
 from armproof.verification.conditions.told_notation import ATAN2, written_as_told
-from armproof.verification.conditions.told_otherwise import ToldOtherwise
+from armproof.verification.conditions.told_operations import unless_of_told_operation
+from armproof.verification.conditions.told_otherwise import ToldOtherwise, is_of_other_build
 from armproof.verification.conditions.told_relative import unless_relative
 from armproof.verification.document import Display
 from armproof.verification.document.first_order import FIRST_ORDER
@@ -77,7 +78,9 @@ class WordsAround:
             outcome = self.meanings.of_arm(outcome, display.meant)
             outcome = self.otherwise.judge(outcome, display.meant)
             outcome = self.branches.judge(outcome, display.meant)
-            outcome = unless_of_told_jacobian(outcome, display, self.names)
+            outcome = unless_of_told_operation(
+                unless_of_told_jacobian(outcome, display, self.names), display, self.names
+            )
         elif display.meant and not display.erratum and outcome.tells(Kind.SIGNED_DISTANCE):
             outcome = self.branches.judge(outcome, display.meant)
         if FIRST_ORDER in display.meant and not display.erratum and holds_to_first_order(outcome, self.names):
@@ -93,6 +96,8 @@ class WordsAround:
             outcome = self.directions.judge(outcome, display.directions)
             outcome = unless_told_otherwise(outcome, display, self.names)
             outcome = unless_of_other_convention(outcome, display.directions)
+        if is_of_other_build(display.meant) or display.denied or display.strange or display.may_not_print:
+            outcome = replace(outcome, as_usual=None)  # nor is what its name usually means claimed of the arm
         if display.denied and outcome.verdict is not Verdict.UNCHECKED:
             outcome = replace(outcome.left_open(say(Kind.DENIED)), defines=())
         if (

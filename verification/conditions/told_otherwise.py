@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from armproof.verification.algebra.calculus import substitute, symbols_in
 from armproof.verification.algebra.ring import Scalar
+from armproof.verification.document.amended_tables import AMENDED
 from armproof.verification.document.locked_joints import LOCKED
 from armproof.verification.document.told_builds import (
     COUNTED_FROM_ONE,
@@ -26,6 +27,11 @@ from armproof.verification.verdict import DECIDED, Verdict
 _OF_FRAMES = (*"pPoOTAHRzZxyXYvVJ", "omega")  # what bears the number of a frame
 
 
+def is_of_other_build(meant: Sequence[str]) -> bool:
+    """Whether a display is of an arm that the text builds otherwise, or whose table it amends."""
+    return OTHER_BUILD in meant or FROM_TOOL in meant or any(each.startswith((AMENDED, TURNED_ROUND)) for each in meant)
+
+
 class ToldOtherwise:
     """Leaves open what rests on an arm, rows or rates that the text tells otherwise."""
 
@@ -39,6 +45,8 @@ class ToldOtherwise:
             return outcome
         if OTHER_BUILD in meant or FROM_TOOL in meant:
             return outcome.left_open(say(Kind.OF_OTHER_ARM))
+        if (amended := next((each for each in meant if each.startswith(AMENDED)), None)) is not None:
+            return outcome.left_open(say(Kind.TABLE_AMENDED, text=amended.removeprefix(AMENDED).strip()))
         if COUNTED_FROM_ONE in meant and (counted := next(self._of_frames(outcome), None)) is not None:
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=counted))
         if JOINTS_FROM_ZERO in meant and (counted := next(self._of_joints(outcome), None)) is not None:

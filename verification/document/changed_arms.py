@@ -11,18 +11,27 @@ from collections.abc import Collection, Iterator, Sequence
 from armproof.verification.document.word_lists import WordLists
 
 MAY_CHANGE_ARM = re.compile(  # what no such sentence lacks, in small letters
-    r"robot|\barms?\b|manipul|\bbase\b|\bbras\b|roboter|\bit\b|\bil\b|link|bar\b|bars\b|length|forearm|segment|longueur|barre|länge|glied|unterarm|longitud|brazo|lunghezz|bracci|tool|outil|pen\b|stylo|screw|tube|long\b"
+    r"robot|\barms?\b|manipul|\bbase\b|\bbras\b|roboter|\bit\b|\bil\b|link|bar\b|bars\b|length|forearm|segment|longueur|barre|länge|glied|unterarm|longitud|brazo|lunghezz|bracci|tool|outil|foot|model|maquet|scale|échelle|maßstab|escala|scala|stab|stäbe|stange|asta|aste\b|elos?\b|forearm|spindle|\bnut\b|pitch|hélico|helic|elico|\bvis\b|schraub|spindel|tornillo|\bvite\b|parafuso|pen\b|stylo|screw|tube|long\b"
 )
 _is = WordLists("""
 ARM robot robots arm manipulator base bras manipulateur roboter roboterarm brazo manipulador braccio manipolatore braço robô machine mechanism mécanisme it il elle er lo
-MOUNTED lift~ raise~ put puts place~ placing set stand~ hang~ hung suspend~ mount~ bolt~ fix~ screwed carried rides carries move~ moving shift~ displace~ tilt~ turned soulev~ posé posée posons pose place~ placé placée monte~ monté~ accroch~ fixe~ fixé~ déplac~ surélev~ rehauss~ inclin~ gehoben gestellt gesetzt montiert aufgehängt hängt verschoben befestigt gekippt levantad~ coloca~ colgad~ cuelga montad~ desplaza~ sollevat~ mess~ appes~ montat~ spostat~ levantado pendurad~ desloca~
+MOUNTED lift~ raise~ put puts place~ placing set stand~ hang~ hung suspend~ mount~ bolt~ fix~ screwed carried rides carries move~ moving shift~ displace~ tilt~ turned rotated tourné tournée tournons gedreht girad~ ruotat~ soulev~ posé posée posons pose place~ placé placée monte~ monté~ accroch~ fixe~ fixé~ déplac~ surélev~ rehauss~ inclin~ gehoben gestellt gesetzt montiert aufgehängt hängt verschoben befestigt gekippt levantad~ coloca~ colgad~ cuelga montad~ desplaza~ sollevat~ mess~ appes~ montat~ spostat~ levantado pendurad~ desloca~
 SUPPORT platform table pedestal cart carriage ceiling wall stand plinth trolley truck vehicle rail gantry column bench box turntable slope ramp plateforme plate-forme socle piédestal chariot plafond mur estrade rampe établi support colonne véhicule portique sockel tisch decke wand wagen podest schiene säule plattform mesa techo pared plataforma pedestal carro tavolo soffitto parete piattaforma piedistallo carrello mesa teto parede carrinho upside-down upside
-LINKS link links bar bars rod rods segment~ length lengths longueur~ barre barres forearm upper-arm glieder stäbe längen unterarm oberarm avant-bras bras longitudes eslabones barras antebrazo lunghezze aste bracci avambraccio comprimentos elos antebraço arm~ robot~
+ITS_FOOT foot base pedestal pied socle embase base fuß sockel pie piede pé robot robots roboter
+LINKS membro membri segmento segmenti eslabón eslabones maillon link links bar bars rod rods segment~ length lengths longueur~ barre barres forearm upper-arm glieder stäbe längen unterarm oberarm avant-bras bras longitudes eslabones barras antebrazo lunghezze aste bracci avambraccio comprimentos elos antebraço arm~ robot~
 SCALED multipl~ scaled doubl~ halved halve tripl~ quadrupl~ multiplie~ divise~ divided dédoubl~ réduit~ agrandi~ enlarg~ verdoppel~ halbier~ vervielf~ multiplizier~ duplica~ raddoppi~ moltiplica~ dobra~ twice double half lengthen~ shorten~ longer shorter rallong~ allong~ raccourci~ verläng~ verkürz~ alarga~ acorta~ allung~ accorci~ alonga~ encurta~ prolong~
 ALL all both every each toutes tous les chaque alle beide jede todas todos ambas tutte tutti ambedue
 HELD pen pencil screwdriver tube extension probe drill torch brush nozzle tool rod stick finger needle marker gripper hand spike pointer blade knife adapter spacer pipe stylo crayon tournevis rallonge sonde perceuse torche pinceau buse outil tige doigt aiguille feutre pince lame couteau adaptateur tuyau perche stift bleistift schraubendreher schraubenzieher verlängerung rohr bohrer pinsel düse werkzeug stab finger nadel greifer adapter lápiz destornillador tubo extensión sonda broca antorcha pincel herramienta penna matita cacciavite prolunga sonda trapano pennello utensile caneta chave extensão ferramenta
 NO_LENGTH transform~ homogeneous matrix matrices matric~ matrizen product~ angle angles side sides membres seiten equation~ équation~ gleichung~ speed~ velocit~ vitesse~ geschwindigkeit~ torque~ couple couples force~ drehmoment~ rate rates area~ row rows column~ vector~ velocidad~ coppie winkel~ term terms square~ carré~
 THE the this that dh la le der die das el los il lo o our its
+EXCHANGED exchanged swapped interchanged exchange swap swapping exchanging échangées échangés échange échangeons intervertit intervertis permute vertauscht vertauschen tauschen getauscht intercambi~ scambi~ scambiat~ trocad~ troca trocamos
+ADDED extension extensions rallonge rallonges prolongement verlängerung~ extensión prolunga extensão
+TWO two both deux les beide beiden zwei dos ambas due entrambe dois duas ambos each
+NO_BARS roles role rows row columns column axes axis angles angle coordinates sine cosine letters names symbols indices index signs terms factors rôles lignes colonnes angles winkel zeilen spalten rollen filas columnas righe colonne linhas colunas
+SCREW screw screws screw-joint helical helicoidal spindle nut pitch hélicoïdale hélicoïdal vis pas schraube~ schraub~ spindel mutter steigung gewinde~ helicoidal tornillo husillo elicoidale vite passo fuso parafuso
+TURNS turn turns turned turning rotate~ rotation tourne tournant tourner dreht drehen dreh~ gira girar girando ruota ruotando ruotare rotaz~
+PART hand tool gripper quill slide joint it wrist outil main pince organe liaison articulation glissière hand werkzeug greifer gelenk schub pinole mano herramienta pinza articulación giunto utensile ferramenta junta
+NEVER not no never without nicht kein keine ohne ne pas sans no sin non senza não sem motor shaft handle
 MIGHT can could may might often usually typically generally peut peuvent souvent kann können oft puede pueden può possono pode podem
 """).holds
 _LENGTH_LETTER = re.compile(
@@ -32,6 +41,15 @@ _BY = frozenset("by of de d' um von por di height hauteur höhe altura altezza".
 _OF_LENGTH = re.compile(
     r"(?<!\S)(?:(?:of|with|whose|the|de|d' une|der|mit der|von der|con|di|da|la|a|is|has|and) )*(?:length|height|longueur|hauteur|länge|höhe|longitud|altura|lunghezza|altezza|comprimento) (?:of |is |de |est |von |ist |es |di |è |é )?¤ |¤ (?:long|lang|de long|de longueur|largo|lungo) "
 )
+_AT_SCALE = re.compile(r"(?<![\d:])(?:1 ?: ?(?:[2-9]|[1-9]\d+)|(?:[2-9]|[1-9]\d+) ?: ?1)(?![\d:])")
+_MODEL = re.compile(
+    r"\b(?:models?|mock-?up|maquette|modell\w*|maqueta|modello|maquete)\b|\b(?:measure|read|lit|lisons|mesur\w+|messen|lesen|medimos|leemos|misuriamo|leggiamo|lemos)\b"
+)
+_AS_LONG = re.compile(
+    r"(?<!\S)(?:(?:just )?as long as (?:itself|it|the|this)|of (?:the same|its own) length|(?:de|d' une) (?:la )?même longueur|aussi longue? que|(?:gleich|ebenso) lang\w*|(?:von )?gleicher länge|de la misma longitud|tan larg[oa] como|lung[oa] quanto|della stessa lunghezza|do mesmo comprimento|tão long[oa] quanto) "
+)
+_NEW_ANGLE = re.compile(r"\s*\\(?:alpha|beta|gamma|psi|(?:var)?phi|delta|epsilon|eta)(?:\s*_\s*(?:\{[^{}]*\}|\w))?\s*")
+_OF_PITCH = frozenset("de du le un son".split())  # before "pas", which denies nothing then
 _OF_ROWS = ("table", "column")  # "the table" is that of the rows
 _NEAR = 8  # words between what is held and how long it is
 
@@ -41,30 +59,70 @@ def changes_arm(words: str, formulas: Sequence[str], letters_above: Collection[s
     said = words.lower().replace("upper arm", "upper-arm").replace("upside down", "upside-down").split()
     if said[-1:] == ["?"] or any(_is(each, "MIGHT") for each in said):
         return False
+    if (
+        _turns_as_it_slides(said)
+        or _is_exchanged(said)
+        or _is_a_model(words.lower())
+        or _is_as_long(words.lower(), said)
+    ):
+        return True
     new = [bool(_LENGTH_LETTER.fullmatch(each)) and _plain(each) not in letters_above for each in formulas]
-    return _is_elsewhere(said, new) or _is_scaled(said, new) or any(_holds(words.lower(), said, new))
+    turned = [bool(_NEW_ANGLE.fullmatch(each)) and _plain(each) not in letters_above for each in formulas]
+    return _is_elsewhere(said, new, turned) or _is_scaled(said, new) or any(_holds(words.lower(), said, new))
+
+
+def _is_exchanged(said: Sequence[str]) -> bool:
+    """Whether the bars are put each in the other's place: "Now the two bars are exchanged"."""
+    has_bars = any(_is(each, "LINKS") for each in said) and any(_is(each, "TWO") for each in said)
+    if not has_bars or any(_is(each, "NO_BARS") for each in said):
+        return False
+    return any(_is(each, "EXCHANGED") for each in said) or "place of the other" in " ".join(said)
+
+
+def _is_a_model(words: str) -> bool:
+    """Whether sizes are those of a model, or are read in a drawing, of another scale: "At a model of the scale 1:10 we measure"."""
+    return _AT_SCALE.search(words) is not None and _MODEL.search(words) is not None
+
+
+def _is_as_long(words: str, said: Sequence[str]) -> bool:
+    """Whether a link grows by something of its own length: "The forearm carries an extension as long as itself"."""
+    grows = any(_is(each, "SCALED") for each in said) or any(_is(each, "ADDED") for each in said)
+    return grows and any(_is(each, "LINKS") for each in said) and _AS_LONG.search(words) is not None
+
+
+def _turns_as_it_slides(said: Sequence[str]) -> bool:
+    """Whether a joint is a screw that turns the hand, which no table has: "sliding it also turns the hand", "La troisième liaison est hélicoïdale"."""
+    has_screw = any(_is(each, "SCREW") for each in said)
+    plain = [each for before, each in zip(["", *said], said, strict=False) if before not in _OF_PITCH]
+    if not has_screw or any(_is(each, "NEVER") for each in plain):
+        return False
+    return any(_is(each, "TURNS") for each in said) and any(_is(each, "PART") for each in said)
 
 
 def _plain(latex: str) -> str:
     return re.sub(r"[{}\s]", "", latex)
 
 
-def _is_elsewhere(said: Sequence[str], new: Sequence[bool]) -> bool:
-    """Whether a robot is put on something, or moved by a length of its own: "lifted by the height $H$"."""
+def _is_elsewhere(said: Sequence[str], new: Sequence[bool], turned: Sequence[bool]) -> bool:
+    """Whether a robot is put on something, or moved by a length or an angle of its own: "lifted by the height $H$"."""
     if not any(_is(each, "ARM") for each in said) or not any(_is(each, "MOUNTED") for each in said):
         return False
     is_on = any(
         _is(each, "SUPPORT") and not (each in _OF_ROWS and any(_is(e, "THE") for e in said[max(0, place - 2) : place]))
         for place, each in enumerate(said)
     )
-    return is_on or any(_by_new(said, new))
+    return (
+        is_on
+        or any(_by_new(said, new))
+        or (any(_is(each, "ITS_FOOT") for each in said) and any(_by_new(said, turned, 3)))
+    )
 
 
-def _by_new(said: Sequence[str], new: Sequence[bool]) -> Iterator[bool]:
+def _by_new(said: Sequence[str], new: Sequence[bool], most: int = 2) -> Iterator[bool]:
     """Yield of each formula whether it is a new length by which something is moved or grows."""
     at = [place for place, each in enumerate(said) if each == "¤"]
     for place, is_new in zip(at, new, strict=False):
-        yield is_new and any(each in _BY for each in said[max(0, place - 2) : place])
+        yield is_new and any(each in _BY for each in said[max(0, place - most) : place])
 
 
 def _is_scaled(said: Sequence[str], new: Sequence[bool]) -> bool:

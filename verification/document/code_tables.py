@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from textwrap import dedent
 
+from armproof.verification.document.code_amendments import MAY_AMEND, CodeTables, amended_in_matlab, parsed_code
 from armproof.verification.document.code_columns import (
     NAMES,
     OF_A_TABLE,
@@ -56,6 +57,31 @@ def code_tables(displays: Iterable[Display]) -> Iterator[Table]:
                 yield Table(line, HEADER, rows, cell=display.cell, section=display.section, file=display.file)
 
 
+def amended_in_code(displays: Iterable[Display]) -> Iterator[str]:
+    """Yield the statements in pieces of code that change a DH table, and are not carried out."""
+    found: list[tuple[str, str]] = []
+    tables: set[str] = set()
+    for display in displays:
+        code = dedent(display.latex)
+        if len(code) > LONGEST:
+            continue
+        if (tree := parsed_code(code)) is None:
+            tables |= {name for name, _, _ in _matrices_of_matlab(code) if OF_A_TABLE.fullmatch(name)}
+            yield from amended_in_matlab(code, tables) if MAY_AMEND.search(code) else ()
+            continue
+        follows = CodeTables(tree)
+        found += follows.amended
+        tables |= {name for name in follows.rows if _has_columns(code, name)}
+    yield from (said for name, said in found if not name or name in tables or OF_A_TABLE.fullmatch(name))
+
+
+def _has_columns(code: str, name: str) -> bool:
+    """Whether a comment names the columns of a list, above it or in it."""
+    lines = code.split("\n")
+    at = next((place for place, line in enumerate(lines) if re.match(rf"\s*{re.escape(name)}\s*=", line)), None)
+    return at is not None and named_columns(lines, at, at + 3) != ()
+
+
 def _cells(kind: str, row: Row, number: int, values: Values) -> tuple[str, ...]:
     """Return the cells of a row; what moves a joint of a known kind is named by its number, and what stands there is added."""
     cells = {key: entry(node, values) for key, node in row.items()}
@@ -69,11 +95,11 @@ def _cells(kind: str, row: Row, number: int, values: Values) -> tuple[str, ...]:
 
 def _of_python(code: str) -> Iterator[_Found]:
     """Yield the rows in Python, a notebook's commands left out; none of what cannot be parsed."""
-    plain = "\n".join("" if line.lstrip().startswith(("%", "!")) else line for line in code.split("\n"))
-    try:
-        tree = ast.parse(plain)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    tree = parsed_code(code)
+    if tree is None:
         return
+    if MAY_AMEND.search(code):
+        CodeTables(tree)  # carries out what it can
     named, tables = _links_by_name(tree), _tables_by_name(tree)
     for node in ast.walk(tree):
         match node:

@@ -23,8 +23,14 @@ from armproof.verification.document.hearing import (
     without_harmless,
     words_of,
 )
+from armproof.verification.document.marked_wrong import WRONG
 
 _WORDS_WITHIN = re.compile(r"\\(tag\*?|text(?:rm|bf|it|sf|up|normal)?|mbox)\s*\{([^{}]*)\}")
+_NOT_TO_COPY = re.compile(  # what a heading or a title says of what is no claim
+    r"\b(?:(?:do not|don't|never) (?:copy|use|write|memori[sz]e|repeat)|not to be (?:copied|used)|withdrawn|superseded|(?:ne|à ne) (?:pas|jamais) (?:re)?(?:copie[rz]|utilise[rz]|écri\w+|faire)|nicht (?:so )?(?:schreiben|kopieren|verwenden|abschreiben)"
+    r"|no (?:copiar|usar|copie|copies)\b|non (?:copiare|usare)|não (?:copiar|usar|copie))",
+    re.IGNORECASE,
+)
 
 
 def denies_above(text: str) -> bool:
@@ -78,7 +84,12 @@ def denies_within(text: str) -> bool:
     if len(text) > MOST_CHARACTERS:
         return True  # more than is read may deny
     words = words_of(text)
-    return _is_error(words) or denies_beside(without_harmless(words))
+    return _is_error(words) or denies_beside(without_harmless(words)) or is_not_to_copy(text)
+
+
+def is_not_to_copy(text: str) -> bool:
+    """Whether a title says that what it stands above is not to be copied, or is withdrawn."""
+    return _NOT_TO_COPY.search(text) is not None
 
 
 def heading_may_deny(section: str) -> bool:
@@ -90,6 +101,8 @@ def heading_may_deny(section: str) -> bool:
 def heading_denies(section: str) -> bool:
     """Whether a heading says that what stands below it is wrong: "A common mistake"."""
     words = words_of(section)
+    if is_not_to_copy(section) or WRONG.search(section) is not None:
+        return True
     if lists_mistakes(without_harmless(words)):
         return False
     return hears("DENYING_HEADING", words) is not None or denies_as_heading(without_harmless(words))

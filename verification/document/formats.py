@@ -10,10 +10,11 @@ from typing import Any
 
 from armproof.models.catalogue import arm_names
 from armproof.verification.document.accepts import MARK, with_accepts
+from armproof.verification.document.amended_tables import AMENDED
 from armproof.verification.document.arm_in_words import MAY_NAME, planar_arms
 from armproof.verification.document.arms_called import CALLED
 from armproof.verification.document.cells import notebook_cells, percent_cells
-from armproof.verification.document.code_tables import code_tables
+from armproof.verification.document.code_tables import amended_in_code, code_tables
 from armproof.verification.document.denials import (
     denied_in,
     denies_above,
@@ -21,6 +22,7 @@ from armproof.verification.document.denials import (
     heading_may_deny,
     is_denied_by_headings,
 )
+from armproof.verification.document.flat_cells import flat_text, on_flat_lines, spoken_text
 from armproof.verification.document.formula_links import shows_its_latex
 from armproof.verification.document.front_matter import read_any_text, suffix_of
 from armproof.verification.document.heading import encloses
@@ -134,12 +136,35 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     if MAY_LEAD.search(text):
         document = with_left_sides(document, text)
     document = _with_what_is_said(with_screws(document))
-    if suffix not in (".ipynb", ".py") and MAY_STRIKE.search(text):
+    if suffix in (".ipynb", ".py") or MAY_STRIKE.search(text):
         document = with_struck_out(document, text, suffix)
     if any(display.strange for display in document.displays) and not is_in_known_language(
         words_of(text[:_TELLS_LANGUAGE])
     ):
         document = replace(document, displays=tuple(replace(each, strange="") for each in document.displays))
+    flat, above = (
+        flat_text(text) if suffix == ".ipynb" and text else (spoken_text(text) if suffix == ".py" else text, {})
+    )
+    document = _with_what_is_told(on_flat_lines(document, above) if above else document, flat)
+    document = on_flat_lines(document, above, -1) if above else document
+    small = flat.lower()
+    if (images := sum(not shows_its_latex(each) for each in _IMAGE.findall(text))) and suffix != ".py":
+        told = say(Kind.IMAGES, count=images) if images > 1 else say(Kind.IMAGE)
+        document = replace(document, remarks=(*document.remarks, told))
+    headings = tuple(_headings(text)) if "arms" in document.front and suffix not in (".ipynb", ".py") else ()
+    planar = planar_arms(flat) if MAY_NAME.search(flat) else frozenset[int]()
+    convention = told_convention(flat) if MAY_TELL.search(flat) else ""
+    scalars = frozenset(each for each, *_ in told_below(flat, told_scalars)) if MAY_CALL_SIZE.search(small) else ()
+    document = replace(document, named=named_arms(text), planar=planar, headings=headings, convention=convention)
+    ends = tuple(_told_ends(flat)) if MAY_TELL_END.search(small) else ()
+    document = replace(document, scalars=frozenset(scalars), ends=ends)
+    if MAY_TELL_CHAIN.search(small):
+        document = replace(document, told=tuple(_told_parts(document, text, suffix)))
+    return with_accepts(document, text.replace("\r\n", "\n"), suffix) if MARK in text else document
+
+
+def _with_what_is_told(document: Document, text: str) -> Document:
+    """Return a document whose displays know what the sentences of its text tell of letters, places, directions and arms."""
     small = text.lower()
     if any(
         each.search(small)
@@ -149,19 +174,7 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     tells = [(MAY_ORIENT, told_orientations), (MAY_INDEX, told_indices), (MAY_TELL, conventions_below)]
     if heard := [tell for may, tell in tells if may.search(small)]:
         document = with_directions(document, text, heard)
-    if (images := sum(not shows_its_latex(each) for each in _IMAGE.findall(text))) and suffix != ".py":
-        told = say(Kind.IMAGES, count=images) if images > 1 else say(Kind.IMAGE)
-        document = replace(document, remarks=(*document.remarks, told))
-    headings = tuple(_headings(text)) if "arms" in document.front and suffix not in (".ipynb", ".py") else ()
-    planar = planar_arms(text) if MAY_NAME.search(text) else frozenset[int]()
-    convention = told_convention(text) if MAY_TELL.search(text) else ""
-    scalars = frozenset(each for each, *_ in told_below(text, told_scalars)) if MAY_CALL_SIZE.search(small) else ()
-    document = replace(document, named=named_arms(text), planar=planar, headings=headings, convention=convention)
-    ends = tuple(_told_ends(text)) if MAY_TELL_END.search(small) else ()
-    document = replace(document, scalars=frozenset(scalars), ends=ends)
-    if MAY_TELL_CHAIN.search(small):
-        document = replace(document, told=tuple(_told_parts(document, text, suffix)))
-    return with_accepts(document, text.replace("\r\n", "\n"), suffix) if MARK in text else document
+    return document
 
 
 def _told_ends(text: str) -> Iterator[tuple[int, str]]:
@@ -249,9 +262,11 @@ def _with_what_is_said(document: Document) -> Document:
     works_out = any(display.latex.count("=") > 1 for display in told)
     told = tuple(with_listings(told, listings)) if listings or works_out else told
     code = [each for each in document.displays if each.opening == CODE]
-    return replace(
-        document, displays=told, called=tuple(_called(document)), in_code=tuple(code_tables(code)) if code else ()
-    )
+    amended = [f"{AMENDED} {said}" for said in amended_in_code(code)] if "arm" not in document.front else []
+    if amended:
+        told = tuple(each if each.erratum else replace(each, meant=(*each.meant, amended[0])) for each in told)
+    in_code = tuple(code_tables(code)) if code and not amended else ()
+    return replace(document, displays=told, called=tuple(_called(document)), in_code=in_code)
 
 
 def _with_what_is_above(display: Display, latex: str) -> Display:

@@ -12,6 +12,7 @@ from functools import lru_cache
 from itertools import islice, pairwise
 from math import inf
 
+from armproof.verification.document.amended_tables import cells_of_tables
 from armproof.verification.document.clauses import mentions_only, says_what_would_be
 from armproof.verification.document.heading import is_ruled
 from armproof.verification.document.hearing import (
@@ -185,7 +186,8 @@ class Meaning:
 
 def with_other_meanings(document: Document, text: str) -> Document:
     """Return a document whose displays know which letters its text gives another meaning than usual, and where it is of another place."""
-    since = [*told_since(text, document.displays, [*_sentences(text)], lambda line: _reach(line, text))]
+    tables = [*cells_of_tables(document)]
+    since = [*told_since(text, document.displays, [*_sentences(text)], lambda line: _reach(line, text), tables)]
     found = [*_meanings(text), *_of_headings(text)]
     for display in document.displays:
         if letters := tuple(_orders([display.latex], "")):  # q = [r; θ]

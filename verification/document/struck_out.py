@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import lru_cache
 
-from armproof.verification.document.denials import denies_within
+from armproof.verification.document.cells import notebook_cells, percent_cells
+from armproof.verification.document.denials import denies_within, is_not_to_copy
+from armproof.verification.document.marked_wrong import MAY_MARK, marked_wrong
 from armproof.verification.document.model import Document
 
 MAY_STRIKE = re.compile(  # what no text that strikes out or denies in a box lacks
-    r"<[a-z]|~~|\\(?:st|sout|xout)\b|\\begin\s*\{(?![bpvBV]?matrix|array|align|equation|cases)|^:::", re.MULTILINE
+    MAY_MARK.pattern
+    + r"|<[a-z]|~~|\\(?:st|sout|xout)\b|\\begin\s*\{(?![bpvBV]?matrix|array|align|equation|cases)|^:::",
+    re.MULTILINE,
 )
 MOST = 4000  # characters that are struck out or stand in a box: what is not closed is looked through no further
+_TITLE = 120  # characters of what a box begins with
 _INSIDE = rf".{{0,{MOST}}}?"
 _STRUCK = re.compile(
-    rf"<(?P<tag>del|s|strike)>{_INSIDE}</(?P=tag)>|\\(?:st|sout|xout)\s*\{{{_INSIDE}(?<!\\)\}}(?=\s*(?:\\|\n|\Z))",
+    rf"<(?P<tag>del|s|strike)(?:\s[^<>\n]*)?>{_INSIDE}</(?P=tag)>|<(?P<any>span|div|p)\s[^<>\n]*line-through[^<>\n]*>{_INSIDE}</(?P=any)>|\\(?:st|sout|xout)\s*\{{{_INSIDE}(?<!\\)\}}(?=\s*(?:\\|\n|\Z))",
     re.DOTALL,
 )
 _STRUCK_IN_MARKDOWN = re.compile(rf"(?<![~\\])~~(?!~){_INSIDE}(?<![~\\])~~(?!~)", re.DOTALL)
@@ -30,21 +35,33 @@ _NO_CLAIM = re.compile(
     r"(?:counter-?examples?|contre-?exemples?|gegenbeispiele?|contraejemplos?|conjectures?|fallac(?:y|ies))",
     re.IGNORECASE,
 )
-_IN_MARKDOWN = frozenset([".md", ".qmd", ".rmd", ".markdown"])
+_IN_MARKDOWN = frozenset([".md", ".qmd", ".rmd", ".markdown", ".ipynb", ".py"])
 
 
 def with_struck_out(document: Document, text: str, suffix: str) -> Document:
-    """Return a document whose displays know that they are struck out, or stand in a box that denies them."""
-    lines = [*_lines(text, suffix)]
-    if not lines:
+    """Return a document whose displays know that they are struck out, stand in a box that denies them, or bear a mark that does."""
+    texts = _texts(text, suffix)
+    lines = {cell: [*_lines(each, suffix)] for cell, each in texts.items() if MAY_STRIKE.search(each)}
+    may_mark = any(MAY_MARK.search(each) for each in texts.values())
+    marked = {each.place for each in marked_wrong(document.displays, texts)} if may_mark else set()
+    if not (any(lines.values()) or marked):
         return document
     displays = tuple(
         replace(each, denied=True)
-        if not (each.erratum or each.file) and any(first <= each.line <= last for first, last in lines)
+        if not (each.erratum or each.file)
+        and (each.place in marked or any(first <= each.line <= last for first, last in lines.get(each.cell, ())))
         else each
         for each in document.displays
     )
     return replace(document, displays=displays)
+
+
+def _texts(text: str, suffix: str) -> Mapping[int | None, str]:
+    """Return the texts of a document by their cells, None where there are none; its lines are those of the displays."""
+    if suffix not in (".ipynb", ".py") or not text:
+        return {None: text}
+    cells = notebook_cells(text) if suffix == ".ipynb" else percent_cells(text)
+    return {number: "\n" * (each.line - 1) + each.text for number, each in enumerate(cells) if each.kind == "markdown"}
 
 
 def _lines(text: str, suffix: str) -> Iterator[tuple[int, int]]:
@@ -59,7 +76,8 @@ def _lines(text: str, suffix: str) -> Iterator[tuple[int, int]]:
 def _denies(box: re.Match[str]) -> bool:
     """Whether the name or the title of a box denies what stands in it."""
     words = " ".join(filter(None, box.group("name", "option", "class", "summary", "words")))
-    return _says_no(re.sub(r"[-_{}:.=\"#]", " ", words))
+    begins = box.string[box.end() : box.end() + _TITLE].split("\n\n")[0].strip().split("\n")[0]  # a title of its own
+    return _says_no(re.sub(r"[-_{}:.=\"#]", " ", words)) or is_not_to_copy(begins)
 
 
 @lru_cache(maxsize=256)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from itertools import accumulate, pairwise
 from math import inf
 
+from armproof.verification.document.amended_tables import AMENDED, MAY_AMEND, Cells, amends_table, has_same_table
 from armproof.verification.document.changed_arms import MAY_CHANGE_ARM, changes_arm
 from armproof.verification.document.first_order import FIRST_ORDER, MAY_BE_FIRST_ORDER, is_to_first_order
 from armproof.verification.document.hearing import MOST_CHARACTERS, formulas_of, with_axes, words_of
@@ -47,6 +48,7 @@ from armproof.verification.document.told_jacobians import (
 )
 from armproof.verification.document.told_motions import MAY_TELL_MOTION, SINCE, told_motion
 from armproof.verification.document.told_notation import REACTION
+from armproof.verification.document.told_operations import MAY_TELL_OPERATION, OPERATION, told_operation
 from armproof.verification.document.told_quantities import (
     MAY_TELL_QUANTITY,
     TOLD_QUANTITY,
@@ -68,7 +70,7 @@ from armproof.verification.document.told_tasks import MAY_TELL_TASK, told_tasks
 MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
     f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_TELL_BRANCH.pattern}|{MAY_TELL_JACOBIAN.pattern}|{MAY_TELL_BALANCE.pattern}"
     f"|{MAY_TELL_QUANTITY.pattern}|{MAY_TELL_RELATIVE.pattern}"
-    f"|{MAY_TELL_MOTION.pattern}|{MAY_CHANGE_ARM.pattern}|{MAY_LIMIT.pattern}|{MAY_BE_FIRST_ORDER.pattern}|{MAY_CONSTRAIN.pattern}"
+    f"|{MAY_AMEND.pattern}|{MAY_TELL_OPERATION.pattern}|{MAY_TELL_MOTION.pattern}|{MAY_CHANGE_ARM.pattern}|{MAY_LIMIT.pattern}|{MAY_BE_FIRST_ORDER.pattern}|{MAY_CONSTRAIN.pattern}"
 )
 _BESIDE = 12  # lines behind a sentence that may be said of what is near alone
 _PLAIN = re.compile(r"[{}\s]|\\(?:left|right|quad|qquad|begin|end|operatorname|mathrm|text)(?![A-Za-z])")
@@ -87,9 +89,13 @@ class Since:
 
 
 def told_since(
-    text: str, displays: Sequence[Display], sentences: Sequence[tuple[int, str]], reach: Reach
+    text: str,
+    displays: Sequence[Display],
+    sentences: Sequence[tuple[int, str]],
+    reach: Reach,
+    tables: Sequence[Cells] = (),
 ) -> Iterator[Since]:
-    """Yield what the sentences of a text say of displays behind them, each with its place."""
+    """Yield what the sentences of a text say of displays behind them, each with its place, or of all that rests on a table."""
     yield from (Since(LIMITED, text.count("\n", 0, place) + 1, inf) for place in columns_of_limits(text))
     bounding = (display.line for display in displays if bounds_joint(display.latex))
     yield from (Since(LIMITED, line, reach(line)[1]) for line in bounding)
@@ -112,7 +118,11 @@ def told_since(
         if is_of_other_machine(words) and any(begin <= each < line for each in lines):
             yield Since(OTHER_BUILD, line, min(end, _before_table(text, place)))
         may_change = MAY_CHANGE_ARM.search(words.lower()) and not sentence.startswith("(")  # aside it changes nothing
-        above = _letters_above(displays, line) if may_change else set()
+        if tables and MAY_AMEND.search(words.lower()):
+            yield from _of_tables(words, formulas, line, tables)
+            if has_same_table(words) and tables[0].line < line:
+                yield Since(OTHER_BUILD, line, min(end, _before_table(text, place)))
+        above = _letters_above(displays, tables, line) if may_change else set()
         if above and changes_arm(words, formulas, above):
             yield Since(OTHER_BUILD, line, min(end, _before_table(text, place)))
         yield from (Since(each, begin, inf) for each in told_build(words, formulas))
@@ -132,6 +142,8 @@ def told_since(
             yield Since(FORCE_ELSEWHERE, line, end)
         if locks(words, formulas):
             yield Since(LOCKED, line, end)
+        if MAY_TELL_OPERATION.search(words.lower()) and (operation := told_operation(words)):
+            yield Since(f"{OPERATION} {operation}", line, heard[-1].until)
         if tells_quantity(words):
             yield Since(TOLD_QUANTITY, line, heard[-1].until)
         elif names_thing(words):
@@ -140,6 +152,15 @@ def told_since(
     yield from _of_jacobians(heard)
     yield from _of_maps(displays, reach)
     yield from _of_statics(heard, displays, reach)
+
+
+def _of_tables(words: str, formulas: Sequence[str], line: int, tables: Sequence[Cells]) -> Iterator[Since]:
+    """Yield that a sentence amends the table above it, or the first one, for all that rests on that: up to the next one."""
+    above = [place for place, each in enumerate(tables) if each.line <= line]
+    at = above[-1] if above else 0
+    if amends_table(words, formulas, tables[at], line):
+        ends = tables[at + 1].line if at + 1 < len(tables) else inf
+        yield Since(f"{AMENDED} {' '.join(words.split())}", tables[at].line if at else 0, ends)
 
 
 @dataclass(frozen=True)
@@ -237,7 +258,8 @@ def _before_table(text: str, place: int) -> float:
     return inf if table is None else text.count("\n", 0, table) + 1
 
 
-def _letters_above(displays: Sequence[Display], line: int) -> set[str]:
-    """Return the letters, each with its index and its base, of the displays above a line."""
-    above = (_PLAIN.sub("", each.latex) for each in displays if each.line < line)
+def _letters_above(displays: Sequence[Display], tables: Sequence[Cells], line: int) -> set[str]:
+    """Return the letters, each with its index and its base, of the displays and tables above a line."""
+    shown = (*((each.line, each.latex) for each in displays), *((each.line, each.text) for each in tables))
+    above = (_PLAIN.sub("", latex) for place, latex in shown if place < line)
     return {name for latex in above for found in _LETTER.finditer(latex) for name in (found[0], found["base"])}
