@@ -89,7 +89,7 @@ class WordsAround:
             outcome = unless_relative(outcome, display.meant, self.names)
         outcome = self.meanings.of_entries(outcome)
         if display.directions:
-            outcome = self.directions.judge(outcome, display.directions)
+            outcome = self.directions.judge(outcome, display.directions, self.meanings.raised(display.meant))
             outcome = unless_told_otherwise(outcome, display, self.names)
             outcome = unless_of_other_convention(outcome, display.directions)
         if display.denied and outcome.verdict is not Verdict.UNCHECKED:
