@@ -8,7 +8,7 @@ from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
 from armproof.models.errors import ArmproofError
-from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.check.as_shown import as_shown_beside, rate_as_shown
 from armproof.verification.check.limits import SECONDS_TO_DECIDE, SECONDS_TO_EXPLAIN
 from armproof.verification.check.slips import Slips
 from armproof.verification.check.told_values import values_in_text
@@ -30,7 +30,6 @@ from armproof.verification.errors import NotSampled, ReadError, TooComplex
 from armproof.verification.findings import Finding, Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.unicode import normalise_unicode, original_offset
-from armproof.verification.naming.shown import point_of
 from armproof.verification.naming.state import Told
 from armproof.verification.tables import TWIST, check_array_table
 from armproof.verification.tables.arms import Inference, is_of_no_arm, lengths_against, links_of, links_that_explain
@@ -170,7 +169,7 @@ class DisplayChecker:
             for each in outcomes
         ]
         slips = [
-            None if each.as_usual is None else self.slips.as_usual(each, display) or self._shown_beside(each, outcomes)
+            None if each.as_usual is None else self.slips.as_usual(each, display) or self._as_shown(each, outcomes)
             for each in outcomes
         ]
         for place, slip in enumerate(slips):
@@ -188,20 +187,10 @@ class DisplayChecker:
         of_another = any(slip.of_another for slip in slips if slip is not None)
         return replace(found, if_shown=IfShown(told, meanings, of_another))
 
-    def _shown_beside(self, outcome: Outcome, outcomes: Sequence[Outcome]) -> AsUsual | None:
-        """Return what a coordinate would be if its name means what it usually does, where the display has the two others of its point and they hold.
-
-        Along an axis that stands still its origin may be another one: what is left open differs by what moves.
-        """
-        usual, state = outcome.as_usual, self.names.state
-        pair = usual.outcome.pair if usual is not None else None
-        if usual is None or pair is None or len(usual.meanings) != 1:
-            return None
-        point = point_of(next(iter(usual.meanings.values())))
-        keys = {key for each in outcomes if each.verdict in HOLDS for key in self._keys_in(each) & state.conventional}
-        beside = {state.inferred[key] for key in keys & state.inferred.keys() if point_of(state.inferred[key]) == point}
-        moves = symbols_in(pair.differences()) & self.names.joints.keys()
-        return usual if point is not None and len(beside) > 1 and moves else None
+    def _as_shown(self, outcome: Outcome, outcomes: Sequence[Outcome]) -> AsUsual | None:
+        """Return what an equation would be if its names mean what they usually do, where the others of its display, or its rate, tell that."""
+        held = {key for each in outcomes if each.verdict in HOLDS for key in self._keys_in(each)}
+        return as_shown_beside(outcome, held, self.checker) or rate_as_shown(outcome, self.checker)
 
     def _told(
         self,
@@ -285,8 +274,8 @@ class DisplayChecker:
             return ""
 
     def _keys_in(self, outcome: Outcome) -> frozenset[str]:
-        """Return the names in an equation, and those that stand behind names that the document defines."""
-        keys = {name.key for name in names_in(outcome)}
+        """Return the names in an equation, those of which it has the rates, and those that stand behind names that the document defines."""
+        keys = {key for name in names_in(outcome) for key in (name.key, name.undotted.key)}
         made = (self.names.state.definitions[key].node for key in keys & self.names.state.definitions.keys())
         behind = {b.key for node in made if node is not None for b in n.names(node)}
         return frozenset(keys | behind)

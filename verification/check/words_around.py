@@ -93,7 +93,7 @@ class WordsAround:
             outcome = unless_relative(outcome, display.meant, self.names)
         outcome = self.meanings.of_entries(outcome)
         if display.directions:
-            outcome = self.directions.judge(outcome, display.directions)
+            outcome = self.directions.judge(outcome, display.directions, self.meanings.raised(display.meant))
             outcome = unless_told_otherwise(outcome, display, self.names)
             outcome = unless_of_other_convention(outcome, display.directions)
         if is_of_other_build(display.meant) or display.denied or display.strange or display.may_not_print:

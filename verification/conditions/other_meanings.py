@@ -103,6 +103,12 @@ class OtherMeanings:
                 return outcome.left_open(say(Kind.VARIABLE_TOLD, name=min(letters), text=quoted(text)))
         return outcome
 
+    def raised(self, meant: Sequence[str]) -> set[str]:
+        """Return the joints of which the text says that the arm stands up at their zero, where it does."""
+        told = [each.split("\t")[1:] for each in meant if each.startswith(VARIABLE)]
+        letters = {self.names.reader.key_of(latex) for which, latex, _ in told if which == RAISED and latex}
+        return {self.names.known_symbol(each) or "" for each in letters} & self._standing_up() if letters else set()
+
     def _is_bent(self) -> bool:
         """Whether the links of the arm do not lie in one line where its angles are zero."""
         arm, exact = self.names.arm, self.checker.exact

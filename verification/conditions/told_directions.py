@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 from armproof.verification.algebra.calculus import angles_in, derivative, substitute, symbols_in
 from armproof.verification.algebra.matrix import as_matrix, stacked
 from armproof.verification.algebra.quantity import COMPONENTS
 from armproof.verification.algebra.ring import Scalar
-from armproof.verification.document.orientations import AT_ZERO, AXIS_DOWN, FALLS, RISES
+from armproof.verification.document.orientations import AT_ZERO, AXIS_DOWN, FALLS, OF_LEVEL, RISES
 from armproof.verification.document.sentences import quoted
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
@@ -35,17 +35,25 @@ class ToldDirections:
         self.checker = checker
         self.names = checker.names
 
-    def judge(self, outcome: Outcome, told: Sequence[str]) -> Outcome:
-        """Leave open what the told directions make doubtful, and what it defines."""
+    def judge(self, outcome: Outcome, told: Sequence[str], raised: Collection[str] = ()) -> Outcome:
+        """Leave open what the told directions make doubtful, and what it defines; of `raised` angles the arm stands up at zero, as it is told."""
         if not (outcome.verdict in DECIDED or outcome.defines):
             return outcome
         facts = [(fact, text) for fact, _, text in (each.partition("\n") for each in told)]
+        facts = [each for each in facts if not self._counts_from_vertical(*each, raised)]
         shown = self._shown(facts) if self.names.arm is None else set()
         doubted = next((text for fact, text in facts if fact not in shown and self._is_doubted(outcome, fact)), None)
         if doubted is None:
             return outcome
         left = outcome.left_open(say(Kind.TOLD_DIRECTION, text=quoted(doubted)))
         return replace(left, defines=(), as_usual=None)
+
+    def _counts_from_vertical(self, fact: str, text: str, raised: Collection[str]) -> bool:
+        """Whether a sentence only calls an angle an elevation that another one counts from the vertical."""
+        if OF_LEVEL.search(text.lower()):
+            return False
+        which = fact.removeprefix(RISES).strip() if fact.startswith(RISES) else ""
+        return bool(which) and self.names.known_symbol(self.names.reader.key_of(which)) in raised
 
     def _shown(self, facts: Sequence[tuple[str, str]]) -> set[str]:
         """Return the facts that the height shows which a document without an arm gives: it grows with an angle of elevation, and upside down where its axis points down."""

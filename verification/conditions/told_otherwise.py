@@ -53,7 +53,7 @@ class ToldOtherwise:
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=counted))
         if (turned := self._turned_in(outcome, meant)) is not None:
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=turned))
-        if LOCKED in meant and outcome.verdict is Verdict.REFUTED and self._may_hold_locked(outcome):
+        if self._locks(meant) and outcome.verdict is Verdict.REFUTED and self._may_hold_locked(outcome):
             return outcome.left_open(say(Kind.IS_SUPPOSED))
         return self._in_rows_of_task(outcome, any(each.startswith(f"{TASK_BY_RATES} ") for each in meant))
 
@@ -94,6 +94,13 @@ class ToldOtherwise:
             return {symbols[int(told) - 1]} if int(told) <= len(symbols) else {*symbols}
         symbol = self.names.known_symbol(self.names.reader.key_of(told))
         return {symbol} if symbol in symbols else {*symbols}
+
+    def _locks(self, meant: Sequence[str]) -> bool:
+        """Whether the text holds a joint still: a length of the arm, "$d_2$ is constant", is none."""
+        arm, key_of = self.names.arm, self.names.reader.key_of
+        lengths = {*arm.lengths} if arm is not None and not self.names.is_of_formulas else set()
+        told = (each for each in meant if each.startswith(LOCKED))
+        return any(key_of(each.removeprefix(LOCKED).strip()) not in lengths for each in told)
 
     def _may_hold_locked(self, outcome: Outcome) -> bool:
         """Whether a refuted equation holds where some joints stand still: one, or all but one."""

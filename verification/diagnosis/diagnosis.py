@@ -29,7 +29,7 @@ from armproof.verification.equations.decimals import finest_decimals
 from armproof.verification.equations.outcome import AsUsual, Outcome
 from armproof.verification.equations.sides import Member
 from armproof.verification.errors import TooComplex
-from armproof.verification.findings import Finding, Kind, say
+from armproof.verification.findings import MISPRINTS, Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, is_number
 from armproof.verification.latex.writer import Notation
@@ -198,9 +198,11 @@ class Diagnostician:
         """Return why an equation is wrong; of two formulas, c_2 = (x² + y² - …)/…, the one that a slip mends is wrong, or the longer."""
         why, found = self._explained(latex, outcome)
         turned = _turned(outcome)
-        if turned is None or any(entry.finding for entry in found):
+        if turned is None or _is_misprint(found):
             return outcome, why, found
         otherwise, mended = self._explained(latex, turned)
+        if any(entry.finding for entry in found):  # d_3² + 2d_2² = x² + …, or a sign of d_2²
+            return (turned, otherwise, mended) if _is_misprint(mended) else (outcome, why, found)
         if any(entry.finding for entry in mended) or (_is_short(turned.true) and self._has_lengths(outcome.true)):
             return turned, otherwise, mended
         return outcome, why, found
@@ -294,6 +296,11 @@ class Diagnostician:
             return ""
         mark = next((mark for mark in ("{,}", ",") if mark in printed), ".")
         return f"{self.checker.members.number(true):.{decimals}f}".replace(".", mark)
+
+
+def _is_misprint(entries: Sequence[WrongEntry]) -> bool:
+    """Whether all wrong entries are mended without a term or a factor more or less."""
+    return bool(entries) and all(each.finding is not None and each.finding.kind in MISPRINTS for each in entries)
 
 
 def _turned(outcome: Outcome) -> Outcome | None:

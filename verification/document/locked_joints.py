@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from armproof.verification.document.word_lists import WordLists
 
-LOCKED = "locked"  # joints: rates behind it are those of others
+LOCKED = "locked"  # joints: rates behind it are those of others; with the letter that is said to be constant
 
 MAY_LOCK = re.compile(
     r"lock|block|brak|clamp|jam|stuck|broken|froz|freez|fixed|[ck]onst|costant|unchang|inchang|unver|only|alone|keep|held|holds?\b|still|immobil|stand|verrou|bloqu|frein|panne|seul|garde|figé|gesperrt|sperr|gebremst|brems|blockier|fest|verriegel|arretier|behält|nur\b|allein|fren|solo|sólo|inmóvil|quiet|conserva|mantien|rest|trav|apenas|só\b|reste|fail|dead|defekt|ausgefallen|switched off|averi"
@@ -47,6 +47,7 @@ _FASTENED = (
     "al",
     "en",
 )  # and no joint that is held
+_JOINING = (",", "and", "et", "und", "y", "e")
 _BY_RATE = re.compile(r"\\dot\s*\{?\s*(?:\\(?:var)?theta|[qdr])[^=]*=\s*0\s*\Z")
 
 
@@ -61,6 +62,39 @@ def locks(words: str, formulas: Sequence[str]) -> bool:
     if any(_is(each, "LOCKED") for each in said) or _ALONE.search(small) or _BRAKE.search(small):
         return True
     return any(_is(each, "HOLDS") and _is_held(said, place) for place, each in enumerate(said))
+
+
+def held_letters(words: str, formulas: Sequence[str]) -> list[str]:
+    """Return the letters of which alone a sentence says that they are constant, "$d_2$ est une constante"; none where it may hold another joint."""
+    small = words.lower()
+    said = small.split()
+    if any(_is(each, "LOCKED") for each in said) or _ALONE.search(small) or _BRAKE.search(small):
+        return []
+    found: list[str] = []
+    for place, each in enumerate(said):
+        if not (_is(each, "HOLDS") and _is_held(said, place)):
+            continue
+        at = (
+            place - 1 if place and _is(said[place - 1], "HELD") else place
+        )  # "¤ konstant bleibt", and "bleibt ¤ konstant"
+        count = _listed_before(said, at) or _listed_before(said, place + 2)
+        end = said[: at if _listed_before(said, at) else place + 2].count("¤")
+        letters = [formula.strip() for formula in formulas[end - count : end]]
+        if not letters or not all(map(_JOINT.fullmatch, letters)):
+            return []
+        found += letters
+    return found
+
+
+def _listed_before(said: Sequence[str], place: int) -> int:
+    """Return how many formulas stand before a word, one after another: "¤ , ¤ and ¤ are"."""
+    count = 0
+    for each in reversed(said[:place]):
+        if each == "¤":
+            count += 1
+        elif each not in _JOINING:
+            break
+    return count
 
 
 def _is_held(said: Sequence[str], place: int) -> bool:

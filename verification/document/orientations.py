@@ -41,6 +41,7 @@ _OF_FORCE = re.compile(  # what is down along an axis
 )
 _NEGATIVE = re.compile(r"(?<!\S)(?:negativ\w*|négati\w*)(?!\S)")
 _LEVEL = r"(?:horizontal\w*|orizzontale|waagr?e?rechten?|ground|boden|sol|suelo)"
+OF_LEVEL = re.compile(rf"\b{_LEVEL}\b")
 _ARTICLE = r"(?:the |l' |la |le |der |die |dem |den |el |il |de |de l' |de la |della |dell' |à )*"
 _ABOVE = rf"(?:above|over|über|oberhalb|au-dessus|dessus|encima|sobre|sopra|acima) {_ARTICLE}{_LEVEL}"
 _BELOW = rf"(?:below|under|beneath|unter|unterhalb|au-dessous|en-dessous|dessous|sous|debajo|bajo|sotto|abaixo) {_ARTICLE}{_LEVEL}"

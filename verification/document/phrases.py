@@ -315,6 +315,9 @@ OPEN_QUESTION = """
 ^ why/pourquoi/warum/perché/porquê ?
 ^ por que/qué ?
 """
+SINGULAR_ASKED = """
+^ (and/but/so/et/mais/und/aber/y/e) at/in/for/pour/dans/en/à/bei/für/para/per/em which/what/quelle/quelles/welchen/welcher/welche/qué/cuáles/quali/quale/que/quais configuration~/configurac~/configuraç~/configuraz~/konfiguration~/posture~/pose~/position~/stellung~/lage~/posicion~/posizion~/posiç~ (…) singular/singulier/singulière/singulär/singolare
+"""
 REASON_ASKED = """
 ^ (and/but/so/et/mais/und/aber/y/e) why/pourquoi/warum/wieso/perché/porquê
 ^ (y/e) por que/qué

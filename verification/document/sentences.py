@@ -103,10 +103,13 @@ _ARGUMENTS = re.compile(  # \begin{frame}<2->[fragile]{Title}, \section{Inverse}
 )
 # a label, and no "est corrigé plus bas"
 _ANSWER = re.compile(r"\A[\W_]*(?:Corrigé|Svolgimento|Musterlösung)[\s*_}]*[.:][\s*_}]*(?=\w)")
+_QUESTION = re.compile(  # *Question 2.* What is asked behind it is asked of what comes
+    r"\A[\W_]*(?:Question|Exercise|Exercice|Frage|Aufgabe|Übung|Pregunta|Ejercicio|Domanda|Esercizio|Pergunta|Exercício)(?:\s*\d+)?[\s*_}]*[.:)][\s*_}]*(?=\w|¿)"
+)
 _LISTS_VALUES = re.compile(  # a sentence of formulas alone, with their units, behind a label
     r"(?:(?:\W{1,2}|\w{1,2}|numerical|worked|test|check|numbers?|values?|data|application|examples?|question|zahlen\w*|werte|beispiel|exemple|valeurs|données|num[eé]ri\w+|ejemplo|datos|valores|esempio|dati|valori) )*?"
     r"(?:(?:with|for|let|take|put|given|avec|pour|soit|soient|prenons|mit|für|sei|seien|con|para|sea|sean|per|sia|siano) )?"
-    r"(?:¤ (?:(?:mm|cm|m|rad|deg|degrees|degrés|grad|kg|n|nm|n m|rad/s|m/s|°/s) )?(?:(?:, |; )?(?:and |et |und |y |e )?)){2,}[:.,]? ?\Z",
+    r"(?:¤ (?:(?:mm|cm|m|rad|deg|degrees|degrés|grad|kg|n|nm|n m|rad/s|m/s|°/s) )?(?:(?:, |; )?(?:and |et |und |y |e )?(?:with |for |at |avec |pour |mit |für |bei |con |para |per |com )?)){2,}[:.,]? ?\Z",
     re.IGNORECASE,
 )
 _MISTAKE = re.compile(  # **Mistake 2.** of a list of them: what stands behind it is one
@@ -135,7 +138,7 @@ def said_above(text: str, line: int, section: str) -> Iterator[Display]:
 def _heard_behind(sentence: str) -> tuple[str, ...]:
     if _MISTAKE.match(sentence):
         return ()
-    words = words_of(sentence)
+    words = words_of(_QUESTION.sub("", sentence))
     heard = [FAULTED_ABOVE if faults_another(words) else DENIED_ABOVE] if denies_behind(words) else []
     if _limits(words):
         heard.append(LIMITED_ABOVE)
@@ -335,7 +338,7 @@ def _asks_for_reason(words: str) -> bool:
 
 def _limits(words: str) -> bool:
     """Whether a sentence that goes on from the display above it says when, or how nearly, that holds; or asks whether."""
-    if _is_of_next(words):
+    if _is_of_next(words) or (words.endswith("? ") and hears("SINGULAR_ASKED", words)):
         return False
     is_question = words.endswith("? ") and not (hears("OPEN_QUESTION", words) or _asks_for_reason(words))
     if is_question or any(hears(each, words) for each in ("ASKED_BEHIND", "SAYS_LIMITS")):

@@ -31,7 +31,7 @@ _REVERSED = re.compile(
     r"|(?:is|are|was|has been|have been) (?:now |then )?(?:reversed|inverted|flipped)|(?:reverse|reverses|invert|inverts|flip|flips|change|changes|reversing|inverting) (?:now )?(?:the )?(?:direction|sense|sign|polarity|second|first|third|motor|joint|axis)"
     r"|(?:runs?|counts?|turns?) (?:now )?backwards|(?:inverse|inversons|inversant|change|changeons|retourne|retournons) (?:maintenant |alors |désormais |ensuite )?(?:le sens|l' axe|le moteur|la polarité)"
     r"|(?:est|sont) (?:maintenant |désormais )?(?:inversée?s?|retournée?s?)|sens (?:contraire|opposé|inverse)|à l' envers"
-    r"|umgekehrt|umgedreht|umgepolt|gegensinnig|andersherum|anders herum|entgegengesetzt|gegenrichtung|(?:kehrt|kehren|dreht|drehen) (?:\S+ ){1,6}?um"
+    r"|umgekehrt|umgedreht|umgepolt|gegensinnig|andersherum|anders herum|entgegengesetzt|gegenrichtung|(?:kehrt|kehren|dreht|drehen) (?:\S+ ){1,6}?um(?= (?:[.,:;!?)]|und |oder |\Z))"
     r"|(?:se )?inviert(?:e|imos) (?:ahora )?(?:el|la)|(?:está|queda) (?:ahora )?invertid[oa]|al revés|sentido (?:contrario|opuesto|inverso)"
     r"|(?:si )?invert(?:e|iamo) (?:ora |adesso )?(?:il|la|l')|è (?:ora |adesso )?invertit[oa]|(?:verso|senso) (?:contrario|opposto|inverso)|ao contrário|sentido (?:contrário|oposto)) "
 )

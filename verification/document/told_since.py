@@ -19,7 +19,7 @@ from armproof.verification.document.joint_limits import (
     columns_of_limits,
     limits_joints,
 )
-from armproof.verification.document.locked_joints import LOCKED, MAY_LOCK, locks
+from armproof.verification.document.locked_joints import LOCKED, MAY_LOCK, held_letters, locks
 from armproof.verification.document.model import Display
 from armproof.verification.document.told_branches import MAY_TELL_BRANCH, ToldBranch, called_branches, told_branches
 from armproof.verification.document.told_builds import (
@@ -141,7 +141,8 @@ def told_since(
         if is_force_elsewhere(words, formulas):
             yield Since(FORCE_ELSEWHERE, line, end)
         if locks(words, formulas):
-            yield Since(LOCKED, line, end)
+            letters = held_letters(words, formulas)
+            yield from (Since(f"{LOCKED} {each}" if each else LOCKED, line, end) for each in letters or ("",))
         if MAY_TELL_OPERATION.search(words.lower()) and (operation := told_operation(words)):
             yield Since(f"{OPERATION} {operation}", line, heard[-1].until)
         if tells_quantity(words):

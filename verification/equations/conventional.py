@@ -278,14 +278,18 @@ class Conventions:
         blocks = partition(rows, value.shape) if rows and isinstance(value, Matrix) else None
         if blocks is None or not isinstance(value, Matrix) or stand_for_scalars(blocks, self.names):
             return member
+        open_: list[n.Name] = []
         for block in blocks:
             cell = self.members.evaluate(block.cell)
             name = n.plain_name(block.cell)
             if name is not None and not cell.known and name.base not in ENTRIES:
                 same = (each for each in known if isinstance(each.value, Matrix) and each.value.shape == value.shape)
                 bound = self._bound(cell, [Member(each.node, block.of(each.value)) for each in same])  # type: ignore[arg-type]
+                open_ += [name] * (not bound.known)
                 if bound.known and known[0].rank > 1:  # its place in a matrix of the arm tells it, not convention
                     self.names.state.conventional.discard(name.key)
+        if len(open_) == 1 and (left := self.meanings.left_of_point(open_[0], [b.cell for b in blocks], value)):
+            self.names.state.infer_usual(open_[0].key, left)
         return self.members.evaluate(member.node)
 
     def _tried(self, node: n.Node, name: n.Name, quantity: Quantity) -> Member:

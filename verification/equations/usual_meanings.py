@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from armproof.verification.algebra.calculus import degree_in
-from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.calculus import degree_in, symbols_in
+from armproof.verification.algebra.matrix import Matrix, as_scalar
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.document.heading import sections_around
 from armproof.verification.equations.alignment import (
     Pair,
@@ -105,6 +106,24 @@ class UsualMeanings:
         shown = self.names.state.usual.items() if (point := point_of(quantity)) is not None else ()
         letters = letters_of_point(name.key)
         return any(point_of(other) == point and letters_of_point(key) == letters for (key, _), other in shown)
+
+    def left_of_point(self, name: n.Name, cells: Sequence[n.Node], value: Matrix) -> Quantity | None:
+        """Return what the name of a coordinate is in a column whose two others are those of a point, [x; y; z]; None where the column is that of another point."""
+        names = [found for each in cells if (found := n.plain_name(each)) is not None]
+        inferred = self.names.state.inferred
+        beside = [inferred[each.key] for each in names if each.key != name.key and each.key in inferred]
+        points = {*map(point_of, beside)}
+        if len(names) != len(AXES) or value.shape != (len(AXES), 1) or len(beside) != len(AXES) - 1 or len(points) > 1:
+            return None
+        if len({letters_of_point(each.key) for each in names}) > 1 or self.is_of_another([Member(name, value)]):
+            return None
+        left = next((q for q in self.names.usual(name) if point_of(q) in points - {None} and q not in beside), None)
+        whole = as_scalar(self.members.exact.quantity(left)) if left is not None else None
+        printed = value.cells[names.index(name)]
+        if not isinstance(whole, Scalar) or not isinstance(printed, Scalar):
+            return None
+        moves = symbols_in([whole - printed]) & self.names.joints.keys()  # where it stands its origin may be another
+        return left if moves else None
 
     def is_named_in(self, member: Member, quantity: Quantity, key: str) -> bool:
         """Whether a side holds another name of a quantity: then an author who has both means something else by this one."""
