@@ -16,10 +16,11 @@ from armproof.verification.algebra.quantity_kinds import is_planar
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.quantities import ANGULAR, LINEAR, numbered_frames
 
-END = frozenset("e E ee EE ef EF eff eef tool Tool tcp TCP end hand terminal".split())
+END = frozenset("e E ee EE ef EF eff eef tool Tool tcp TCP end hand terminal tip Tip endeffector effector".split())
 PERHAPS_END = frozenset("P T t G g h H OT ot".split())
 LAST = frozenset("n N".split())
-WRIST = frozenset("W w WC wc".split())
+ELBOW = frozenset("elbow Elbow coude codo gomito cotovelo".split())
+WRIST = frozenset("W w WC wc wrist Wrist".split()) | ELBOW  # points between: their value has to tell
 TARGETS = frozenset("target goal des desired sym symbolic num".split())
 POSITIONS = frozenset("p P o O r d t X x c".split())
 _VECTORS = ("\\hat", "\\widehat", "\\vec", "\\overrightarrow")
