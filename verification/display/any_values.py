@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
+from armproof.verification.naming.state import DocumentState
 from armproof.verification.verdict import HOLDS
 
 Check = Callable[[], list[Outcome]]
 
 
 def rests_on_nothing(names: Names, chain: n.Chain, outcomes: Sequence[Outcome], again: Check) -> bool:
-    """Return whether a chain of names that displays define holds without these definitions, in a document without an arm.
+    """Return whether a chain of names that displays define holds without all that was said before, in a document without an arm.
 
     There a definition counts by what rests on it alone, and such a chain would let a mistaken one pass.
     """
@@ -22,7 +24,8 @@ def rests_on_nothing(names: Names, chain: n.Chain, outcomes: Sequence[Outcome], 
     holds = bool(outcomes) and all(each.verdict in HOLDS for each in outcomes)
     if names.arm is not None or not (holds and defined):
         return False
-    with names.state.unchanged():
-        for key in defined:
-            del names.state.definitions[key]
+    if not all(each.true is not None and isinstance(each.true.value, Scalar) for each in outcomes):
+        return False  # matrices have laws of their own: J^+ = (J^T J)^{-1} J^T
+    with names.state.unchanged() as before:
+        names.state.become(DocumentState(notation=before.notation))
         return all(each.verdict in HOLDS for each in again())

@@ -62,6 +62,13 @@ def candidates_of_closed_form(document: Document, names: Names, has_table: bool 
 
 def _of_point(document: Document, names: Names, spelt: re.Pattern[str]) -> list[Candidate]:
     """Return the arm whose point has the coordinates, spelt so, that a document gives first; those by one of two that do not fit together."""
+    try:
+        return _of_coordinates(document, names, spelt)
+    except EvaluationError:  # too large to decide whether they fit together
+        return []
+
+
+def _of_coordinates(document: Document, names: Names, spelt: re.Pattern[str]) -> list[Candidate]:
     algebra = ExactAlgebra(Ring(), None)
     letters: dict[str, n.Name] = {}
     with algebra.budget.of(SECONDS):
