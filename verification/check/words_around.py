@@ -32,7 +32,7 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare_key
-from armproof.verification.naming.conventions import is_usual
+from armproof.verification.naming.conventions import INNER_POINTS, is_usual
 from armproof.verification.verdict import DECIDED, HOLDS, Verdict
 
 _OF_ANGLES = ("cos", "sin", "tan")
@@ -174,6 +174,8 @@ class WordsAround:
         if outcome.conditions or outcome.verdict is Verdict.REFUTED:  # what a name means there is forgotten behind them
             by_convention |= {name.key for name in plain if is_usual(name) and self.names.is_open(name)}
         of_wrist = self._of_inner_frames() if is_of_wrist else set()
+        if outcome.verdict in HOLDS:  # x_{elbow} is of the elbow, as the text is
+            plain = [name for name in plain if name.sub not in INNER_POINTS]
         named = {name.key for name in plain} & by_convention - of_wrist
         is_open = outcome.as_usual is None and all(re.search(r"[\d^]|_[bs]\b", key) for key in named)
         if is_open or (outcome.as_usual is None and outcome.verdict not in DECIDED):

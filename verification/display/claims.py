@@ -11,6 +11,7 @@ from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.branches import is_of_second
 from armproof.verification.conditions.circumstances import Circumstances
+from armproof.verification.display.any_values import rests_on_nothing
 from armproof.verification.display.at_values import at_told_values, of_worked_example, under_given_rates
 from armproof.verification.display.decision import Decision
 from armproof.verification.display.equal_numbers import unequal_numbers, with_wrong_numbers
@@ -162,13 +163,16 @@ class Claims:
             text := self.names.state.from_text()
         ):  # it may speak of one case: only a slip in what follows from it is refuted
             outcomes = [each.unless_slip(say(Kind.AS_TEXT_SAYS, name=text[0])) for each in outcomes]
+        is_of_any = rests_on_nothing(self.names, chain, outcomes, again)
         defined = {(key, line) for outcome in outcomes for key in outcome.defines}
         for outcome in outcomes:  # c_3 = … := D names what is decided beside it
             met = {key for key in self.consulted() if key[0] not in outcome.defines and key != outcome.repeats}
             is_arithmetic = all(map(is_number, outcome.nodes))  # r = 0.4 + 0.3 = 0.7 tells nothing of r
             outcome.uses = frozenset(met | defined if outcome.verdict in DECIDED and not is_arithmetic else met)
             at = (outcome.equation or equation) - equation
-            if outcome.verdict in HOLDS and all(map(is_number, chain.members[at : at + 2])):  # nor of what r was before
+            if outcome.verdict in HOLDS and (
+                is_of_any or all(map(is_number, chain.members[at : at + 2]))
+            ):  # nor of what r was before
                 outcome.uses = frozenset()
             if define and outcome.verdict in HOLDS:
                 self.names.state.held |= outcome.uses

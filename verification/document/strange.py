@@ -28,6 +28,13 @@ _MANY = 50  # words of a text that tell its language
 _NO_WORDS = re.compile(
     r":[a-z:]+:(?=`)|\b\w{1,3}[₀-₉ₙᵢ]+|[α-ωΑ-Ω]\w{0,2}\b|\b\d\w*|https?:\S*|\S+\.(?:png|jpe?g|svg|eps|pdf|gif|md|py|m)\b|\S*[/_=]\S*|`[^`]*`|\b[lcr]{2,}\b|\b(?:turns?|rotates?|spins?|moves?|runs?) the other way\b|\b(?:kg|mm|cm|mod)\b"
 )
+_OF_ARM_ANYWAY = re.compile(  # what takes nothing back, though its words alone could: what the arm or its Jacobian loses, where a target else lies, what is not needed
+    r"\b(?:los(?:es?|ing|t|s of)|perd(?:ent|re|ant|u)?|perde(?:r|re|m)?|perdono|pierden?|perte d[eu]|pérdida de|perdita di|perda de|verlier(?:t|en))(?= (?:\S+ ){0,4}?(?:rank|rang|rango|posto|degrees? of freedom|dof|dofs|degrés? de liberté|freiheitsgrade?|grados? de libertad|grad[oi] di libertà|graus? de liberdade)\b)"
+    r"|(?<=\brang )verlier(?:t|en)\b|(?<=\bfreiheitsgrad )verlier(?:t|en)\b|(?<=\bfreiheitsgrade )verlier(?:t|en)\b|\brang(?:verlust|abfall)\w*"
+    r"|\b(?:otherwise|sonst|andernfalls|sinon|altrimenti|de lo contrario|caso contrário)\b(?= (?:, )?(?:\S+ ){0,3}?(?:target|goal|ziel|zielpunkt|cible|objetivo|obiettivo|alvo|workspace|arbeitsraum)\b)"
+    r"|\b(?:without (?:using|solving|computing|inverting|calling|the need|needing|having to)|sans (?:utiliser|recourir|passer|résoudre)|ohne (?=(?:\S+ ){0,4}?zu (?:verwenden|benutzen|lösen|berechnen)\b)|sin (?:usar|utilizar|recurrir|resolver|necesidad)|senza (?:usare|utilizzare|ricorrere|risolvere)|sem (?:usar|utilizar|recorrer|resolver))\b",
+    re.IGNORECASE,
+)
 _OF_DISPLAY = re.compile(  # a sentence whose subject is the display, or a part of it
     r"(?:[^\w\s]+ )*(?:(?:and|but|so|yet|however|thus|hence|et|mais|or|donc|aber|und|doch|pero|y|ma|mas|e) (?:, )?)?"
     r"(?:this|that|it|which|such|these|the (?:\S+ )?(?:formula|equation|expression|relation|result|identity|statement|claim|above|line|latter)"
@@ -107,7 +114,7 @@ def _is_mostly_strange(found: Sequence[str], short: int) -> bool:
 
 
 def _words(words: str) -> list[str]:
-    return _WORD.findall(_NO_WORDS.sub(" ", words))
+    return _WORD.findall(_NO_WORDS.sub(" ", _OF_ARM_ANYWAY.sub(" ", words)))
 
 
 def _is_over(words: str) -> bool:

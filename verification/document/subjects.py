@@ -319,6 +319,8 @@ def _seen_from(said: Sequence[str], place: int) -> Iterator[str]:
     """Yield that something is seen from another thing than the base, or that it is a relative velocity."""
     if any(map(_OF_JOINT.match, said[:place])) and any(_is(each, "BE") for each in said[:place]):
         return  # an angle is relative to the link before
+    if _OF_JOINT.match("".join(said[max(0, place - 1) : place])):
+        return  # so is "the elbow angle $\\theta_2$ (relative to link 1)"
     is_first = not any(_is(each, "QUANTITY") for each in said[: max(0, place - 1)])
     if is_first and any(
         _is(each, "QUANTITY") for each in (*said[max(0, place - 1) : place], *said[place + 1 : place + 2])

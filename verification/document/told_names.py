@@ -155,8 +155,19 @@ def _groups(said: Sequence[str], names: dict[int, list[str]]) -> Iterator[tuple[
             end += 1
             behind = next((k for k in range(end, len(said)) if said[k] not in _AND), len(said))
             end = behind if behind in names and behind > end else end
-        yield start, end
+        last = _begins_anew(said, start, end)
+        if last > start:
+            yield start, last
+        yield last, end
         place = end
+
+
+def _begins_anew(said: Sequence[str], start: int, end: int) -> int:
+    """Return where the names before a verb begin: behind "$x_i$ is a component of the pose $x$" its last one alone is "and $\\theta_j$ is"."""
+    comma = max((k for k in range(start, end) if said[k] == "," and is_of(said[k + 1], "AND")), default=0)
+    before = _clause(said[:start])
+    is_ended = "¤" in before and any(is_of(word, "BE") for word in before[before.index("¤") :])
+    return comma + 2 if comma and is_ended and said[end : end + 1] and is_of(said[end], "BE") else start
 
 
 def _defined(
@@ -173,7 +184,8 @@ def _defined(
     if is_item or (behind and is_of(behind[0], "STANDS")):
         first = behind[0] if behind else ""
         return _phrase(behind[1:] if is_of(first, "STANDS") or first in (":", "=") else behind), True
-    if behind and is_of(behind[0], "BE") and not (before and is_of(before[-1], "OF")):
+    is_joined = before[-2:-1] == [","] and is_of(before[-1], "AND")  # a clause of its own: ", and $p_1$ is"
+    if behind and is_of(behind[0], "BE") and (is_joined or not (before and is_of(before[-1], "OF"))):
         is_definite = len(behind) > 1 and (is_of(behind[1], "DEFINITE") or is_of(behind[1], "COUNT"))
         if is_definite or (behind[0] in ("be", "sei", "seien", "stands") and verb is None):
             return _phrase(behind[1:]), True

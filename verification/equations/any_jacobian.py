@@ -33,7 +33,9 @@ _IN_TIME = {JACOBIAN: OF_JACOBIAN, RATES: OF_RATES, VELOCITY: OF_VELOCITY}
 _TERMS = ((JACOBIAN, OF_RATES), (OF_JACOBIAN, RATES))  # of \\ddot x
 _JOINTS, _TASK = ("q", "theta", "Theta"), ("x", "X", "p", "P", "r")
 _DIRECT = ("f", "h", "FK", "fk")
-_OF_TOOL = ("", "e", "E", "ee", "EE", "end", "tip", "t", "d", "des", "n", "c")
+_OF_TOOL = (
+    "", "e", "E", "ee", "EE", "ef", "eff", "EF", "end", "tip", "tool", "tcp", "TCP", "effector", "endeffector", "ext", "t", "d", "des", "n", "c",
+)  # fmt: skip
 _SEEN = (
     "J",
     "v",

@@ -47,7 +47,7 @@ _LOST_BREAK = re.compile(
     r"(?<=&)(?P<line>[^\n\\&]*(?:\\[^\n&][^\n\\&]*)*)(?<!\\)\\(?P<end>[ \t]*\n)(?=[^\n]*&)"
 )  # \ for \\, behind the last & of its line
 _BROKEN = re.compile(  # a sum goes on: a - \\\\ b
-    r"(?<=[\w)}])(?P<sign>\s*[-+]\s*)(?P<break>\\\\(?:\[[^\]]{0,20}\])?)(?=\s*(?:[\w({]|\\(?!\\|begin|end|hline)))"
+    r"(?<=[\w)}])(?P<sign>\s*[-+]\s*)(?P<break>\\\\(?:\[[^\]]{0,20}\])?(?:\s*&(?=[^\\&=]*(?:\\(?!\\)[^\\&=]*)*(?:\\\\|\\end|\Z)))?)(?=\s*(?:[\w({]|\\(?!\\|begin|end|hline)))"
 )
 _REPEATED = re.compile(
     r"(?P<sign>\\(?:cdot|times)(?![A-Za-z]))(?P<again>\s*\\\\(?:\[[^\]]{0,20}\])?[\s&]*(?P=sign)(?![A-Za-z]))"

@@ -16,9 +16,10 @@ from armproof.verification.algebra.quantity_kinds import is_planar
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.quantities import ANGULAR, LINEAR, numbered_frames
 
-END = frozenset("e E ee EE ef EF eff eef tool Tool tcp TCP end hand terminal".split())
-PERHAPS_END = frozenset("P T t G g h H OT ot".split())
+END = frozenset("e E ee EE ef EF eff eef tool Tool tcp TCP end hand terminal endeffector effector".split())
+PERHAPS_END = frozenset("P T t G g h H OT ot tip Tip".split())
 LAST = frozenset("n N".split())
+INNER_POINTS = frozenset("wrist Wrist elbow Elbow coude codo gomito cotovelo".split())  # which frame's, the value tells
 WRIST = frozenset("W w WC wc".split())
 TARGETS = frozenset("target goal des desired sym symbolic num".split())
 POSITIONS = frozenset("p P o O r d t X x c".split())
@@ -168,7 +169,8 @@ def _all(base: str, index: str, reference: str, arm: Arm, placed: bool) -> Itera
         yield Quantity("rotation", frame, reference, rows=rows, columns=columns, scalar=True)
     if base == "J":
         yield from _quarters(index, reference, arm)  # of a whole arm; J_{11} is hardly that of frame 1 in frame 1
-    for frame, component, given in _indices(index, reference, arm):
+    is_point = base in POSITIONS or base.lower() in AXES
+    for frame, component, given in _indices(index, reference, arm) if is_point or index not in INNER_POINTS else ():
         origin = Quantity("origin", frame, given)
         if component is None:
             yield from _of_frame(base, index, origin, arm, placed)
@@ -268,7 +270,7 @@ def _indices(index: str, reference: str, arm: Arm) -> Iterator[tuple[str, str | 
     if (frame := _frame(plain, arm)) is not None:
         yield frame, None, reference
         return
-    for frame in _wrists(arm) if plain.rstrip(AXES).rstrip(",") in WRIST else []:
+    for frame in _wrists(arm) if plain.rstrip(AXES).rstrip(",") in WRIST | INNER_POINTS else []:
         yield frame, plain[-1] if plain[-1] in AXES else None, reference
     for first, second in _splits(plain):
         if second in AXES and (frame := _frame(first, arm)) is not None:

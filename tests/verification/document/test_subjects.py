@@ -50,6 +50,8 @@ HEARD = [
     ("The rotation from frame 0 to frame 1 is", [f"{LINK} 1"]),
     ("The velocity of the tip relative to the elbow is", [OTHER_BASE]),
     ("The velocity of the tip relative to the base is", []),
+    (r"Consider an arm with shoulder angle $\theta_1$ and elbow angle $\theta_2$ (relative to link 1):", []),
+    (r"The angle of the tip relative to link 1 is", [OTHER_BASE, OTHER_TURN]),
     ("The position of the hand with respect to frame $R_0$ is", []),
     ("Exprimée dans $R_1$, la vitesse est", [OTHER_BASE]),
     ("The transpose of the Jacobian is", [f"{OPERATED} J"]),

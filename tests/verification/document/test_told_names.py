@@ -68,6 +68,20 @@ def test_what_defines_no_name_tells_none(sentence: str) -> None:
     assert not [*told_names(definitions(sentence))]
 
 
+def test_a_pose_beside_a_joint_angle_is_no_angle() -> None:
+    sentence = r"where $x_i$ is the $i$-th component of the pose $\boldsymbol{x}$, and $\theta_j$ is the $j$-th joint angle."
+    found = {name: each.phrase for each in definitions(sentence) for name in each.listed}
+    assert "pose" in found[r"\boldsymbol{x}"]
+    assert "angle" in found[r"\theta_j"]
+
+
+def test_points_behind_a_comma_are_defined_with_those_before_it_or_in_a_clause_of_their_own() -> None:
+    sentence = r"where $p_1$, and $p_2$ are the midpoints, and $p_3$ is the middle of the third bar."
+    assert {each.name for each in told_names(definitions(sentence))} == {"p_1", "p_2", "p_3"}
+    sentence = r"where $p_3$ is the position of the tool $p$, and $p_1$ is the middle of the first bar."
+    assert {each.name for each in told_names(definitions(sentence)) if each.place == OTHER} == {"p_1"}
+
+
 def test_points_of_a_path_are_those_where_a_motion_begins_and_ends() -> None:
     found = [*told_names(definitions("The tool starts at $p_1$ and ends at $p_2$."))]
     assert [(each.name, each.place) for each in found] == [("p_1", POINT), ("p_2", POINT)]

@@ -28,7 +28,10 @@ from armproof.verification.tables.arms.letters import equations_of, unapplied, v
 from armproof.verification.tables.arms.moves import Moves
 from armproof.verification.tables.arms.poses import candidate_of_pose, frame_of_tool
 
-_COORDINATE = re.compile(r"([xyzXYZ])(?:_(?:e|E|ee|EE|tool|n|\d))?|[pP]_(?:e|E|ee|EE|(?P<point>\d))?,?([xyz])")
+_COORDINATE = re.compile(
+    r"([xyzXYZ])(?:_(?:e|E|ee|EE|tool|tip|tcp|TCP|eff|endeffector|effector|end|n|\d))?"
+    r"|[pP]_(?:e|E|ee|EE|tool|tip|tcp|TCP|(?P<point>\d))?,?([xyz])"
+)
 _OF_WRIST = re.compile(r"[pP]_(?:W|w|WC|wc),?([xyz])|(?:WC|wc)_([xyz])|([xyzXYZ])_(?:WC|wc)")
 _OF_FIGURE = re.compile(r"[xyz]_([A-Z])")
 _POINTS = ("p", "P", "X", "x")
@@ -61,6 +64,13 @@ def candidates_of_closed_form(document: Document, names: Names, has_table: bool 
 
 def _of_point(document: Document, names: Names, spelt: re.Pattern[str]) -> list[Candidate]:
     """Return the arm whose point has the coordinates, spelt so, that a document gives first; those by one of two that do not fit together."""
+    try:
+        return _of_coordinates(document, names, spelt)
+    except EvaluationError:  # too large to decide whether they fit together
+        return []
+
+
+def _of_coordinates(document: Document, names: Names, spelt: re.Pattern[str]) -> list[Candidate]:
     algebra = ExactAlgebra(Ring(), None)
     letters: dict[str, n.Name] = {}
     with algebra.budget.of(SECONDS):
@@ -457,7 +467,21 @@ class _ClosedForm:
             plane = self._in_plane(reach, height, others, slides)
             if plane is not None and up is not None:
                 return [*self._with(up, [("theta", ring.symbol(first), first)]), ("alpha", turn, ""), *plane]
-        return None
+        return self._turned_from_upright(reach, z, first, others, slides)
+
+    def _turned_from_upright(
+        self, reach: Scalar, z: Scalar, first: str, others: Sequence[str], slides: Sequence[str]
+    ) -> list[Step] | None:
+        """Such a chain whose angles are counted from the vertical: x = cos θ_1 (l_2 s_2 + l_3 s_23), z = l_1 + l_2 c_2 + l_3 c_23."""
+        ring, zero = self.algebra.ring, self.algebra.ring.zero
+        quarter = dict.fromkeys(others[:1], self.algebra.pi() / 2)
+        base = substitute(substitute(z, dict.fromkeys(others[1:], zero)), quarter)
+        up, plane = self._up(base, slides), self._in_plane(z - base, reach, others, slides)
+        if plane is None or up is None:
+            return None
+        back = -self.algebra.pi() / 2
+        turn = [("alpha", back, ""), ("theta", back, "")]
+        return [*self._with(up, [("theta", ring.symbol(first), first)]), *turn, *plane]
 
     def _stretched(self, angles: Sequence[str]) -> dict[str, Scalar]:
         return dict.fromkeys(angles, self.algebra.ring.zero)
