@@ -29,7 +29,8 @@ from armproof.verification.document.other_meanings import (
     TURNS,
     UPRIGHT,
 )
-from armproof.verification.document.sentences import quoted
+from armproof.verification.document.sentences import not_known_in, quoted
+from armproof.verification.document.strange_letters import STRANGE_LETTER
 from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.document.told_turns import OTHER_TURN
 from armproof.verification.document.told_variables import BENT, FROM_BASE, RAISED, STANDING, VARIABLE
@@ -48,6 +49,7 @@ _TWIST = (6, 1)
 _PAIR = re.compile(r"\w,?\w")
 _IN_ORDER = ("J", "tau", "q")  # what has a column or an entry for each joint
 _RUNNING = "ijkn"  # the index of θ_i, which is any number
+_DOTS = re.compile(r"\\d?dot(?![A-Za-z])")
 _TURNS = (*ORIENTATIONS, "omega", "Omega", "beta")
 _OTHERS = {ABSCISSA: "yz", ORDINATE: "x", DISTANCE: "xyz", ORIENTATION: "xyz"}  # coordinates that are not what is named
 
@@ -89,7 +91,16 @@ class OtherMeanings:
             letters = self._meant_by(each)
             if not written.isdisjoint(letters):
                 return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=min(written & letters)))
-        return self._of_variables(outcome, meant, written)
+        return self._in_strange_words(self._of_variables(outcome, meant, written), meant, written)
+
+    def _in_strange_words(self, outcome: Outcome, meant: Sequence[str], written: set[str]) -> Outcome:
+        """Leave open what is written with a letter of which a sentence above tells in words that are not known."""
+        for latex, text in (each.split("\t")[1:] for each in meant if each.startswith(STRANGE_LETTER)):
+            key = self.names.reader.key_of(_DOTS.sub("", latex))
+            if {key, self.names.known_symbol(key) or key} & written:
+                words = ", ".join(not_known_in(text))
+                return outcome.left_open(say(Kind.STRANGE_LETTER, name=key, text=quoted(text), words=words))
+        return outcome
 
     def _of_variables(self, outcome: Outcome, meant: Sequence[str], written: set[str]) -> Outcome:
         """Leave open what is written with a joint variable or a length of which the text says what is not that of the arm."""

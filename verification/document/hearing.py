@@ -10,7 +10,7 @@ from functools import cache
 
 import armproof.verification.document.phrases as phrases
 
-DELIMITED = re.compile(r"\$([^$]*)\$|\\\((.*?)\\+\)")  # a formula of a sentence, its LaTeX in a group
+DELIMITED = re.compile(r"\$([^$]*)\$|\\\((.*?)\\+\)|:math:`([^`]*)`")  # a formula of a sentence, its LaTeX in a group
 FORMULA = re.compile(r"\$\$?[^$]*\$\$?|\\\(.*?\\\)|:math:`[^`]*`")
 AXIS = re.compile(
     r"\$\s*([xyz])(?:_0)?\s*\$[ -]?(?:axis|achse|direction|coordinate)|\b([xyz])[ -](?:axis|achse|direction)|\b(?:axe|eje|asse|eixo)(?: des| de las| delle| dos)? \$\s*([xyz])(?:_0)?\s*\$"
@@ -58,8 +58,8 @@ def before_leading(text: str) -> str:
 
 
 def formulas_of(text: str) -> list[str]:
-    r"""Return the LaTeX of the formulas in a sentence, between dollars or \( and \)."""
-    return [each[0] or each[1] for each in DELIMITED.findall(text)]
+    r"""Return the LaTeX of the formulas in a sentence, between dollars, \( and \) or in a role of reStructuredText."""
+    return ["".join(each) for each in DELIMITED.findall(text)]
 
 
 def words_of(text: str) -> str:

@@ -29,6 +29,7 @@ from armproof.verification.document.lengths_in_units import lengths_in_two_units
 from armproof.verification.document.letters_anew import MAY_RENAME, letters_anew
 from armproof.verification.document.model import Display, Document
 from armproof.verification.document.strange import is_in_known_language
+from armproof.verification.document.strange_letters import strange_letters
 from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, subjects, without_tool_frame
 from armproof.verification.document.told_names import (
     MAY_TELL_NAMES,
@@ -188,7 +189,7 @@ def with_other_meanings(document: Document, text: str) -> Document:
     """Return a document whose displays know which letters its text gives another meaning than usual, and where it is of another place."""
     tables = [*cells_of_tables(document)]
     since = [*told_since(text, document.displays, [*_sentences(text)], lambda line: _reach(line, text), tables)]
-    found = [*_meanings(text), *_of_headings(text)]
+    found = [*_meanings(text), *_of_headings(text), *_in_strange_words(document, text)]
     for display in document.displays:
         if letters := tuple(_orders([display.latex], "")):  # q = [r; θ]
             found.append(Meaning(display.line, letters))
@@ -318,6 +319,17 @@ def _meanings(text: str) -> Iterator[Meaning]:
         reach = _reach(line, text) if each.is_of_section else None
         yield from (Meaning(line, (told,), reach=reach) for told in variables_defined(each))
     yield from _of_names([(line, told) for line, each in defined for told in told_names([each])], text)
+
+
+def _in_strange_words(document: Document, text: str) -> Iterator[Meaning]:
+    """Yield which letters a text tells of in words that are not known, behind their sentence up to the end of its section."""
+    if any(display.cell is not None for display in document.displays) or not is_in_known_language(
+        words_of(text[:_TELLS_LANGUAGE])
+    ):
+        return
+    for line, sentence in sentences_with_lines(text):
+        if ("$" in sentence or "\\(" in sentence or ":math:" in sentence) and len(sentence) <= MOST_CHARACTERS:
+            yield from (Meaning(line, (told,), reach=(line, _reach(line, text)[1])) for told in strange_letters(sentence))
 
 
 def _of_places(line: int, plain: str, words: str, formulas: Sequence[str], text: str) -> Iterator[Meaning]:

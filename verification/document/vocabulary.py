@@ -5,7 +5,8 @@ the words that deny, doubt, judge or tell of people. An English word of seven le
 that begin with the same seven, one of another language for those that begin with the same six.
 
 `OF_GERMAN` are of a sentence in which nouns begin with capitals, `OF_ARM` those of which a sentence is that says something of the arm and not of the display, `GOES_ON` begin what goes on from
-a display, `HENCE` what follows from it, and `LOADED` are those that a sentence of the display may deny it by, and others have often.
+a display, `HENCE` what follows from it, and `LOADED` are those that a sentence of the display may deny it by, and others have often;
+by those of `OF_NO_LETTER` it may deny the display, too, and not say of a letter that it is something else.
 """
 
 ENGLISH = """
@@ -190,6 +191,7 @@ winding window windows winter wipe wire wires wiring wise with within wonder woo
 worksheet workshop workspace workstation world worth woven wrap wrapped wrapping wrench wrenches wrist wrists write writes writing written wrt xy
 yards yaw yawing yearly yellow yesterday yet yield yielding yields yoshikawa you young your yourselves zero zeroed zeroes zeros zipper zones zoom zyx
 zyz
+bars
 """
 FRENCH = """
 a abaissé abonner abord abordant aborder abordons abordé aboutissons abrégée abréviation abscisse absolue accessible accolade accomplie accorde
@@ -330,6 +332,7 @@ voulez vouloir voulons voulue voyage voyez voyons vrai vraie vrillé vu vue vues
 équilatéral équilibre équipant équiper équipé équivaut établi étage étages étaient étais était étalonner étant étape étapes étau éteindre étend
 étendons étendre étendu étions étiquette étirant étire étirent étirer étiré étirée étirés étroit étude étudie étudié été évaluation évaluer évaluons
 évalué évidemment évident évolution êtes être
+prolongement prolonge tibia
 """
 GERMAN = """
 ab abbaut abbildung abend abends aber abermals abgabetermin abgeben abgeleitet abgeschlossen abgleichen ablauf ablegen ablegt ablegung ableiten
@@ -450,6 +453,7 @@ zunächst zuordnen zur zurück zusammen zusatzaufgabe zustand zusätzlich zuvor 
 zweig zweige zweigliedrig zweimal zweite zwischen zwölf zyklus zylinder zählen zähler zählt ähnlich äquivalent äste äußere öffne öffnen öffnung öfter
 übe üben übenden über überblick überein überführt übergang übergehen überlagerung überlegen übernehmen übernommen überprüfen überschreiten übersicht
 übertragen üblich übrigen übt übte übung übungen übungsblatt
+verlängerung oberarms unterarms
 """
 SPANISH = """
 a abajo abarca abarcó abduccion abducción abierta abordar aborde abordo abordó abra abramos abran abre abren abriendo abril abrimos abrir abriremos
@@ -581,6 +585,7 @@ verán vez veámoslo vibra vibraciones vibrador vibrando vibrar vidrio viene vie
 volvemos volveremos volviendo volúmenes vosotros voy vuelta vuelve válida válido vástago véase vértice vía vídeo vídeos vínculo x y ya yace yo yugo
 zona zonas ángulo ánimo árbol árboles área áreas él émbolo éramos ésa ése ésos ésta éstas éste éstos índice óptico órdenes última último única único
 útil útiles
+prolongación prolonga
 """
 ITALIAN = """
 a abbia abbiamo abbiano abbracci abituale accanto accelerazione accendere accessibile acciaio accoppiamento accorciare accuratamente ad addizione
@@ -684,6 +689,7 @@ valuti valuto valutò vantaggio varia variabile veda vedano vede vedendo vedere 
 venendo venerdì vengo vengono veniamo venire venti ventosa venuta venuto vera verde verdi verifica vero verranno verremo verrà verso versore verticale
 vetro vettore vi via vibrano vibrare vibratore vibrazioni viene vincoli viola virgola visita vista viste visto viti vocabolario vogliamo voglio voi
 volentieri volevasi volta volte volumi voluto vorrà vuole zampa zampe zeri zero è
+prolungamento prolungato quota
 """
 PORTUGUESE = """
 a abaixo aberta abordar abordem abordou abra abram abrange abre abrem abreviaturas abril abrimos abrindo abrir abriremos abrirá abriu abro acabado
@@ -781,6 +787,7 @@ variável veem veio veja vejam vejamos vejo velocidade vem vemos venha venham ve
 vetor vetores vetorial vez vezes viagem vibrador vibram vibrando vibrar vibração vibrou vidro vimos vinda vindo vinte viremos virá visita vista visto
 vocabulário você vocês volta voltaremos voltas vos vou vá válido várias vários vão vêm vídeo vídeos vírgula zerada zerado zero à àquela àquele às
 áreas árvore ângulo é éramos ícone índice óptico última último úteis
+prolongamento prolongado
 """
 OF_ARM = """
 arm arms manipulator robot gripper hand tool wrist elbow shoulder forearm effector base joint joints link links axis axes frame frames motion motions velocity velocities rates position orientation pose
@@ -808,6 +815,22 @@ nicht kein keine keinen nur ohne vorzeichen
 no ningún ninguna ni solo solamente sin signo
 non nessun nessuna né solo soltanto senza segno
 não nenhum nenhuma nem apenas somente sem sinal
+"""
+
+# words that judge, or compare, and tell of no letter what it is
+OF_NO_LETTER = """
+error errors mistake mistakes issue issues problem problems wrong false correct incorrect true reads read ask asks asked lost loses missing miss erratum errata slow slower slowest
+fast faster fastest high higher highest low lower lowest better best worse worst important interesting easy easier hard harder difficult nice simple simpler careful beware attention
+would could should might hardly seldom rarely often always usually obviously clearly evidently why who whom whose whether
+erreur erreurs faute fautes problème problèmes faux fausse vrai vraie exact exacte perd perdu perdue perdent manque corrigé facile difficile important intéressant lent lente rapide rapidement meilleur meilleure
+souvent toujours rarement évidemment clairement attention pourquoi qu'on dont lui eux celui-ci celle-ci
+fehler problem probleme falsch richtig wahr verliert verlieren verloren fehlt fehlen leicht schwer schwierig wichtig interessant langsam langsamer schnell schneller oft immer selten offenbar deutlich
+warum weshalb wieso ich mich mir dich dir uns euch ihm ihn ihnen jener jene jenes
+error errores problema problemas falso falsa cierto cierta verdadero correcto incorrecto pierde pierden perdido falta fácil difícil importante interesante lento rápido aprecia apreciar claridad
+a menudo siempre rara vez evidentemente claramente quien cuyo cuya aquel aquella
+errore errori problema problemi falso falsa vero vera corretto errato perde perdono perso manca facile difficile importante interessante lento veloce rapido spesso sempre raramente chiaramente
+agli anch anch' anche esso essa essi esse costui perché
+erro erros problema problemas falso falsa certo verdadeiro correto incorreto perde perdem perdido falta fácil difícil importante interessante lento rápido muitas vezes sempre raramente claramente porquê quem cujo cuja
 """
 
 # words beside the equations of one display that leave these what they are: none of what makes another quantity of one (mean, squared)

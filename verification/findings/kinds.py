@@ -142,6 +142,7 @@ class Kind(MessageKind):
     DENIED = "denied", "the text says that it is wrong, or not so: what is denied is not decided"
     MAY_NOT_PRINT = "may_not_print", "it stands in a conditional of which nothing here tells whether it is printed: what may not be printed is not decided"
     STRANGE_WORDS = "strange_words", "beside it stands '{text}', in words that are not known here ({words}): whether it takes the equation back is not decided; say it in plainer ones"
+    STRANGE_LETTER = "strange_letter", "the text says of {name}: '{text}', in words that are not known here ({words}): whether {name} is something else there is not decided; say it in plainer ones"
     SIGNS_CLASH = "signs_clash", "each holds on one choice of ±, and both on the same one only where ∓ stands for ± in one of them"
     SIGNS_TOGETHER = "signs_together", "the upper signs of ± and ∓ read together, and the lower ones"
     SIGNS_UNTOLD = "signs_untold", "it comes out otherwise where the signs ± belong together than where each is chosen for itself: write ∓ for those that are opposite, or each case on its own"

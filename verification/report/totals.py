@@ -26,7 +26,7 @@ _EXPECTED: dict[MessageKind, str] = {
         noted("numbers without a configuration: state the joint values and lengths before them"): (Kind.NUMBERS_OF_NOWHERE,),
         noted("a table without an arm: name the arm in the front matter: arm: …"): (Kind.NO_ARM_FOR_TABLE,),
         noted("a quantity without an arm: name the arm in the front matter: arm: …"): (Kind.QUANTITY_WITHOUT_ARM,),
-        noted("a sentence beside an equation has words that are not known here: say it in plainer ones"): (Kind.STRANGE_WORDS,),
+        noted("a sentence beside an equation has words that are not known here: say it in plainer ones"): (Kind.STRANGE_WORDS, Kind.STRANGE_LETTER),
         noted("too large to decide: split it into steps, each with a name"): (Kind.TOO_LARGE,),
     }.items()
     for kind in kinds
