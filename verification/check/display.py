@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from armproof.models.errors import ArmproofError
 from armproof.verification.check.as_shown import as_shown_beside, rate_as_shown
 from armproof.verification.check.limits import SECONDS_TO_DECIDE, SECONDS_TO_EXPLAIN
+from armproof.verification.check.signs_above import has_sign, unless_signs_clash_above
 from armproof.verification.check.slips import Slips
 from armproof.verification.check.told_values import values_in_text
 from armproof.verification.check.words_around import WordsAround
@@ -152,6 +153,9 @@ class DisplayChecker:
         outcomes, extra = self._with_later_definitions(statements, display)
         if _is_spoken_of(display) or self.words.meanings.order_doubt is not None:
             outcomes = [self.words.judge(outcome, display) for outcome in outcomes]
+        if not display.erratum and has_sign(display.latex):
+            above = self.statements.claims.displays
+            outcomes = [unless_signs_clash_above(each, self.checker, above, display) for each in outcomes]
         if not display.erratum:
             outcomes = [unless_of_valueless(self.names, outcome) for outcome in outcomes]
         outcomes = [unless_by_angles(outcome, self.checker) for outcome in outcomes]

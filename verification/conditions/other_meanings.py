@@ -33,7 +33,16 @@ from armproof.verification.document.sentences import not_known_in, quoted
 from armproof.verification.document.strange_letters import STRANGE_LETTER
 from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.document.told_turns import OTHER_TURN
-from armproof.verification.document.told_variables import BENT, FROM_BASE, RAISED, STANDING, VARIABLE
+from armproof.verification.document.told_variables import (
+    BENT,
+    FROM_BASE,
+    FROM_SPACE,
+    OTHER_LINK,
+    RAISED,
+    STANDING,
+    STROKE,
+    VARIABLE,
+)
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.given_values import GivenValues
 from armproof.verification.equations.outcome import Outcome
@@ -104,11 +113,13 @@ class OtherMeanings:
 
     def _of_variables(self, outcome: Outcome, meant: Sequence[str], written: set[str]) -> Outcome:
         """Leave open what is written with a joint variable or a length of which the text says what is not that of the arm."""
-        if self.names.arm is None or self.names.is_of_formulas:  # which fit any letters
+        if self.names.arm is None:
             return outcome
         told = (each.split("\t")[1:] for each in meant if each.startswith(VARIABLE))
         for which, latex, text in told:
-            if which in (BENT, RAISED) and self._is_bent():
+            if self.names.is_of_formulas and not self._may_contradict(which):  # which fit any letters
+                continue
+            if (which in (BENT, RAISED) and self._is_bent()) or self._holds_rest(which):
                 continue
             if letters := written & self._variables(which, latex):
                 return outcome.left_open(say(Kind.VARIABLE_TOLD, name=min(letters), text=quoted(text)))
@@ -120,21 +131,48 @@ class OtherMeanings:
         letters = {self.names.reader.key_of(latex) for which, latex, _ in told if which == RAISED and latex}
         return {self.names.known_symbol(each) or "" for each in letters} & self._standing_up() if letters else set()
 
+    def _may_contradict(self, which: str) -> bool:
+        """Whether what a text says of a variable or a length is otherwise in the formulas that give the arm, and no name of it alone."""
+        if which in (BENT, RAISED):
+            return self._lies_along_x()
+        return which in (OTHER_LINK, FROM_SPACE) or which.startswith(STROKE)
+
+    def _holds_rest(self, which: str) -> bool:
+        """Whether the arm has the length of what slides where it is pushed in, from which its stroke is counted."""
+        rest = which.removeprefix(STROKE).strip() if which.startswith(STROKE) else ""
+        return bool(rest) and self.names.known_symbol(self.names.reader.key_of(rest)) in self.given.lengths
+
+    def _lies_along_x(self) -> bool:
+        """Whether the arm lies along the x-axis of the base, to no other side, where its angles are zero."""
+        arm, exact = self.names.arm, self.checker.exact
+        assert arm is not None
+        values = {joint.symbol: exact.ring.rational(0) for joint in arm.joints if joint.kind == "revolute"}
+        values |= {each: exact.ring.one for each in self.given.lengths}
+        steps = [[substitute(each, values).normal() for each in step] for step in self._steps()]
+        return all(y.is_zero() and z.is_zero() for _, y, z in steps)
+
+    def _steps(self) -> list[list[Scalar]]:
+        """Return from each frame of the arm to the next the way between their origins, in the base."""
+        arm, exact = self.names.arm, self.checker.exact
+        assert arm is not None
+        poses = [exact.pose(frame, arm.frames[0]) for frame in arm.frames]
+        places = [[row[-1] for row in pose.rows[:3]] for pose in poses]
+        return [[b - a for a, b in zip(*pair, strict=True)] for pair in pairwise(places)]
+
     def _is_bent(self) -> bool:
         """Whether the links of the arm do not lie in one line where its angles are zero."""
         arm, exact = self.names.arm, self.checker.exact
         assert arm is not None
         at_zero = {joint.symbol: exact.ring.rational(0) for joint in arm.joints if joint.kind == "revolute"}
-        poses = [exact.pose(frame, arm.frames[0]) for frame in arm.frames]
-        places = [[row[-1] for row in pose.rows[:3]] for pose in poses]
-        steps = [[substitute(b - a, at_zero) for a, b in zip(*pair, strict=True)] for pair in pairwise(places)]
+        steps = [[substitute(each, at_zero) for each in step] for step in self._steps()]
         along = {axis for step in steps for axis, each in enumerate(step) if not each.is_zero()}
         return len(along) > 1
 
     def _variables(self, which: str, latex: str) -> set[str]:
         r"""Return the joint variables and lengths that a letter of the text is of: \theta_i of all \theta_1, \theta_2, …; all angles without one."""
-        turned = self._turned(which == FROM_BASE)
-        of_arm = turned if which == FROM_BASE else {*self.given.joints, *self.given.lengths}
+        is_of_space = which in (FROM_BASE, FROM_SPACE)
+        turned = self._turned(is_of_space)
+        of_arm = turned if is_of_space else {*self.given.joints, *self.given.lengths}
         standing = self._standing_up() if which in (STANDING, RAISED) else set[str]()
         if not latex:
             return set() if standing else turned

@@ -36,6 +36,13 @@ _TWO_SAID = re.compile(
 _BESIDE = re.compile(  # a shorthand and the sine or cosine that words join to it, whatever they are
     rf"{_FORMULA.format('name')}(?P<between>[^$`.;]{{1,40}}){_FORMULA.format('value')}", re.DOTALL
 )
+_THE = r"(?:(?:the|both|le|la|les|l['’]|der|die|das|den|dem|des|el|los|las|il|lo|gli|i|os?|as?)\s*)?"
+_OF = r"(?:of|de|du|des|der|von|del|della|dell['’]|dei|di|da|do|dos)\s*"
+_OF_TWO_ANGLES = re.compile(
+    rf"{_FORMULA.format('name')}\s+(?:[\w'’]+\s+){{0,3}}?{_THE}(?P<factors>(?:product|produit|produkt|producto|prodotto|produto)\s+{_OF}{_THE})?"
+    rf"(?P<turn>(?:cosine|sine|cosinus|kosinus|sinus|coseno|cosseno|seno|cosen|sen)\w{{0,2}})(?(factors)|\s+{_OF}{_THE}(?P<kind>difference|différence|differenz|diferencia|differenza|diferença|sum|somme|summe|suma|somma|soma)\b)",
+    re.IGNORECASE,
+)
 _LISTS = re.compile(
     r"(?:\s|[,()])*(?:and|or|et|ou|und|oder|y|o|plus|minus|times|in|into|with|by|par|avec|then|[,()])(?:\s|[,()])*"
 )
@@ -55,6 +62,8 @@ def said_in_words(text: str, at: int) -> str | None:
             if _are_names(*(name for name, _ in pairs))
             else None
         )
+    if (turned := _of_two_angles(text, at)) is not None:
+        return turned
     found = _SAID.match(text, at)
     is_own = found is not None and found["behind"]
     if not is_own and _SECOND.search(text, max(0, at - 10), at):  # the second of two: it was said with the first
@@ -70,6 +79,23 @@ def said_in_words(text: str, at: int) -> str | None:
         return _of_shorthand(text, at)
     value = rf"\{found['turn']}({value})" if found["turn"] else value
     return f"{name} = {value}" if _are_names(name) else None
+
+
+def _of_two_angles(text: str, at: int) -> str | None:
+    """Return what words alone say of a shorthand of two angles, in the shorthands of each: "$c_{12}$ is the cosine of the difference of both angles"."""
+    found = _OF_TWO_ANGLES.match(text, at)
+    name = _formula(found, "name") if found is not None else ""
+    numbers = re.fullmatch(r"\s*[cCsS]\s*_\s*\{\s*(\d)\s*(\d)\s*\}\s*", name)
+    if found is None or numbers is None:
+        return None
+    one, other = numbers.groups()
+    is_cosine = found["turn"].lower().startswith(("co", "ko"))
+    if found["factors"]:
+        letter = "c" if is_cosine else "s"
+        return f"{name} = {letter}_{one} {letter}_{other}"
+    is_sum = found["kind"].lower().startswith(("s", "ad"))
+    first, second = (f"c_{one} c_{other}", f"s_{one} s_{other}") if is_cosine else (f"s_{one} c_{other}", f"c_{one} s_{other}")  # fmt: skip
+    return f"{name} = {first} {'-' if is_sum is is_cosine else '+'} {second}"
 
 
 def _of_shorthand(text: str, at: int) -> str | None:

@@ -7,13 +7,14 @@ from collections.abc import Iterator
 
 from armproof.verification.document.joint_values import joint_values, without_joint_values
 from armproof.verification.document.model import INLINE, Display
+from armproof.verification.document.told_shapes import LEADS_TO_ANGLE, shapes
 
 _PLACE = r"(?:configuration|position|posture|pose)"
 _ARM = r"(?:arm|links?|segments?|bras|manipulator|robot|(?:first|second|third|last) joint|elbow|forearm)"
 _LIES = r"(?:straight|vertical(?:e|es)?|verticaux|horizontal(?:e|es)?|horizontaux|aligned|collinear|upright|alignés?|colinéaires)"
 _BENT = r"(?:elbow|shoulder|wrist|joints?|coude|épaule|poignet|articulations?)(?: (?!axe?s\b|axis)\w+){0,3} (?:at|to|by|à|de|makes?|forms?|fait|forme)"
 _AN_ANGLE = r"(?:-?\d+(?:\.\d+)? ?(?:°|degrees|degrés)|(?:an? |un )?(?:right angles?|angle droit))"
-_BENT_TO = re.compile(rf"\b{_BENT}\s+\Z", re.IGNORECASE)
+_BENT_TO = re.compile(rf"\b(?:{_BENT}|{LEADS_TO_ANGLE})\s+\Z", re.IGNORECASE)
 _DEGREES = re.compile(r"(?:\$`?|\\\(|:math:`)\s*-?\d+(?:\.\d+)?\s*(?:\^\s*\{?\s*\\circ|°)")
 _WHERE = r"(?:when(?:ever)?|if|with|once|while|lorsque|quand|si|avec|wenn|mit|falls|liegt|steht|cuando|con|quando|se)"
 _DIRECTED = (  # how a part of the arm lies: "with the upper arm vertical", "when it points backwards"
@@ -95,6 +96,9 @@ def postures(text: str, line: int, section: str) -> Iterator[Display]:
     for found in (*_POSTURE.finditer(rest), *_OF_A_KIND.finditer(rest)):
         there = THERE if _begins_there(plain, found.start()) else ""
         yield Display(line, rf"\text{{{there}{found.group()}}}", section=section, opening=INLINE)
+    for at, words in shapes(rest):
+        there = THERE if _begins_there(plain, at) else ""
+        yield Display(line, rf"\text{{{there}{words}}}", section=section, opening=INLINE)
     for latex in joint_values(plain):
         yield Display(line, latex, section=section, opening=INLINE)
     for found in _RATES.finditer(plain):

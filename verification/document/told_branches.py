@@ -10,13 +10,15 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from armproof.verification.document.told_sides import MAY_TELL_SIDE, UNCLEAR, told_side
+
 BRANCH = "branch"  # the comparison that the sentence makes, as LaTeX; without one nothing tells which branch it is
 MINUS_ROOT, PLUS_ROOT = "root -", "root +"  # that of any root
 ABOVE_ZERO, BELOW_ZERO = ">", "<"
 
 MAY_TELL_BRANCH = re.compile(  # what no such sentence lacks, in small letters
     r"positi|negati|négati|sqrt|between|entre|zwischen|minus|moins|plus|flip|back|behind|other side|opposite side|(?:left|right)[- ]hand|lefty|righty|left|right|arrière|derrière|gauche|droit|retourn|above|below|over|under|dessus|dessous|über|unter|oberhalb|encima|debajo|sopra|sotto"
-    "|elbow|wrist|shoulder|coude|épaule|poignet|ellbogen|codo|gomito|cotovelo"
+    rf"|elbow|wrist|shoulder|coude|épaule|poignet|ellbogen|codo|gomito|cotovelo|{MAY_TELL_SIDE}"
 )
 _ANGLE = r"(?:\\(?:var)?theta|\\(?:var)?phi|\\psi|q|d)\s*_\s*\{?\s*\w+\s*\}?"
 _LETTER = re.compile(  # of which a branch has one sign: a joint, its sine or cosine, a coordinate of the target
@@ -114,7 +116,9 @@ def told_branches(words: str, formulas: Sequence[str]) -> Iterator[ToldBranch]:
         yield ToldBranch(bound=MINUS_ROOT if _MINUS.search(root.group()) else PLUS_ROOT, is_brief=True)
     elif not found and (elbow := _OF_ELBOW.search(small)) is not None:
         yield _of_elbow(elbow["above"] is not None, small)
-    elif not found and _UNCLEAR.search(small):
+    elif not found and (side := told_side(words)):
+        yield ToldBranch("2", side, is_brief=is_brief)
+    elif not found and (_UNCLEAR.search(small) or side == UNCLEAR):
         yield ToldBranch(is_brief=is_brief)
 
 

@@ -9,6 +9,7 @@ CONVENTION = "convention"  # of the link matrices of a section
 MAY_TELL = re.compile(r"craig|modifi|khalil|proximal|classi|standard|distal|spong|paul|original", re.IGNORECASE)
 _OF_FRAMES = re.compile(
     r"[ck]onven[tcz]|denavit|\bd-?h\b|\b(?:notations?|param[eè]\w+|that|those|celles?|jene|der|die|la|las|el|quella|quelle) (?:of|de|von|di) (?:craig|khalil|spong|paul)"
+    r"|\b(?:notations?|fram(?:es|ing)|tables?|tabell\w+|tableau|tabla|tabella|tabela|param[eèé]\w+|parámetros|parametri|parâmetros)\b[^.;!?]{0,60}?‹"
     r"|\blink (?:matrix|matrices|transform\w*)|\bmatrices? de passage|\bgliedmatri\w+",
     re.IGNORECASE,
 )
@@ -16,6 +17,7 @@ _MODIFIED = re.compile(r"\b(?:craig|modifi\w+|khalil|proximal)\b", re.IGNORECASE
 _CLASSIC = re.compile(
     r"\b(?:classi(?:c|cal|que|ques|sche\w*|co|ca|cos|cas)|standard|distal|spong|paul|original)\b", re.IGNORECASE
 )
+_AUTHOR = re.compile(r"\b(?:craig|khalil|spong|paul)\b", re.IGNORECASE)
 _CONTRAST = re.compile(
     r"\b(?:unlike|not|instead|rather|contrary|contrast|others?|both|compar\w+|some|sometimes|differ\w*|contrairement|pas|non|autres?"
     r"|statt|nicht|andere\w*|unterschied|no|otros?|otras?|diferencia|altr[io])\b",
@@ -28,9 +30,33 @@ _CODE = re.compile(
 )  # or front matter
 
 
+_CITED = re.compile(  # [1], \cite{craig05}, and not a link [1](…), nor the entry of a list of references itself
+    r"(?<!\n)(?<!^)\[(?P<label>\^?[\w+-]{1,12})\](?![(:\[])|\\cite\w*\s*(?:\[[^\]]*\]\s*)*\{(?P<key>[\w:.+-]+)\}"
+)
+_ENTRY = re.compile(
+    r"^[ \t]*(?:[-*+][ \t]+)?(?:\[(?P<label>\^?[\w+-]{1,12})\]:?|\\bibitem\s*(?:\[[^\]]*\]\s*)?\{(?P<key>[\w:.+-]+)\})(?P<entry>.+(?:\n(?!\s*\n|[ \t]*(?:[-*+]|\[|\\bibitem)).+)*)",
+    re.MULTILINE,
+)
+
+
+def _with_authors(text: str) -> str:
+    """Return a text in which the citation of a book whose author has a convention of his own is that author: "those of the book [1]"."""
+    entries = {found["label"] or found["key"]: found["entry"] for found in _ENTRY.finditer(text)}
+    authors = {label: found.group() for label, entry in entries.items() if (found := _AUTHOR.search(entry)) is not None}
+    if not authors:
+        return text
+
+    def author(found: re.Match[str]) -> str:
+        named = authors.get(found["label"] or found["key"])
+        return found.group() if named is None else f" ‹{named}›"
+
+    return _CITED.sub(author, text)
+
+
 def told_convention(text: str) -> str:
     """Return the convention of DH that the sentences of a text name, "" where they name none, both, or one as another's."""
     told = set[str]()
+    text = _with_authors(text)
     for sentence in re.split(r"[.;!?](?=\s)|\n\s*\n|\n(?=\s*#)", text):
         if not _OF_FRAMES.search(sentence):
             continue

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from armproof.verification.document.hearing import DELIMITED, formulas_of
 
 MAY_NOTE = re.compile(  # what no such sentence lacks, in small letters
-    r"at(?:an|g)2|arct(?:an|g)2|\^\s*\{?\s*-\s*1|force|kraft|kräfte|fuerza|forza|força|reaction|réaction|reaktion|reacción"
+    r"at(?:an|g)2|arct(?:an|g)2|\^\s*\{?\s*-\s*1|recipro|recíproco|kehrwert|reziprok|multiplicati|moltiplicativ|inverso|force|kraft|kräfte|fuerza|forza|força|reaction|réaction|reaktion|reacción"
 )
 ABSCISSA_FIRST = "abscissa first"  # atan2(x, y)
 ORDINATE_FIRST = "ordinate first"  # atan2(y, x), as it mostly is
@@ -41,6 +41,12 @@ _X_FIRST, _Y_FIRST = _named_first(_X, _Y), _named_first(_Y, _X)
 _NOT = re.compile(r"\b(?:not|never|nicht|nie|pas|jamais|no|nunca|non|mai|não|unlike|instead)\b|n't\b", re.IGNORECASE)
 
 _POWER = re.compile(r"\\?(?:sin|cos|tan|sen)\s*\^\s*\{?\s*-\s*1")
+_MINUS_ONE = re.compile(r"[-–−]\s*1(?!\d)|minus one|moins un|minus eins|menos uno|meno uno|menos um", re.IGNORECASE)
+_OF_FUNCTION = re.compile(  # whose exponent it is: "an exponent $-1$ behind the name of a function"
+    r"(?:\b(?:trigonometric|sines?|cosines?|tangents?|functions?|fonctions?|funktion\w*|función|funciones|funzion[ei]|funç(?:ão|ões)|sinus|cosinus|kosinus|tangens)\b.*\b(?:exponent\w*|power|superscript|exposant|puissance|hochzahl|potenz|exponente|potencia|esponente|potenza|expoente|potência)\b"
+    r"|\b(?:exponent\w*|power|superscript|exposant|puissance|hochzahl|potenz|exponente|potencia|esponente|potenza|expoente|potência)\b.*\b(?:trigonometric|sines?|cosines?|tangents?|functions?|fonctions?|funktion\w*|función|funciones|funzion[ei]|funç(?:ão|ões)|sinus|cosinus|kosinus|tangens)\b)",
+    re.IGNORECASE,
+)
 _IS_RECIPROCAL = re.compile(
     r"\b(?:reciprocal|multiplicative inverse|kehrwert|reziproke\w*|inverse multiplicatif|recíproco|reciproco|inverso multiplicativo)\b|"
     r"1\s*/\s*\\?(?:sin|cos|tan|sen)|\\[dt]?frac\s*\{?1\}?\s*\{?\s*\\?(?:sin|cos|tan)",
@@ -60,11 +66,11 @@ _TOOL = (
     r"outil|pince|effecteur|main|organe terminal|bras|préhenseur|"
     r"werkzeug|greifer|hand|endeffektor|spitze|arm|roboter|manipulator|tcp|"
     r"herramienta|pinza|efector|mano|brazo|garra|"
-    r"utensile|organo terminale|effettore|braccio|ferramenta|efetuador|efetor|braço)"
+    r"utensile|organo terminale|effettore|braccio|mão|ponta|ferramenta|efetuador|efetor|braço)"
 )
 _BY = r"(?:by|par|durch|von|vom|por|da|dal|dalla|dall|pela|pelo|of|de|du|der|des)"
 _ACTS = re.compile(
-    r"\b(?:exert|push|press|act|appl|pull|exerc|pouss|appu|agi|tir|drück|ausüb|ausgeüb|wirk|ejerc|empuj|aplic|act[úu]|esercit|spin|prem|exerc|empurr|reaction|réaction|reaktion|reacc|reazion|reaç)",
+    r"\b(?:exert|push|press|act|appl|pull|exerc|pouss|repouss|appu|agi|tir|drück|ausüb|ausgeüb|wirk|ejerc|empuj|aplic|act[úu]|esercit|spin|prem|exerc|empurr|zieh|schieb|stöß|repel|drag|shov|jala|pux|preme|presi|reaction|réaction|reaktion|reacc|reazion|reaç)",
     re.IGNORECASE,
 )
 _NEAR = r"(?:(?!\b(?:and|et|und|y|while|whereas|but)\b)[^.;:!?]){0,60}?"
@@ -81,6 +87,11 @@ _BY_OTHER = re.compile(  # whoever it is that exerts it: "the scale pulls on the
     rf"(?:exerted|applied|exercée?|appliquée?|ejercida|aplicada|esercitata|applicata) {_ON}\b\W*(?:\w+\W+){{0,2}}?{_TOOL} {_BY} {_ARTICLE}\s*(?!{_OWN}\b)(?:\w+ )?(?!{_OWN}\b)\w+",
     re.IGNORECASE,
 )
+_PUSHES = r"(?:pushes|push|presses|press|pulls?|drags?|repels?|shoves?|(?:re)?pousse(?:nt)?|tire(?:nt)?|presse(?:nt)?|drückt|drücken|schiebt|schieben|zieht|ziehen|stößt|empujan?|presionan?|jalan?|spingono|spinge|premono|preme|tirano|tira|empurram?|puxam?)"
+_PUSHES_TOOL = re.compile(  # with no preposition: "the wall pushes the hand away"
+    rf"\b{_ARTICLE}\s*(?!{_OWN}\b)(?:(?!{_OWN}\b)[\w-]+ ){{1,3}}{_PUSHES} (?:back |away )?{_ARTICLE}\s*{_TOOL}(?!\w)",
+    re.IGNORECASE,
+)
 _EMPHASIS = re.compile(r"\\(?:emph|textit|textbf|underline)\s*\{([^{}]*)\}|\*+")
 _FORCE = re.compile(
     r"^[\s{]*(?:\\(?:vec|mathbf|boldsymbol|bm|underline|mathrm|mathcal)\s*\{?\s*)*([FfWwHh])(?![A-Za-z])(?!\s*_\s*\{?\s*g)"
@@ -92,7 +103,8 @@ def notations_told(sentence: str) -> Iterator[str]:
     sentence = " ".join(sentence.split())
     if _ATAN2.search(sentence) and (order := _order_said(sentence)):
         yield order
-    if _POWER.search(sentence) and _IS_RECIPROCAL.search(sentence) and not _NOT.search(sentence):
+    names_power = _POWER.search(sentence) or (_OF_FUNCTION.search(sentence) and _MINUS_ONE.search(sentence))
+    if names_power and _IS_RECIPROCAL.search(sentence) and not _NOT.search(sentence):
         yield RECIPROCAL
     if _ACTS.search(sentence) and _is_on_tool(_EMPHASIS.sub(lambda found: found[1] or "", sentence)):
         formulas = formulas_of(sentence)
@@ -103,7 +115,7 @@ def notations_told(sentence: str) -> Iterator[str]:
 def _is_on_tool(sentence: str) -> bool:
     """Whether a force of a sentence acts on the tool, and not from it on something else."""
     plain = DELIMITED.sub("¤", sentence)
-    return bool(_ON_TOOL.search(plain) or _BY_OTHER.search(plain))
+    return any(each.search(plain) for each in (_ON_TOOL, _BY_OTHER, _PUSHES_TOOL))
 
 
 def _order_said(sentence: str) -> str:

@@ -57,6 +57,7 @@ from armproof.verification.document.told_quantities import (
     tells_quantity,
 )
 from armproof.verification.document.told_relative import MAY_TELL_RELATIVE, relative_angles
+from armproof.verification.document.told_sides import goes_on_with_side
 from armproof.verification.document.told_statics import (
     FORCE_ELSEWHERE,
     MAY_TELL_BALANCE,
@@ -215,9 +216,9 @@ def _of_branches(heard: Sequence[_Heard]) -> Iterator[Since]:
 def _branches(heard: Sequence[_Heard]) -> Iterator[tuple[_Heard, ToldBranch]]:
     """Yield which branches sentences tell; one that a sentence before has named is told by its name."""
     names: dict[str, ToldBranch] = {}
-    begun = 0
+    begun, before = 0, ""
     for each in heard:
-        names = names if each.begin == begun else {}
+        names, before = (names, before) if each.begin == begun else ({}, "")
         begun = each.begin
         called = [
             branch
@@ -226,7 +227,10 @@ def _branches(heard: Sequence[_Heard]) -> Iterator[tuple[_Heard, ToldBranch]]:
         ]
         yield from ((each, branch) for branch in called if len(called) == 1)
         yield from ((each, branch) for branch in told_branches(each.words, each.formulas) if not called)
+        if goes_on_with_side(each.words, before):
+            yield each, ToldBranch()
         names = called_branches(each.words, each.formulas) or names
+        before = each.words
 
 
 def _of_jacobians(heard: Sequence[_Heard]) -> Iterator[Since]:

@@ -9,10 +9,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
+from armproof.verification.document.word_lists import WordLists
+
 FORCE_ELSEWHERE = "force elsewhere"
 
 MAY_TELL_BALANCE = re.compile(  # what no such sentence lacks, in small letters
-    r"act|exert|push|press|pull|appl|weigh|load|felt|extern|outside|exerc|pouss|appu|agi|subi|appliq|poids|charge|effort|balanc|equilib|équilib|resist|résist|oppos|counter|hold|keep|rest|still|maint|mainten|bouge|immobil|compens|support|along|across|sensor|capteur|component|composante"
+    r"act|exert|push|press|pull|appl|weigh|load|felt|extern|outside|exerc|pouss|appu|agi|subi|appliq|poids|charge|effort|balanc|equilib|équilib|resist|résist|oppos|counter|hold|keep|rest|still|maint|mainten|bouge|immobil|compens|support|along|across|sensor|capteur|component|composante|zieh|tire|tira|puxa"
 )
 _TOOL = r"(?:tool|tip|hand|gripper|end[ -]?effector|effector|flange|fingers?|arm|robot|manipulator|outil|main|pince|effecteur|organe terminal|bras|robot|préhenseur|extrémité)"
 _TO = r"(?:the |its |an? |l' |le |la |son |sa |un |une )?(?:robot' s |last |\S+' s )?"
@@ -42,6 +44,14 @@ _ELSEWHERE = re.compile(  # where a force acts that is not on the tool
     r"(?<!\S)(?:acts?|acting|pulls?|pulling|push(?:es|ing)?|press(?:es|ing)?|hangs?|hanging|applied|attacks?|engages?|attached|agit|tire|pousse|appliquée?|greift|wirkt|zieht|angreifend) (?:\S+ ){0,2}?(?:at|on|to|in|against|from|sur|à|au|en|am|an|auf) (?:the |l' |le |la |dem |den |der )*"
     r"(?:elbow|knee|middle|mid-?point|half-?way|centre of|center of|(?:end of the )?(?:first|upper|inner) (?:link|bar|rod|segment|arm)|second joint|joint ¤|forearm|coude|milieu|genou|ellbogen|ellenbogen|mitte)(?!\w)"
 )
+_is = WordLists("""
+FIXED tied fixed fastened hooked knotted suspended hung attached clamped screwed attaché~ fixé~ noué~ accroché~ suspendu~ gebunden befestigt gehängt eingehängt angebracht angebunden geknotet atad~ sujeto sujeta enganchad~ fijad~ legat~ fissat~ appes~ agganciat~ amarrad~ preso presa fixad~ pendurad~
+TO to at on onto in around à au aux sur dans autour an am auf um ans en a al alrededor alla allo all' nel nella sul sulla ao na no
+INNER hinge~ pivot~ elbow~ knee~ middle midpoint mid-point halfway half-way centre center upper-arm forearm joint charnière~ pivot coude~ genou milieu avant-bras articulation scharnier~ gelenk~ ellbogen~ ellenbogen~ knie mitte oberarm~ unterarm~ bisagra~ codo rodilla mitad medio antebrazo articulación cerniera gomito ginocchio metà mezzo avambraccio giunto dobradiça~ cotovelo joelho meio antebraço junta
+TOOL hand hand's tool~ tip gripper~ end-effector effector flange main outil~ pince effecteur greifer~ werkzeug~ endeffektor flansch mano herramienta pinza efector utensile ferramenta garra mão ponta
+WALL wall~ floor ceiling table ground mur sol plafond wand boden decke tisch pared suelo techo mesa parete pavimento soffitto parede chão teto
+""").holds
+_BEHIND = 6  # words within which the place stands
 _IS_FORCE = re.compile(
     r"(?<!\S)(?:forces?|wrench|loads?|weights?|effort|torseur|charge|poids|kraft|kräfte|last|gewicht|fuerza|forza)(?!\w)"
 )
@@ -67,7 +77,24 @@ def is_force_elsewhere(words: str, formulas: Sequence[str]) -> bool:
     """Whether a sentence has the components of a force along a link or in the tool's frame, or the force act on another place than the tool."""
     small = words.lower()
     is_of_force = _IS_FORCE.search(small) is not None or any(_LETTER.match(each.strip()) for each in formulas)
-    return is_of_force and (_OTHER_AXES.search(small) or _ELSEWHERE.search(small)) is not None
+    is_elsewhere = (_OTHER_AXES.search(small) or _ELSEWHERE.search(small)) is not None
+    return is_of_force and (is_elsewhere or _is_fixed_to_inner(small.split()))
+
+
+def _is_fixed_to_inner(said: Sequence[str]) -> bool:
+    """Whether something is fixed to an inner part of the arm, in a sentence without its tool: "a rope tied to the hinge between the bars"."""
+    if any(_is(word, "TOOL") for word in said):
+        return False
+    fixed = [place for place, word in enumerate(said) if _is(word, "FIXED")]
+    spans = [span for at in fixed for span in (said[at + 1 : at + 1 + _BEHIND], said[max(0, at - _BEHIND) : at])]
+    return any(map(_leads_inside, spans))
+
+
+def _leads_inside(said: Sequence[str]) -> bool:
+    """Whether words lead to an inner part of an arm, and to no wall beside it: "to the hinge", "am Gelenk"."""
+    to = next((place for place, word in enumerate(said) if _is(word, "TO")), len(said))
+    inner = next((place for place, word in enumerate(said) if place > to and _is(word, "INNER")), None)
+    return inner is not None and not any(_is(word, "WALL") or word in ",;" for word in said[to:inner])
 
 
 def holds_arm(words: str) -> bool:

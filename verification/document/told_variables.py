@@ -10,18 +10,23 @@ import re
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
+from armproof.verification.document.told_levels import MAY_READ_LEVEL, reads_level
 from armproof.verification.document.told_names import Definition
 from armproof.verification.document.word_lists import WordLists
 
 VARIABLE = "variable"  # which angles, the letter that is left open or "" for all, and the words
 ANY = "any"
+OTHER_LINK = "other link"  # a length or an angle of another link than its own
 FROM_BASE = "from base"  # those alone that turn about the direction of a joint before them
+FROM_SPACE = "from space"  # the same, as instruments on the links show them
+STROKE = "stroke"  # of a slide: how far it has left its rest, and the letter of its length there
 BENT = "bent"  # those at whose zero the arm is said to be bent
 STANDING = "standing"  # those alone at whose zero what they move does not stand up
 RAISED = "raised"  # those at whose zero the arm is said to stand up
 MAY_TELL_VARIABLE = re.compile(  # in small letters: what no sentence lacks that tells so, and defines no letter
+    rf"{MAY_READ_LEVEL}|"
     r"gear|belt|pulley|parallelogram|pantograph|encoder|motor|transmission|reduc|coupl|linkage|engrenage|courroie|poulie|parallélogramm|codeur|moteur|motrice|getriebe|riemen|zahnr|setzung|drehgeber|engranaje|correa|polea|paralelogram|ingranag|cinghia|pulegg|engrenagem|correia|polia"
-    r"|zero|zéro|null|\bnul|= *0|vanish|reference|référence|referenz|referencia|riferimento|home|rest\b|repos|ruhe|reposo|riposo|repouso|length|longueur|länge|longitud|lunghezza|comprimento|\blong\b|joint [12]|articulation [12]|gelenk [12]|articulación [12]|giunto [12]"
+    r"|zero|zéro|null|\bnul|= *0|vanish|reference|référence|referenz|referencia|riferimento|home|rest\b|repos|ruhe|reposo|riposo|repouso|length|longueur|länge|longitud|lunghezza|comprimento|\blong\b|pulled|pushed|drawn|retract|extend|slid|sorti|rentr|tiré|auszieh|ausgezog|ausgefahr|eingefahr|eingeschob|extraíd|recogid|estratt|sfilat|rientrat|puxad|recolhid|joint [12]|articulation [12]|gelenk [12]|articulación [12]|giunto [12]"
 )
 _is = WordLists("""
 NOUN angle~ joint~ variable~ coordinate~ rotation~ length~ displacement~ position~ link~ distance~ offset~ articulation~ coordonnée~ longueur~ position déplacement~ corps segment~ maillon~ distance~ winkel~ gelenk~ drehwinkel~ variablen länge~ abstand abstände verschiebung~ glied~ koordinate~ verschub ángulo~ articulación articulaciones variable longitud~ desplazamiento~ eslab~ distancia~ coordenada~ angolo angoli giunt~ variabil~ lunghezz~ spostament~ distanz~ coordinat~ ângulo~ junta~ variáve~ compriment~ deslocament~ distância~ elo elos
@@ -38,8 +43,14 @@ FORCES torque~ force~ friction~ inertia~ mass masses weight~ power~ backlash cou
 NOT direct~ ideal~ rigid~ without no not never neither sans pas ohne kein~ nicht sin senza sem não non
 ZERO zero zeros zéro nul nuls nulle nulles null nullstellung nulllage vanish vanishes vanishing cero nulo nulos nulli home reference référence referencia riferimento
 REST rest repos ruhe ruhelage ruhestellung reposo riposo repouso referenzstellung referenzlage
-OF_ZERO angle~ pose posture~ position~ configuration~ winkel~ stellung~ lage ángulo~ posición angol~ posizione ângulo~ posição encoder~ variable~ joint~ coordinate~
+OF_ZERO scale~ dial~ reading~ pointer~ gauge~ échelle~ cadran~ lecture~ skala skalen zeiger anzeige~ escala~ lectura~ scala scale lettur~ quadrant~ leitura~ angle~ pose posture~ position~ configuration~ winkel~ stellung~ lage ángulo~ posición angol~ posizione ângulo~ posição encoder~ variable~ joint~ coordinate~
 BENT perpendicular~ perpendiculaire~ folded folds replié~ hang hangs hanging downward~ down y-axis pend pendant rechtwinklig~ gefaltet zusammengeklappt hängt hängend plegad~ cuelga~ perpendicolar~ piegat~ appes~ dobrad~ pendurad~ backwards opposite
+LOWEST lowest tiefste~ bas basse inferior
+UNDER under below beneath underneath sous dessous unter unterhalb debajo bajo sotto debaixo abaixo sob
+ARTICLE the its a le la l' son der die das dem den seinem el de del il della dell' o do da
+PLACE hinge~ shoulder~ joint~ base ceiling axis pivot~ elbow~ charnière~ épaule~ articulation plafond axe scharnier~ schulter~ gelenk~ decke basis achse bisagra~ hombro articulación techo eje cerniera spalla giunto soffitto asse dobradiça ombro junta teto eixo
+IN retracted pushed rentré~ replié~ eingeschoben eingefahren recogid~ metid~ rientrat~ chiuso recolhid~ fechad~ closed
+OUT pulled drawn slid extended leaves left out sorti~ tiré~ étiré~ ausgezogen ausgefahren herausgezogen herausgefahren extraíd~ sacad~ extendid~ sfilat~ estratt~ estes~ puxad~ estendid~ stroke course hub carrera corsa curso
 UPRIGHT upright vertical~ upward~ senkrecht~ lotrecht~ verticale~
 RIGHT right droit rechten recto retto reto quarter quart viertel
 TURN angle angles winkel ángulo angolo ângulo turn tour tours
@@ -79,9 +90,10 @@ def variables_defined(defined: Definition) -> Iterator[str]:
         is_other = not all(
             _is(word, "USUAL") or _is(word, "BASE_AXIS") or _is(word, "UPRIGHT") or len(word) < 2 for word in own
         )
-        is_other |= _of_other_joint(phrase, numbers)
         is_other |= any(map(_Y_AXIS.fullmatch, formulas))
     which = ANY if is_other else ""
+    if is_sure and _of_other_joint(phrase, numbers):
+        which = OTHER_LINK
     if not which and is_sure and (any(map(_X_AXIS.fullmatch, formulas)) or any(_is(word, "BASE_AXIS") for word in own)):
         which = FROM_BASE
     if not which and is_sure and any(_is(word, "UPRIGHT") for word in own):
@@ -102,7 +114,10 @@ def variables_told(words: str, formulas: Sequence[str]) -> Iterator[str]:
     if which := _bent_at_zero(said, formulas):
         at_zero = [each.strip() for latex in formulas if _IS_ZERO.fullmatch(latex) for each in latex.split("=")[:-1]]
         yield from (_open(which, each, text) for each in at_zero or angles or [""])
-    yield from (_open(ANY, each, text) for each in _lengths_of_others(said, formulas))
+    if reads_level(said):
+        yield from (_open(FROM_SPACE, each, text) for each in angles or [""])
+    yield from (_open(f"{STROKE} {rest}", each, text) for rest, each in _strokes(said, formulas))
+    yield from (_open(OTHER_LINK, each, text) for each in _lengths_of_others(said, formulas))
     if _numbers_otherwise(said):
         yield _open(ANY, "", text)
 
@@ -146,6 +161,7 @@ def _bent_at_zero(said: Sequence[str], formulas: Sequence[str]) -> str:
         return ""
     pairs = [*pairwise(said)]
     is_turned = any((_is(a, "RIGHT") and _is(b, "TURN")) or (_is(b, "RIGHT") and _is(a, "TURN")) for a, b in pairs)
+    is_turned |= any(_is(word, "LOWEST") for word in said) or _is_under_a_place(said)
     if is_turned or any(_is(word, "BENT") for word in said) or any(map(_Y_AXIS.fullmatch, formulas)):
         return BENT
     return RAISED if any(_is(word, "UPRIGHT") for word in said) else ""
@@ -159,6 +175,37 @@ def _is_of_zero(said: Sequence[str], place: int) -> bool:
         ["de", "¤"],
         ["von", "¤"],
     )
+
+
+def _is_under_a_place(said: Sequence[str]) -> bool:
+    """Whether something is said to be under a part of the arm, or the ceiling: "right under the hinge", and not "the formula below"."""
+    for place in (at for at, word in enumerate(said) if _is(word, "UNDER")):
+        behind = [word for word in said[place + 1 : place + 1 + _NEAR] if not _is(word, "ARTICLE")]
+        if behind and _is(behind[0], "PLACE"):
+            return True
+    return False
+
+
+def _strokes(said: Sequence[str], formulas: Sequence[str]) -> Iterator[tuple[str, str]]:
+    """Yield the length of what slides where it is pushed in, and the letter of how far it is pulled out, each of a clause of one sentence."""
+    letters = iter(formulas)
+    resting, moving = list[str](), list[str]()
+    for clause in _clauses(said):
+        own = [found["letter"] for word in clause if word == "¤" if (found := _LETTER.fullmatch(next(letters, "")))]
+        is_out = any(_is(word, "OUT") for word in clause)
+        if len(own) == 1 and is_out is not any(_is(word, "IN") for word in clause):
+            (moving if is_out else resting).append(own[0])
+    if len(resting) == 1:
+        yield from ((resting[0], each) for each in moving if each != resting[0])
+
+
+def _clauses(said: Sequence[str]) -> Iterator[Sequence[str]]:
+    """Yield the clauses of a sentence, which commas, semicolons and "and" part."""
+    begin = 0
+    for place, word in enumerate((*said, ",")):
+        if word in (",", ";", ":", "and", "et", "und", "y", "e", "while", "tandis", "während", "mientras", "mentre", "enquanto"):  # fmt: skip
+            yield said[begin:place]
+            begin = place + 1
 
 
 def _lengths_of_others(said: Sequence[str], formulas: Sequence[str]) -> Iterator[str]:

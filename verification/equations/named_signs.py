@@ -52,6 +52,16 @@ def unless_signs_clash(outcomes: Sequence[Outcome], holds: Holds) -> list[Outcom
     return found
 
 
+def clashes_with(outcome: Outcome, chain: n.Chain, holds: Holds) -> bool:
+    """Whether an equation with ± holds together with another one only where one of them has ∓ instead."""
+    if len(chain.members) != 2 or not any(map(n.has_branches, chain.members)) or not _is_signed(outcome):
+        return False
+    assert outcome.true is not None and outcome.printed is not None
+    true, printed = (replace(side, node=node) for side, node in zip((outcome.true, outcome.printed), chain.members, strict=True))  # fmt: skip
+    other = replace(outcome, true=true, printed=printed)
+    return not holds(_together(outcome, other)) and holds(_together(outcome, _turned(other)))
+
+
 def _is_signed(outcome: Outcome) -> bool:
     """Whether ± stands in an equation of two scalars."""
     return len(outcome.sides) == 2 and not outcome.matrices and any(map(n.has_branches, outcome.nodes))
