@@ -60,8 +60,9 @@ def _only_leads(words: str) -> bool:
 def is_whole(words: str) -> bool:
     """Whether a sentence of one clause leads to all of what stands in part before: "The full Jacobian would be"."""
     found = clauses(words)
-    is_of_whole = len(found) == 1 and found[0].words[0] in _ARTICLES and found[0].words[1] in _WHOLE
-    return is_of_whole and not found[0].has("person")
+    if len(found) != 1 or found[0].has("person"):
+        return False
+    return [each in one for each, one in zip(found[0].words, (_ARTICLES, _WHOLE), strict=False)] == [True, True]
 
 
 def limits_what_is_near(words: str) -> bool:

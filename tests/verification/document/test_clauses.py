@@ -12,7 +12,7 @@ from armproof.verification.document.denying_clauses import (
     judges_in_other_words,
 )
 from armproof.verification.document.hearing import words_of
-from armproof.verification.document.limiting_clauses import limits_what_is_above, limits_what_is_below
+from armproof.verification.document.limiting_clauses import is_whole, limits_what_is_above, limits_what_is_below
 
 
 @pytest.mark.parametrize(
@@ -152,3 +152,8 @@ def test_if_and_only_if_denies_nothing(said: str) -> None:
 def test_a_sentence_goes_on_that_begins_with_a_small_letter_or_is_short(sentence: str) -> None:
     assert goes_on(words_of(sentence))
     assert not goes_on(f"(if the {'very ' * 20}long arm is straight) ")
+
+
+def test_a_clause_of_one_article_leads_to_no_whole() -> None:
+    assert is_whole("The full Jacobian would be ")
+    assert not any(map(is_whole, ("The . ", "La : ", "the ", "Full Jacobian ")))
