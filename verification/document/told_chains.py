@@ -19,12 +19,8 @@ MAY_TELL_CHAIN = re.compile(  # in small letters: what no text lacks that tells 
 )
 TURN, SLIDE, LENGTH, HEIGHT, DISTANCE, OFFSET = "turn", "slide", "length", "height", "distance", "offset"
 END, PLANE = "end", "plane"  # the name of the tool's point; the axes between which the arm moves
-UPRIGHT, LIFTS, ABSOLUTE, RELATIVE = (
-    "upright",
-    "lifts",
-    "absolute",
-    "relative",
-)  # an axis, what turns in an upright plane, from where an angle counts
+UPRIGHT, LIFTS = "upright", "lifts"  # the axis of a turn, and what that moves
+ABSOLUTE, RELATIVE = "absolute", "relative"  # from where an angle counts
 XZ, YZ = "xz", "yz"
 UP, DOWN, ALONG_X, ALONG_Y, OUTWARDS = "up", "down", "x", "y", "outwards"  # where what slides goes
 
@@ -45,13 +41,11 @@ ELEVATION elevation pitch élévation hausse erhebung höhenwinkel elevación el
 LEVEL horizontal~ orizzontale ground floor waagerecht~ waagrecht~ sol suelo suolo x-axis boden
 OFFSET offset offsets shifted décalé décalée décalage déport déporté versetzt versatz desplazado desfasado spostato sfalsato deslocado lateral~ seitlich~ latéral~
 TOOL tip end effector end-effector gripper hand tool extrémité bout outil pince effecteur spitze ende greifer werkzeug~ endeffektor armspitze extremo efector pinza herramienta estremità estremo punta utensile terminale extremidade ponta garra
-LAST last dernier dernière letzten último última ultimo ultima third troisième dritten tercer terzo terceiro
 FIRST first premier première ersten primer primero primo prima primeiro primeira elbow coude ellbogen codo gomito cotovelo
 SECOND second seconde deuxième zweiten segundo segunda secondo seconda
 MEASURED measured counted mesuré mesurée compté comptée gemessen gezählt medido contado misurato contato positive positif
 PLANE plane plan ebene plano piano
 AXIS axis axes achsen assi ejes axe d' achse eje asse eixo along parallel parallèle parallele paralelo
-FROM from with avec von vom mit gegen zur zum con com depuis desde dal dalla dall' gegenüber and above over über par_rapport respect relative
 SAME same même gleichen mismo stessa stesso mesmo absolute absolu absolue absolus absolues absoluten absolut absolutos absoluto assoluto assoluti all tous toutes alle todos tutti
 PREVIOUS first previous preceding premier première précédent précédente ersten vorigen vorhergehenden primero primer anterior primo precedente primeiro upper second deuxième zweiten segundo secondo bras oberarm celui prolongement extension verlängerung prolongación prolungamento
 RELATIVE relative relativ~ between entre zwischen tra fra
@@ -77,8 +71,7 @@ _LOCAL_AXIS = re.compile(r"(?:\\(?:vec|hat|mathbf|boldsymbol)\s*\{?\s*)?([xyz])\
 _FENCE = re.compile(r"\\(?:left|right|big|Big)?\s*[()\[\]]|[()\[\]]|\\[,;:! ]|\\q?quad|\^\{?(?:T|\\top)\}?")
 _AND = frozenset("and et und y e ou or o oder".split())
 _ENDS = frozenset(", ; : . ! ?".split())
-_NEAR = 4
-_FAR = 7  # words between a letter and what calls it
+_NEAR, _FAR = 4, 7  # words between a letter and one before it, and between a letter and what calls it
 
 # a word, "" with the letters of a formula
 Word = tuple[str, tuple[str, ...]]
@@ -228,7 +221,7 @@ def _has_upright_axis(clause: Sequence[str]) -> bool:
 
 def _marks(kind: str, clause: Sequence[str], right: Sequence[str]) -> Iterator[str]:
     """Yield what the words of a clause say of its letter besides."""
-    has = {name for name in ("VERTICAL", "ABOUT", "BASE", "ELEVATION", "LEVEL", "FROM", "SAME", "PREVIOUS", "RELATIVE", "RISES", "FALLS", "X", "Y", "OUTWARDS")
+    has = {name for name in ("VERTICAL", "ABOUT", "BASE", "ELEVATION", "LEVEL", "SAME", "PREVIOUS", "RELATIVE", "RISES", "FALLS", "X", "Y", "OUTWARDS")
            if any(_is(word, name) for word in clause)}  # fmt: skip
     if _has_level_axis(clause) and not any(word.endswith("-axis") for word in clause):
         has.discard("LEVEL")

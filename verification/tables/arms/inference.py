@@ -129,7 +129,9 @@ def _of_words(document: Document, of_formulas: Sequence[Candidate]) -> Inference
     if best is None or best.held < _FEWEST:
         return None
     turned_fronts = [front for each in turned for front in _fronts(document, each)]
-    is_turned = any(each.front in turned_fronts and each.held > each.failed for each in readings if _is_rival(each, best))
+    is_turned = any(
+        each.front in turned_fronts and each.held > each.failed for each in readings if _is_rival(each, best)
+    )
     if best.held <= best.failed and not is_turned:
         return None
     others = {repr(each.front["arm"]): each for each in readings if _is_rival(each, best)}

@@ -68,7 +68,9 @@ def test_what_the_formulas_turn_round_is_left_open() -> None:
 
 
 def test_the_name_of_the_tools_point_is_told() -> None:
-    text = PLANAR + "On note $P$ l'extrémité du second segment.\n" + RATES.replace("x =", "x_P =").replace("y =", "y_P =")
+    text = (
+        PLANAR + "On note $P$ l'extrémité du second segment.\n" + RATES.replace("x =", "x_P =").replace("y =", "y_P =")
+    )
     assert verdicts(text) == ["proved", "proved"]
 
 
