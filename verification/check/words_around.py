@@ -116,7 +116,7 @@ class WordsAround:
     def _is_from_other_base(self, display: Display) -> bool:
         """Whether the text has the shoulder at a height that is no length of the arm."""
         told = [each.removeprefix(BASE_AT) for each in display.meant if each.startswith(BASE_AT)]
-        lengths = self.circumstances.given.lengths
+        lengths: set[str | None] = {*self.circumstances.given.lengths}
         return any(self.names.known_symbol(self.names.reader.key_of(each)) not in lengths for each in told)
 
     def _unless_noted(self, outcome: Outcome, display: Display) -> Outcome:

@@ -185,7 +185,9 @@ def _told_ends(text: str) -> Iterator[tuple[int, str]]:
 def _told_parts(document: Document, text: str, suffix: str) -> Iterator[ToldPart]:
     """Yield what the sentences of a text tell of an arm's build, each with the place of the display behind it."""
     cells = {".ipynb": notebook_cells, ".py": percent_cells}.get(suffix)
-    texts = [(each.text, each.line, k) for k, each in enumerate(cells(text)) if each.kind == "markdown"] if cells else []
+    texts = (
+        [(each.text, each.line, k) for k, each in enumerate(cells(text)) if each.kind == "markdown"] if cells else []
+    )
     places = sorted((each.cell or 0, each.line) for each in document.displays if not each.file)
     for own, first, cell in texts if cells else [(text, 1, None)]:
         for line, sentence in sentences_with_lines(own) if places else ():

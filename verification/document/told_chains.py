@@ -19,7 +19,8 @@ MAY_TELL_CHAIN = re.compile(  # in small letters: what no text lacks that tells 
 )
 TURN, SLIDE, LENGTH, HEIGHT, DISTANCE, OFFSET = "turn", "slide", "length", "height", "distance", "offset"
 END, PLANE = "end", "plane"  # the name of the tool's point; the axes between which the arm moves
-UPRIGHT, LIFTS, ABSOLUTE, RELATIVE = "upright", "lifts", "absolute", "relative"  # an axis, what turns in an upright plane, from where an angle counts
+UPRIGHT, LIFTS = "upright", "lifts"  # the axis of a turn, and what that moves
+ABSOLUTE, RELATIVE = "absolute", "relative"  # from where an angle counts
 XZ, YZ = "xz", "yz"
 UP, DOWN, ALONG_X, ALONG_Y, OUTWARDS = "up", "down", "x", "y", "outwards"  # where what slides goes
 
@@ -40,13 +41,11 @@ ELEVATION elevation pitch élévation hausse erhebung höhenwinkel elevación el
 LEVEL horizontal~ orizzontale ground floor waagerecht~ waagrecht~ sol suelo suolo x-axis boden
 OFFSET offset offsets shifted décalé décalée décalage déport déporté versetzt versatz desplazado desfasado spostato sfalsato deslocado lateral~ seitlich~ latéral~
 TOOL tip end effector end-effector gripper hand tool extrémité bout outil pince effecteur spitze ende greifer werkzeug~ endeffektor armspitze extremo efector pinza herramienta estremità estremo punta utensile terminale extremidade ponta garra
-LAST last dernier dernière letzten último última ultimo ultima third troisième dritten tercer terzo terceiro
 FIRST first premier première ersten primer primero primo prima primeiro primeira elbow coude ellbogen codo gomito cotovelo
 SECOND second seconde deuxième zweiten segundo segunda secondo seconda
 MEASURED measured counted mesuré mesurée compté comptée gemessen gezählt medido contado misurato contato positive positif
 PLANE plane plan ebene plano piano
 AXIS axis axes achsen assi ejes axe d' achse eje asse eixo along parallel parallèle parallele paralelo
-FROM from with avec von vom mit gegen zur zum con com depuis desde dal dalla dall' gegenüber and above over über par_rapport respect relative
 SAME same même gleichen mismo stessa stesso mesmo absolute absolu absolue absolus absolues absoluten absolut absolutos absoluto assoluto assoluti all tous toutes alle todos tutti
 PREVIOUS first previous preceding premier première précédent précédente ersten vorigen vorhergehenden primero primer anterior primo precedente primeiro upper second deuxième zweiten segundo secondo bras oberarm celui prolongement extension verlängerung prolongación prolungamento
 RELATIVE relative relativ~ between entre zwischen tra fra
@@ -61,15 +60,18 @@ _GREEK = r"\\(?:var)?(?:theta|vartheta|phi|psi|alpha|beta|gamma)"
 _ANGLE = re.compile(rf"{_GREEK}(?:\s*_\s*(?:\{{\s*\w+\s*\}}|\w))?'?")
 _ANY = re.compile(r"(?:[A-Za-z]|\\(?:ell|rho|delta|lambda))(?:\s*_\s*(?:\{\s*\w+\s*\}|\w))?'?")
 _NEVER = re.compile(r"[xyzXYZOPTJMEABCFWSVGIijkmgnptv](?:\s*_.*)?")  # points, axes, matrices, masses
-_AXIS = re.compile(r"(?:\\(?:vec|hat|mathbf|boldsymbol|overrightarrow)\s*\{?\s*)?(?:O_?0?)?([xyz])\}?(?:\s*_\s*\{?\s*0\s*\}?)?")
+_AXIS = re.compile(
+    r"(?:\\(?:vec|hat|mathbf|boldsymbol|overrightarrow)\s*\{?\s*)?(?:O_?0?)?([xyz])\}?(?:\s*_\s*\{?\s*0\s*\}?)?"
+)
 _POINT = re.compile(r"[PEMTHABCDQ]")
-_PLANE = re.compile(r"\W*(?:O\s*,?\s*)?(?:\\vec\s*\{?\s*)?([xy])\}?\s*(?:_\s*\{?\s*0\s*\}?)?\s*,?\s*(?:\\vec\s*\{?\s*)?z\}?\s*(?:_\s*\{?\s*0\s*\}?)?\W*")
+_PLANE = re.compile(
+    r"\W*(?:O\s*,?\s*)?(?:\\vec\s*\{?\s*)?([xy])\}?\s*(?:_\s*\{?\s*0\s*\}?)?\s*,?\s*(?:\\vec\s*\{?\s*)?z\}?\s*(?:_\s*\{?\s*0\s*\}?)?\W*"
+)
 _LOCAL_AXIS = re.compile(r"(?:\\(?:vec|hat|mathbf|boldsymbol)\s*\{?\s*)?([xyz])\}?\s*_\s*\{?\s*[1-9]\s*\}?")
 _FENCE = re.compile(r"\\(?:left|right|big|Big)?\s*[()\[\]]|[()\[\]]|\\[,;:! ]|\\q?quad|\^\{?(?:T|\\top)\}?")
 _AND = frozenset("and et und y e ou or o oder".split())
 _ENDS = frozenset(", ; : . ! ?".split())
-_NEAR = 4
-_FAR = 7  # words between a letter and what calls it
+_NEAR, _FAR = 4, 7  # words between a letter and one before it, and between a letter and what calls it
 
 # a word, "" with the letters of a formula
 Word = tuple[str, tuple[str, ...]]
@@ -92,7 +94,7 @@ def told_parts(sentence: str, place: tuple[int | None, int], before: tuple[int, 
             kind = _kind(letter, left, right) or (LENGTH if last == LENGTH and _goes_on(letter, left) else "")
             last = kind
             if kind:
-                yield ToldPart(place, before, kind, letter, frozenset(_marks(kind, clause, left, right)))
+                yield ToldPart(place, before, kind, letter, frozenset(_marks(kind, clause, right)))
 
 
 def _end(said: Sequence[Word], k: int) -> int:
@@ -131,7 +133,7 @@ def _words(sentence: str) -> list[Word]:
             found.append((f"own-{local[1]}-axis", ()))
         elif plane:
             found.append((f"{plane[1]}z", ()))
-        elif letters and (joined := _listed(found)):
+        elif letters and _listed(found):
             while found[-1][0]:
                 found.pop()
             found[-1] = ("", (*found[-1][1], *letters))
@@ -159,7 +161,11 @@ def _letters(formula: str) -> Iterator[str]:
     """Yield the letters of a formula that may be joints or lengths: of a list, of OP = r, of l_1 = 0.4."""
     for part in _FENCE.sub(" ", formula).split(","):
         sides = [side.strip() for side in part.split("=")]
-        own = [side for side in sides if _ANGLE.fullmatch(side) or _POINT.fullmatch(side) or (_ANY.fullmatch(side) and not _NEVER.fullmatch(side))]
+        own = [
+            side
+            for side in sides
+            if _ANGLE.fullmatch(side) or _POINT.fullmatch(side) or (_ANY.fullmatch(side) and not _NEVER.fullmatch(side))
+        ]
         if own and len(sides) <= 2:
             yield own[0]
 
@@ -177,7 +183,9 @@ def _kind(letter: str, left: Sequence[str], right: Sequence[str]) -> str:
     lead = [*takewhile(lambda word: word != ",", left)]
     if any(_is(word, "OFFSET") for word in lead):
         return OFFSET
-    if kind in ("", LENGTH) and any(_is(word, "ALONG") and any(map(_is_axis, right[k + 1 : k + 4])) for k, word in enumerate(right)):
+    if kind in ("", LENGTH) and any(
+        _is(word, "ALONG") and any(map(_is_axis, right[k + 1 : k + 4])) for k, word in enumerate(right)
+    ):
         return SLIDE
     near = (*left, *right) if kind == DISTANCE else lead if kind in (HEIGHT, LENGTH) else ()
     if any(_is(word, each) for word in near for each in ("SLIDES", "RISES", "FALLS")):
@@ -201,16 +209,19 @@ def _called(word: str, is_q: bool) -> str:
 
 def _has_level_axis(clause: Sequence[str]) -> bool:
     """Whether what lies level is an axis about which something turns, and nothing to count an angle from."""
-    return any(_is(one, "LEVEL") and _is(other, "AXIS") or _is(one, "AXIS") and _is(other, "LEVEL") for one, other in pairwise(clause))
+    return any(
+        {"LEVEL", "AXIS"} <= {name for name in ("LEVEL", "AXIS") for word in pair if _is(word, name)}
+        for pair in pairwise(clause)
+    )
 
 
 def _has_upright_axis(clause: Sequence[str]) -> bool:
     return any(_is(one, "AXIS") and _is(other, "VERTICAL") for one, other in pairwise(clause))
 
 
-def _marks(kind: str, clause: Sequence[str], left: Sequence[str], right: Sequence[str]) -> Iterator[str]:
+def _marks(kind: str, clause: Sequence[str], right: Sequence[str]) -> Iterator[str]:
     """Yield what the words of a clause say of its letter besides."""
-    has = {name for name in ("VERTICAL", "ABOUT", "BASE", "ELEVATION", "LEVEL", "FROM", "SAME", "PREVIOUS", "RELATIVE", "RISES", "FALLS", "X", "Y", "OUTWARDS")
+    has = {name for name in ("VERTICAL", "ABOUT", "BASE", "ELEVATION", "LEVEL", "SAME", "PREVIOUS", "RELATIVE", "RISES", "FALLS", "X", "Y", "OUTWARDS")
            if any(_is(word, name) for word in clause)}  # fmt: skip
     if _has_level_axis(clause) and not any(word.endswith("-axis") for word in clause):
         has.discard("LEVEL")
@@ -218,7 +229,11 @@ def _marks(kind: str, clause: Sequence[str], left: Sequence[str], right: Sequenc
         yield from (mark for name, mark in (("FIRST", "1"), ("SECOND", "2")) if any(_is(word, name) for word in right))
         return
     if kind == TURN:
-        if {"ABOUT", "VERTICAL"} <= has or _has_upright_axis(clause) or ("BASE" in has and not has & {"RISES", "ELEVATION"}):
+        if (
+            {"ABOUT", "VERTICAL"} <= has
+            or _has_upright_axis(clause)
+            or ("BASE" in has and not has & {"RISES", "ELEVATION"})
+        ):
             yield UPRIGHT
         if has & {"RISES", "ELEVATION"}:
             yield LIFTS

@@ -674,7 +674,7 @@ class Kind(MessageKind):
     LENGTH_MOVES = "length_moves", "what is shown of the arm has `{name}` as a length, and its rate stands in an equation: name the arm in the front matter"
     ARM_DOES_NOT_FIT = "arm_does_not_fit", "taken for the document's arm, the table fits {held} equations and contradicts {failed}: name the arm in the front matter"
     OTHER_THAN_SOURCE = "other_than_source", "differs from the {source} at line {line}, and nothing else that is decided tells which is right"
-    ARM_RIVALLED = "arm_rivalled", "the {source} at line {line} may be read so that this is otherwise, or the formulas show another arm than it does"
+    ARM_RIVALLED = "arm_rivalled", "the {source} at line {line} can be read in another way, or the formulas show another arm: this is not the same for both"
     SECOND_TABLE = "second_table", "compared with the arm of the {source} at line {line}, and which of the two is right is not certain"
     ARMS_NO_MAPPING = "arms_no_mapping", "'arms' gives sections, by their headings, an arm each: {{Exercise 1: scara}}; not {value}"
     NO_SECTION = "no_section", "'arms': '{section}' is no heading with an arm, or with keys among {keys}; the headings are {sections}"

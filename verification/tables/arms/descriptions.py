@@ -43,7 +43,13 @@ MOST = 8  # readings that are weighed
 _MOST_LETTERS = 9
 _EACH = re.compile(r"_\s*\{?\s*[ik]\s*\}?$")  # the angle of each link
 _REACH = ("r", "d", "s", "rho")  # distances that mostly vary
-_FLAT, _UPRIGHT, _TURNED, _RAISED, _SIDEWAYS = "flat", "upright", "turned", "raised", "sideways"  # planes: level, upright, upright and turned by the first joint, with y upwards
+_FLAT, _UPRIGHT, _TURNED, _RAISED, _SIDEWAYS = (
+    "flat",
+    "upright",
+    "turned",
+    "raised",
+    "sideways",
+)  # planes: level, upright, upright and turned by the first joint, with y upwards
 _WAYS = {UP: "up", DOWN: "down", ALONG_X: "x", ALONG_Y: "y", OUTWARDS: "x"}
 
 # a column of a DH table or an axis to slide along; how far; the joint that moves it
@@ -76,13 +82,17 @@ class _Build:
     def chains(self) -> Iterator[list[Step]]:
         """Yield the chains that these can be of."""
         for plane in self._planes():
-            for ways in self._ways(plane):
+            for ways in self._ways():
                 for places in self._places(plane):
                     yield from self._with_offsets(plane, self._steps(plane, ways, places))
 
     def _with_offsets(self, plane: str, steps: list[Step]) -> Iterator[list[Step]]:
         """Yield the chain with what is shifted aside at its end, or in the turned plane before that stands up, to either side."""
-        at = next((k for k, (where, _, _) in enumerate(steps) if where == "alpha"), len(steps)) if plane == _TURNED else len(steps)
+        at = (
+            next((k for k, (where, _, _) in enumerate(steps) if where == "alpha"), len(steps))
+            if plane == _TURNED
+            else len(steps)
+        )
         is_told = all(ALONG_Y in each.marks for each in self.offsets)
         for sign in ("",) if is_told else ("", "-"):
             yield [*steps[:at], *(("y", sign + each.key, "") for each in self.offsets), *steps[at:]]
@@ -105,7 +115,7 @@ class _Build:
             return [_UPRIGHT, *raised, *([_TURNED] if len(turns) > 1 and not lifts[0] else [])]
         return [_FLAT, _UPRIGHT, *raised, *([_TURNED] if len(turns) > 2 else [])]
 
-    def _ways(self, plane: str) -> Iterator[dict[str, str]]:
+    def _ways(self) -> Iterator[dict[str, str]]:
         """Yield where each joint that slides may go."""
         slides = [each for each in self.joints if each.kind == SLIDE]
         told = [sorted(_WAYS[mark] for mark in each.marks if mark in _WAYS) for each in slides]
@@ -128,7 +138,10 @@ class _Build:
             yield {turn.key: [each] for turn, each in zip(turns, self.lengths, strict=False)}
         if extra == 1:
             begin = first if plane == _TURNED else ""
-            yield {begin: [self.lengths[0]], **{turn.key: [each] for turn, each in zip(turns, self.lengths[1:], strict=True)}}
+            yield {
+                begin: [self.lengths[0]],
+                **{turn.key: [each] for turn, each in zip(turns, self.lengths[1:], strict=True)},
+            }
 
     def _steps(self, plane: str, ways: dict[str, str], places: dict[str, list[_Part]]) -> list[Step]:
         """Return the steps of a chain; what stands up goes first, where its height counts in the base."""
@@ -145,7 +158,9 @@ class _Build:
                 found.append(("alpha", "-pi/2" if self._leads_down() else "pi/2", ""))
                 is_up = True
             is_in_plane = is_up or plane == _RAISED
-            found.append(("theta", joint.key, joint.key) if turns else self._slide(joint.key, ways[joint.key], is_in_plane))
+            found.append(
+                ("theta", joint.key, joint.key) if turns else self._slide(joint.key, ways[joint.key], is_in_plane)
+            )
             found += _along(places.get(joint.key, ()))
         return [*found, ("alpha", "-pi/2", ""), ("theta", "-pi/2", "")] if plane == _SIDEWAYS else found
 
@@ -236,7 +251,11 @@ def _of_joints(parts: Sequence[_Part]) -> list[_Part]:
     numbered = any(each.kind == TURN and index_of(each.key) for each in parts)
     found = [each for each in parts if not (numbered and each.kind == TURN and not index_of(each.key))]
     joints = sum(each.moves for each in found)
-    return [each if each.kind != DISTANCE else replace(each, kind=SLIDE) for each in found if each.kind != DISTANCE or joints < 2]
+    return [
+        each if each.kind != DISTANCE else replace(each, kind=SLIDE)
+        for each in found
+        if each.kind != DISTANCE or joints < 2
+    ]
 
 
 def _parts(all_told: Sequence[ToldPart], document: Document, names: Names) -> list[_Part]:
@@ -278,7 +297,9 @@ def _candidate(steps: Sequence[Step], document: Document) -> Candidate:
         else:
             moves.add(where, text, own)
     cell, line = document.told[0].place
-    found = Candidate(SOURCE, line, cell, tuple(moves.rows), tuple(moves.joints), conventions=("classic",), frames=moves.frames)
+    found = Candidate(
+        SOURCE, line, cell, tuple(moves.rows), tuple(moves.joints), conventions=("classic",), frames=moves.frames
+    )
     return replace(found, quantities=_of_end(found, document))
 
 
@@ -291,5 +312,8 @@ def _of_end(found: Candidate, document: Document) -> dict[str, Any]:
         f"{axis}_{letter}": {"origin": frame, "component": axis}
         for letter in sorted(ends)
         for axis in "xyz"
-        if any(re.search(rf"(?<![A-Za-z]){axis}\s*\}}?\s*_\s*\{{?\s*{letter}(?![A-Za-z])", each.latex) for each in document.displays)
+        if any(
+            re.search(rf"(?<![A-Za-z]){axis}\s*\}}?\s*_\s*\{{?\s*{letter}(?![A-Za-z])", each.latex)
+            for each in document.displays
+        )
     }

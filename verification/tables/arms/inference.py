@@ -110,7 +110,7 @@ def is_described(document: Document) -> bool:
 
 
 def _of_words(document: Document, of_formulas: Sequence[Candidate]) -> Inference | None:
-    """Return the document with the arm that its text tells of, where two of its equations hold for that, and more than do not.
+    """Return the document with the arm that its text tells of, where two of its equations hold for that, and more than do not, or they do with one direction turned round.
 
     What as much holds of, an arm of its formulas or the same with a direction turned round, is its rival.
     """
@@ -126,7 +126,13 @@ def _of_words(document: Document, of_formulas: Sequence[Candidate]) -> Inference
     except ArmproofError:
         return None
     best = next((each for each in readings if each.front in own), None)
-    if best is None or best.held < _FEWEST or best.held <= best.failed:
+    if best is None or best.held < _FEWEST:
+        return None
+    turned_fronts = [front for each in turned for front in _fronts(document, each)]
+    is_turned = any(
+        each.front in turned_fronts and each.held > each.failed for each in readings if _is_rival(each, best)
+    )
+    if best.held <= best.failed and not is_turned:
         return None
     others = {repr(each.front["arm"]): each for each in readings if _is_rival(each, best)}
     taken = _taken(document, found, best, False)

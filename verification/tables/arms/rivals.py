@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from armproof.verification.findings import Kind, say
+from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.tables.arms.settling import Inference
 from armproof.verification.verdict import HOLDS, DocumentResult, EquationResult, Record, Verdict
 
@@ -22,17 +22,19 @@ def unless_rivalled(part: Inference, result: DocumentResult, check: Check) -> Do
         arm = replace(part.arm, front=added, rivals=())
         there = check(Inference(replace(part.document, front=dict(front)), arm))
         others = {each.place: each for each in there.equations}
-
-        def differs(record: Record, one: EquationResult, others: dict[tuple[int, int], Record] = others) -> bool:
-            other = others[record.place].outcomes if record.place in others else ()
-            return not any(_is_alike(one, each) for each in other if each.index == one.index)
-
-        equations = tuple(
-            each if each.erratum else each.left_open(doubt, lambda one, each=each: differs(each, one))  # type: ignore[misc]
-            for each in result.equations
-        )
-        result = replace(result, equations=equations)
+        equations = (_for_both(each, others.get(each.place), doubt) for each in result.equations)
+        result = replace(result, equations=tuple(equations))
     return result
+
+
+def _for_both(record: Record, other: Record | None, doubt: Finding) -> Record:
+    """Return a record, left open in what is decided otherwise there."""
+    there = other.outcomes if other is not None else ()
+    if record.erratum:
+        return record
+    return record.left_open(
+        doubt, lambda one: not any(_is_alike(one, each) for each in there if each.index == one.index)
+    )
 
 
 def _is_alike(one: EquationResult, other: EquationResult) -> bool:
