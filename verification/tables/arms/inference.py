@@ -70,7 +70,9 @@ def _inferred(document: Document) -> Inference:
         return (
             of_table if of_table.problem is not None else Inference(document, None, problem, problem.terms.get("line"))
         )
-    if not found or all(each.lengths & rates_in(document.displays) for each in found):  # a slide along x is no row of DH
+    if not found or all(
+        each.lengths & rates_in(document.displays) for each in found
+    ):  # a slide along x is no row of DH
         found = _of_formulas(document, plain_names(document)) or found
     found = found or (candidate_of_rotations(document, plain_names(document)) if of_table.problem is None else [])
     settled = _settle(document, found) if found else of_table
