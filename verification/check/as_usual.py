@@ -85,7 +85,10 @@ class _Trial:
     @property
     def shows_slip(self) -> bool:
         """Whether several displays hold only so, or one that no other reading explains, none that held fails, and fewer do that fail."""
-        gained, lost = self._held(self.after) - self._held(self.before), self._held(self.before) - self._held(self.after)
+        gained, lost = (
+            self._held(self.after) - self._held(self.before),
+            self._held(self.before) - self._held(self.after),
+        )
         others = {at for at, _ in gained} - {self.defining}
         is_refuted = self.after[self.defining].verdict is Verdict.REFUTED
         is_told = is_refuted and not lost and len(self._failing) < len(others)
@@ -113,7 +116,9 @@ class _Trial:
     def _has_point_beside(self) -> bool:
         """Whether the section has another coordinate of the same point, and that is what it usually is."""
         section = self.before[self.defining].section
-        held = [each for at, each in _outcomes(self.after) if each.verdict in HOLDS and self.after[at].section == section]
+        held = [
+            each for at, each in _outcomes(self.after) if each.verdict in HOLDS and self.after[at].section == section
+        ]
         points = {point_of(quantity) for each in held for quantity in each.usual.values()}
         wrong = [each.row for each in self.after[self.defining].entries]
         if len(wrong) == 1 and wrong[0]:  # all others of a column hold

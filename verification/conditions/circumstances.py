@@ -107,7 +107,9 @@ class Circumstances:
     def _is_determinant(self, outcome: Outcome) -> bool:
         """Whether an equation gives a determinant that moves."""
         pair, nodes = outcome.pair, [below for node in outcome.nodes for below in n.walk(node)]
-        return pair is not None and bool(symbols_in(pair.printed.cells)) and any(n.is_call(each, "det") for each in nodes)
+        return (
+            pair is not None and bool(symbols_in(pair.printed.cells)) and any(n.is_call(each, "det") for each in nodes)
+        )
 
     def _vanishes(self, conditions: Sequence[n.Chain], outcome: Outcome) -> bool:
         """Whether an equation gives a determinant that moves, and says 0 = 0 under conditions: "so the arm is singular where θ_2 = 0"."""

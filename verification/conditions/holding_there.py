@@ -27,9 +27,7 @@ def holds_where(checker: ChainChecker, conditions: Sequence[n.Chain], claim: n.C
     return check_implication(checker, implication, 1)[0].verdict is not Verdict.REFUTED
 
 
-def fails_at_values(
-    checker: ChainChecker, given: Sequence[Mapping[str, n.Node] | None], outcome: Outcome
-) -> bool:
+def fails_at_values(checker: ChainChecker, given: Sequence[Mapping[str, n.Node] | None], outcome: Outcome) -> bool:
     """Whether the sides of an equation differ where all that is given are values of joints and lengths, the joints moving on or at rest."""
     values = {name: checker.member(node).value for each in given for name, node in (each or {}).items()}
     known = {*checker.names.joints, *checker.names.lengths}

@@ -12,7 +12,9 @@ from armproof.verification.verdict import TakenArm, WrongEntry
 _LENGTH = re.compile(r"(?<![A-Za-z\\])([adlrADLR])_\{?(\d)\}?")
 
 
-def is_index_slip(rows: Sequence[Mapping[str, Any]], link: int, column: str, lengths: tuple[str, str], convention: str) -> bool:
+def is_index_slip(
+    rows: Sequence[Mapping[str, Any]], link: int, column: str, lengths: tuple[str, str], convention: str
+) -> bool:
     """Whether a row holds the length of another row, which has it too, where that of its own index stands in none: a_2 twice, and a_3 nowhere.
 
     The lengths are the one that is printed and the one that is meant.

@@ -230,7 +230,9 @@ def _rates(side: n.Node, members: Members) -> list[Quantity]:
     dotted = (node for node in n.names(side) if node.dots)
     found = (members.quantity_of(replace(name, dots=0)) for name in dotted)
     return [
-        replace(quantity, kind="velocity", rows=quantity.rows or (1, 2, 3)) for quantity in found if quantity is not None and quantity.kind == "origin"
+        replace(quantity, kind="velocity", rows=quantity.rows or (1, 2, 3))
+        for quantity in found
+        if quantity is not None and quantity.kind == "origin"
     ]
 
 

@@ -402,3 +402,70 @@ def test_numbers_may_count_the_coordinates_of_the_tool() -> None:
 def test_what_numbers_count_is_not_known_where_the_second_is_no_such_coordinate(second: str) -> None:
     result = verify_text(NUMBERED.replace("SECOND", second).replace("SIGN", ""))
     assert result.equations[1].verdict.value in ("unchecked", "refuted")
+
+
+LETTERED = r"""
+$$ x_B = L_1 \cos\theta_1 + L_2 \cos(\theta_1 + \theta_2) $$
+
+$$ y_B = L_1 \sin\theta_1 + L_2 \sin(\theta_1 + \theta_2) $$
+
+$$ \cos\theta_2 = \frac{x_B^2 + y_B^2 - L_1^2 - L_2^2}{2 L_1 L_2} $$
+
+$$ \dot y_B = L_1 \cos\theta_1 \dot\theta_1 + L_2 \cos(\theta_1 + \theta_2) (\dot\theta_1 + \dot\theta_2) $$
+"""
+
+
+def test_the_tool_may_be_a_lettered_point_of_a_figure() -> None:
+    assert {each.verdict.value for each in verify_text(LETTERED).equations} <= {"proved", "confirmed"}
+    for old, new in (
+        (r"L_2 \sin(\theta_1 + \theta_2)", r"L_2 \sin\theta_2"),
+        (r"- L_1^2", r"+ L_1^2"),
+        (r"\dot\theta_1 + L_2", r"\dot\theta_1 - L_2"),
+    ):
+        found = [each.verdict.value for each in verify_text(LETTERED.replace(old, new)).equations]
+        assert found.count("refuted") == 1 and "unchecked" not in found
+
+
+SLIDES = r"""
+$$ {}^0T_1 = \begin{bmatrix} c_1 & -s_1 & 0 & 0 \\ s_1 & c_1 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$
+
+$$ {}^1T_2 = \begin{bmatrix} 1 & 0 & 0 & r \\ 0 & 1 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$
+
+$$ x = r \cos\theta_1 $$
+
+$$ y = r \sin\theta_1 $$
+
+$$ \dot x = \dot r \cos\theta_1 - r \sin\theta_1 \dot\theta_1 $$
+
+$$ x^2 + y^2 = r^2 $$
+"""
+
+
+def test_a_slide_along_x_keeps_the_frame_before_it_as_it_is() -> None:
+    assert {each.verdict.value for each in verify_text(SLIDES).equations} == {"proved"}
+    for old, new in (
+        (r"& -s_1 &", r"& s_1 &"),
+        (r"y = r \s", r"y = r^2 \s"),
+        (r"- r \sin", r"+ r \sin"),
+        (r"= r^2", r"= r"),
+    ):
+        assert "refuted" in [each.verdict.value for each in verify_text(SLIDES.replace(old, new)).equations], new
+
+
+SCARA = r"""
+$$ p = \begin{bmatrix} a_1 c_1 + a_2 c_{12} \\ a_1 s_1 + a_2 s_{12} \\ d_1 - d_3 \end{bmatrix} $$
+
+$$ \phi = \theta_1 + \theta_2 - \theta_4 $$
+
+$$ J = \begin{bmatrix} -a_1 s_1 - a_2 s_{12} & -a_2 s_{12} & 0 & 0 \\ a_1 c_1 + a_2 c_{12} & a_2 c_{12} & 0 & 0 \\ 0 & 0 & -1 & 0 \\ 1 & 1 & 0 & -1 \end{bmatrix} $$
+
+$$ \det J = a_1 a_2 s_2 $$
+"""
+
+
+def test_a_hand_behind_a_slide_downwards_turns_as_two_lines_say() -> None:
+    assert {each.verdict.value for each in verify_text(SCARA).equations} == {"proved"}
+    wrong = [each.verdict.value for each in verify_text(SCARA.replace("- \\theta_4", "+ \\theta_4")).equations]
+    assert wrong == ["proved", "unchecked", "unchecked", "unchecked"]  # of two lines one is wrong, and nothing tells which
+    alone = verify_text(SCARA.partition("$$ J")[0] + r"$$ p_x^2 + p_y^2 = a_1^2 + a_2^2 + 2 a_1 a_2 c_2 $$").equations
+    assert alone[1].verdict.value == "unchecked"
