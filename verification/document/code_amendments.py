@@ -64,11 +64,11 @@ class CodeTables:
                 for target in targets:
                     self._unless_harmless(target, statement)
             case ast.For(ast.Name(row), ast.Name(name), body) if self._is_table(name):
-                targets = [
+                changing = [
                     each for one in body for each in ast.walk(one) if isinstance(each, ast.Assign | ast.AugAssign)
                 ]
                 if any(
-                    _base(each) == row for one in targets for each in _targets(one) if not isinstance(each, ast.Name)
+                    _base(each) == row for one in changing for each in _targets(one) if not isinstance(each, ast.Name)
                 ):
                     self.amended.append((name, ast.unparse(statement).split("\n")[-1].strip()))
             case ast.FunctionDef() | ast.ClassDef() | ast.AsyncFunctionDef():
