@@ -278,8 +278,10 @@ class DisplayChecker:
             return ""
 
     def _keys_in(self, outcome: Outcome) -> frozenset[str]:
-        """Return the names in an equation, those of which it has the rates, and those that stand behind names that the document defines."""
-        keys = {key for name in names_in(outcome) for key in (name.key, name.undotted.key)}
+        """Return the names in an equation, those of which it has the rates where it holds, and those that stand behind names that the document defines."""
+        keys = {name.key for name in names_in(outcome)}
+        if outcome.verdict in HOLDS:
+            keys |= {name.undotted.key for name in names_in(outcome)}
         made = (self.names.state.definitions[key].node for key in keys & self.names.state.definitions.keys())
         behind = {b.key for node in made if node is not None for b in n.names(node)}
         return frozenset(keys | behind)

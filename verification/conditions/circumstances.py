@@ -13,11 +13,13 @@ from armproof.verification.algebra.calculus import substitute, symbols_in
 from armproof.verification.algebra.matrix import as_matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.heeding import Heeding, unbraced, value_of
-from armproof.verification.conditions.holding_there import fails_at_values, holds_where, postures_of
+from armproof.verification.conditions.holding_there import holds_where, postures_of
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.conditions.postures import vanish_at_quarter_turns
-from armproof.verification.document.postures import THERE, tells_kind
+from armproof.verification.conditions.told_numbers import fails_at_values, keeps_letters, told_numbers
+from armproof.verification.document.postures import THERE, names_singular_place, tells_kind
 from armproof.verification.document.sentences import FROM_VALUES, NOT_THERE
+from armproof.verification.document.told_singularities import TOLD_SINGULAR
 from armproof.verification.equations.alignment import align
 from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
@@ -45,8 +47,8 @@ class Circumstances:
         self.names = checker.names
         self.text = Heeding(checker, given)
 
-    def judge(self, outcome: Outcome) -> Outcome:
-        """Leave open what is refuted, and may be meant where the text before it says."""
+    def judge(self, outcome: Outcome, line: int = 0) -> Outcome:
+        """Leave open what is refuted, and may be meant where the text before it says: in its own line, or further above."""
         told = self.names.state.told
         if outcome.true is None or outcome.printed is None or outcome.states_values:
             return outcome
@@ -54,6 +56,10 @@ class Circumstances:
             Kind.DEFINES_ZERO
         ):  # 0.2 + 0.2898 is what it is, wherever
             return outcome
+        given = (*told.earlier, *told.conditions)
+        is_above = line and told.line != line and not told.is_direct
+        if is_above and keeps_letters(self.checker, self.given, given, outcome.pair):
+            told = replace(told, conditions=(), earlier=())
         if not self._is_wrong_at(told, outcome) and any(self._follows(each, outcome) for each in self._told(told)):
             return self._proved_there(outcome) or outcome.left_open(say(Kind.HOLDS_AS_TOLD))
         if self.names.arm is None and told.conditions and any(map(bare_key, outcome.nodes)):
@@ -69,10 +75,12 @@ class Circumstances:
         if outcome.verdict is not Verdict.REFUTED or outcome.true is None or outcome.printed is None:
             return outcome
         conditions: list[n.Chain] = []
-        if FROM_VALUES in said and self._is_in_letters(said, outcome):
-            return outcome
         is_of_determinant = self._is_determinant(outcome) and any(map(_SINGULAR.search, said))  # there it is 0
-        for latex in self.text.in_letters(each for each in said if each not in (FROM_VALUES, NOT_THERE)):
+        leads_on = not {*TOLD_SINGULAR}.isdisjoint(
+            said
+        )  # to where the arm is singular, "The singular configuration is"
+        told = (each for each in said if each not in (FROM_VALUES, NOT_THERE, *TOLD_SINGULAR))
+        for latex in self.text.in_letters(each for each in told if not (leads_on and names_singular_place(each))):
             if outcome.role is not Role.LAW and tells_kind(latex):  # of which kind a joint is, and no posture
                 continue
             with suppress(ReadError, RecursionError):
@@ -82,6 +90,8 @@ class Circumstances:
                 is_of_determinant |= any(n.is_call(below, "det") for member in members for below in n.walk(member))
                 if not found and not is_of_determinant and self._may_hold_there(outcome, THERE in latex):
                     return outcome.left_open(say(Kind.POSTURE_IN_WORDS))
+        if FROM_VALUES in said and keeps_letters(self.checker, self.given, conditions, outcome.pair):
+            return outcome  # the text leads on from these values
         for posture in postures_of(conditions) if conditions else ():
             if self._follows(posture, outcome) and not self._vanishes(posture, outcome):
                 return outcome.left_open(say(Kind.HOLDS_AS_BEHIND))
@@ -92,17 +102,6 @@ class Circumstances:
         if outcome.true is None or outcome.printed is None or not self._follows(behind, outcome):
             return outcome
         return outcome.left_open(say(Kind.HOLDS_AS_BEHIND))
-
-    def _is_in_letters(self, said: Sequence[str], outcome: Outcome) -> bool:
-        """Whether an equation is written in a length to which what leads to the next display gives its value."""
-        symbols = symbols_in(outcome.pair.printed.cells) if outcome.pair is not None else set()
-        for latex in self.text.in_letters(each for each in said if each != FROM_VALUES):
-            with suppress(ReadError, RecursionError):
-                found = [each for each in self.names.reader.read(unbraced(latex)) if isinstance(each, n.Chain)]
-                given = {name for each in found for name in self.given.values_of(each) or {}}
-                if given & symbols & {*self.given.lengths}:
-                    return True
-        return False
 
     def _is_determinant(self, outcome: Outcome) -> bool:
         """Whether an equation gives a determinant that moves."""
@@ -384,7 +383,9 @@ class Circumstances:
     def _follows(self, conditions: Sequence[n.Chain], outcome: Outcome) -> bool:
         """Whether an equation holds, or nobody can tell, under conditions."""
         assert outcome.true is not None and outcome.printed is not None
-        if fails_at_values(self.checker, [self.given.values_of(each) for each in conditions], outcome):
+        if fails_at_values(
+            self.checker, told_numbers(self.checker, self.given, conditions, outcome.pair), outcome.pair
+        ):
             return False
         return holds_where(self.checker, conditions, n.Chain((outcome.true.node, outcome.printed.node), ("=",)))
 

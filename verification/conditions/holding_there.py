@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import product
 from math import prod
 
-from armproof.verification.algebra.calculus import is_rate, substitute, symbols_in
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.equations.chain import ChainChecker
-from armproof.verification.equations.outcome import Outcome
-from armproof.verification.errors import WhereDefined
 from armproof.verification.latex import nodes as n
 from armproof.verification.verdict import Verdict
 
@@ -25,24 +22,6 @@ def holds_where(checker: ChainChecker, conditions: Sequence[n.Chain], claim: n.C
 
     implication = Implication("⇒", [[*conditions]], [[claim]])
     return check_implication(checker, implication, 1)[0].verdict is not Verdict.REFUTED
-
-
-def fails_at_values(checker: ChainChecker, given: Sequence[Mapping[str, n.Node] | None], outcome: Outcome) -> bool:
-    """Whether the sides of an equation differ where all that is given are values of joints and lengths, the joints moving on or at rest."""
-    values = {name: checker.member(node).value for each in given for name, node in (each or {}).items()}
-    known = {*checker.names.joints, *checker.names.lengths}
-    if outcome.pair is None or not values or not all(given) or not {*values} <= known:
-        return False
-    true, printed = outcome.pair.true.cells, outcome.pair.printed.cells
-    at_rest = {each: 0 for each in symbols_in([*true, *printed]) if is_rate(each) and each.rpartition(" ")[2] in values}
-    with WhereDefined():
-        for rates in ({}, at_rest):
-            sides = [[substitute(each, {**values, **rates}).normal() for each in side] for side in (true, printed)]
-            tells = not rates or any(not each.is_zero() for each in sides[0])  # where all joints rest, nothing moves
-            if tells and all((a - b).is_zero() for a, b in zip(*sides, strict=True)):
-                return False
-        return True
-    return False
 
 
 def postures_of(conditions: Sequence[n.Chain]) -> Iterator[tuple[n.Chain, ...]]:

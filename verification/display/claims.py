@@ -23,6 +23,7 @@ from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.differentials import of_small_ones
 from armproof.verification.equations.doubts import is_of_arm
 from armproof.verification.equations.elementary import axis_of_another_frame
+from armproof.verification.equations.forces import balanced_forces
 from armproof.verification.equations.general_links import is_sum_of_indices
 from armproof.verification.equations.given_targets import asked_of_the_tool
 from armproof.verification.equations.given_values import named_sign
@@ -159,9 +160,9 @@ class Claims:
         if by_table := self.names.state.from_table():
             doubt = say(Kind.ENTRY_BY_INDEX, name=by_table[0])
             outcomes = [each.unless_slip(doubt) for each in outcomes]
-        if (
-            text := self.names.state.from_text()
-        ):  # it may speak of one case: only a slip in what follows from it is refuted
+        if text := [
+            each for each in self.names.state.from_text() if each not in balanced_forces(self.names)
+        ]:  # it may speak of one case: only a slip in what follows from it is refuted
             outcomes = [each.unless_slip(say(Kind.AS_TEXT_SAYS, name=text[0])) for each in outcomes]
         is_of_any = rests_on_nothing(self.names, chain, outcomes, again)
         defined = {(key, line) for outcome in outcomes for key in outcome.defines}

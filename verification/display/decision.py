@@ -84,7 +84,7 @@ class Decision:
             outcomes = [self.circumstances.numbers_there(each, line) or each for each in outcomes]
         if define and any(o.tells(Kind.NUMBERS_OF_NOWHERE) for o in outcomes):
             self.circumstances.text.of_display(chain, holds_nowhere=True)
-        outcomes = [self._understood(o, chain, define) if o.verdict is Verdict.REFUTED else o for o in outcomes]
+        outcomes = [self._understood(o, chain, define, line) if o.verdict is Verdict.REFUTED else o for o in outcomes]
         if self.names.state.told.is_direct:
             outcomes = [self.circumstances.as_usual_there(each) or each for each in outcomes]
         if self.names.state.told.bounds:
@@ -167,13 +167,13 @@ class Decision:
         )
         return [self._understood(each, chain, define) for each in wrong]
 
-    def _understood(self, outcome: Outcome, chain: n.Chain, define: bool) -> Outcome:
+    def _understood(self, outcome: Outcome, chain: n.Chain, define: bool, line: int = 0) -> Outcome:
         """Return a refuted outcome, left open where the chain or what the text says may be meant otherwise."""
         outcome = without_misreading(outcome, chain, self.names, not define, self.is_closed)
         if self.names.arm is None and self.names.state.compares_lengths and self.ring.signs_chosen:
             outcome = outcome.unless_refuted(say(Kind.ROOTS_POSITIVE))  # a > b says which sign √((a − b)²) has
         speaks = self.names.state.told != Told() and outcome.verdict is Verdict.REFUTED
-        outcome = self.circumstances.judge(outcome) if speaks else outcome
+        outcome = self.circumstances.judge(outcome, line) if speaks else outcome
         return outcome.left_open(say(Kind.NUMBERS_OF_NOWHERE)) if self._is_at_rest(outcome) else outcome
 
     def _is_at_rest(self, outcome: Outcome) -> bool:

@@ -362,6 +362,9 @@ OF_VALUES = """
 ^ (question/exercise/exercice/aufgabe/frage/ejercicio/esercizio/problem/problème/task/step/part/partie) (#) (.) (:) (for/when/if/at/pour/si/quand/für/wenn/bei/para/per) ¤ (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) $
 ^ (#) (.) (the/a/le/la/l'/der/die/das) home/rest/zero/initial/upright/reference/vertical/horizontal pose/position/posture/configuration (:) (for/at/where) ¤ (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) (and/et/und/y/e) (¤) $
 """
+GOAL = """
+goal/target/aim/reach/reached/desired/wanted/cible/but/objectif/atteindre/atteint/souhaité~/voulu~/désiré~/visé~/consigne/ziel~/soll/sollwert~/erreicht~/gewünscht~/objetivo/meta/alcanzar/deseado~/deseada~/obiettivo/raggiungere/desiderat~/bersaglio/alvo/alcançar/desejad~
+"""
 NOT_THERE = """
 away/other/others/otherwise/else/elsewhere/general/generally/generic/all/any/every/each/always/everywhere/anywhere/beyond/outside/except~/exclud~/avoid~/leave/leaves/leaving/left/unless/not/never/no/arbitrary/whatever/whether/regardless/without/until/before/after/unlike/contrary/instead/usual~/remaining/rest
 ailleurs/autre/autres/général~/tout/toute/tous/toutes/chaque/toujours/partout/sauf/hors/hormis/exclu~/évit~/quelconque~/quel/quelle/quels/quelles/ne/n'/pas/jamais/sans/sinon/avant/après/contrairement

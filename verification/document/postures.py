@@ -35,6 +35,7 @@ _POSTURE = re.compile(
     re.IGNORECASE,
 )
 
+_SINGULAR_PLACE = re.compile(rf"singular {_PLACE}|{_PLACE} singulière", re.IGNORECASE)
 STRETCHED, FOLDED = "stretched", "folded"
 _BENT_AS = {
     STRETCHED: re.compile(
@@ -81,6 +82,11 @@ def tells_kind(latex: str) -> bool:
     """Whether what a text says between displays is of which kind a joint is, and no posture: "(revolute joint)"."""
     words = latex.removeprefix("\\text{").removesuffix("}").removeprefix(THERE)
     return _OF_A_KIND.fullmatch(words) is not None
+
+
+def names_singular_place(latex: str) -> bool:
+    """Whether what a text says between displays is a singular configuration, as the noun of a sentence."""
+    return _SINGULAR_PLACE.fullmatch(latex.removeprefix("\\text{").removesuffix("}")) is not None
 
 
 def bent_as(latex: str) -> str:

@@ -107,8 +107,8 @@ _QUESTION = re.compile(  # *Question 2.* What is asked behind it is asked of wha
     r"\A[\W_]*(?:Question|Exercise|Exercice|Frage|Aufgabe|Übung|Pregunta|Ejercicio|Domanda|Esercizio|Pergunta|Exercício)(?:\s*\d+)?[\s*_}]*[.:)][\s*_}]*(?=\w|¿)"
 )
 _LISTS_VALUES = re.compile(  # a sentence of formulas alone, with their units, behind a label
-    r"(?:(?:\W{1,2}|\w{1,2}|numerical|worked|test|check|numbers?|values?|data|application|examples?|question|zahlen\w*|werte|beispiel|exemple|valeurs|données|num[eé]ri\w+|ejemplo|datos|valores|esempio|dati|valori) )*?"
-    r"(?:(?:with|for|let|take|put|given|avec|pour|soit|soient|prenons|mit|für|sei|seien|con|para|sea|sean|per|sia|siano) )?"
+    r"(?:(?:\W{1,2}|\w{1,2}|numerical|worked|test|check|numbers?|values?|data|application|examples?|question|zahlen\w*|werte|beispiel|exemple|valeurs|données|num[eé]ri\w+|ejemplo|datos|valores|esempio|dati|valori|exemplo|dados) )*?"
+    r"(?:(?:with|for|let|take|put|given|avec|pour|soit|soient|prenons|mit|für|sei|seien|con|para|sea|sean|per|sia|siano|com|seja|sejam) )?"
     r"(?:¤ (?:(?:mm|cm|m|rad|deg|degrees|degrés|grad|kg|n|nm|n m|rad/s|m/s|°/s) )?(?:(?:, |; )?(?:and |et |und |y |e )?(?:with |for |at |avec |pour |mit |für |bei |con |para |per |com )?)){2,}[:.,]? ?\Z",
     re.IGNORECASE,
 )
@@ -245,7 +245,7 @@ def _leads_away(words: str, words_before: str) -> bool:
 
 def _is_at_values(words: str, words_before: str) -> bool:
     """Whether a sentence leads to what holds at the values that it gives, or, being short, the one before it."""
-    if _leads_away(words, words_before):
+    if _leads_away(words, words_before) or hears("GOAL", words.rpartition("¤")[2]):
         return False
     plain = without("OF_A_POSTURE", words)
     if _LISTS_VALUES.match(words) or _LISTS_VALUES.match(words_before):  # "Numbers: ¤ m, ¤ m, ¤. The speed is"

@@ -13,9 +13,7 @@ SINGULAR_ALONE = r"\text{singular there alone}"  # and that there are no others
 TOLD_SINGULAR = (SINGULAR, SINGULAR_TOO, SINGULAR_ALONE)
 
 _PLACE = r"(?:configuration|position|posture|pose)s?"
-_ARM = (
-    r"(?:arm|leg|bras|jambe|manipulator|robot|mechanism|mécanisme|roboter|brazo|manipulador|braccio|manipolatore|braço)"
-)
+_ARM = r"(?:arm|leg|bras|jambe|manipulator|robot|mechanism|mécanisme|roboter|brazo|manipulador|braccio|manipolatore|braço|robô)"
 _OF_ARM = rf"(?: (?:of|du|del|de la|des|dello) (?:the |this |a )?(?:planar |two-link )?(?:{_ARM}|Jacobian|jacobienne|jacobiano))?"
 _JACOBIAN = r"(?:Jacobian|jacobienne|jacobiano|jacobiana|Jacobi-?Matrix)"
 _DETERMINANT = rf"(?:(?:{_JACOBIAN} |jacobi-?)determinante?|déterminant de la (?:matrice )?{_JACOBIAN}|determinant of the {_JACOBIAN}(?: matrix)?)"
@@ -28,16 +26,17 @@ _WHEN = (
 )
 _WHERE = rf"(?:{_WHEN}|for|at|in|pour|für|bei|para|en|per)"
 _ARE = (
-    r"(?:are given by|is given by|are|is|(?:occurs?|arises?|appears?|lies?)|sont données? par|est donnée par|sont|est|(?:se produi(?:t|sent)|appara(?:ît|issent)|a lieu|ont lieu)"
+    r"(?:are given by|is given by|(?:is|are) (?:obtained|reached|met)|est (?:obtenue|atteinte)|sont (?:obtenues|atteintes)|s['’]obtien(?:t|nent)|(?:wird|werden) (?:erreicht|angenommen)|se obtienen?|si ott(?:iene|engono)|are|is|(?:occurs?|arises?|appears?|lies?)|sont données? par|est donnée par|sont|est|(?:se produi(?:t|sent)|appara(?:ît|issent)|a lieu|ont lieu)"
     r"|sind|liegen|treten auf|ergeben sich|ist|son|es|ocurren?|sono|è)"
 )
-_THEN = r"(?:,? (?:then|thus|therefore|here|hence|donc|alors|also|daher|por tanto|dunque|quindi),?)?"
+_THEN = r"(?:,? (?:then|thus|therefore|here|hence|donc|alors|also|daher|somit|por tanto|dunque|quindi|portanto),?)?"
 _SINGULAR_WORD = r"(?:singular|singulier|singulière|singulär|singolare)"
 _LOSES = (  # what the arm, J or its determinant do at a singularity
-    rf"{_ARM}{_OF_ARM}{_THEN} (?:(?:is|becomes|gets|est|devient|ist|wird|es|è)(?: (?:in|at|dans|en))?(?: (?:a|une?))?(?: genau dann)? {_SINGULAR_WORD}(?: {_PLACE})?"
+    rf"{_ARM}{_OF_ARM}{_THEN} (?:(?:is|becomes|gets|est|devient|ist|wird|es|è|é)(?: (?:in|at|dans|en))?(?: (?:a|une?))?(?: genau dann)?{_THEN} {_SINGULAR_WORD}(?: {_PLACE})?"
     rf"|est (?:dans|en) (?:une )?{_PLACE} singulière|loses (?:a|one) degree of freedom|perd un degré de liberté|pierde un grado de libertad|perde un grado di libertà|verliert (?:einen|seinen) freiheitsgrad)"
     rf"|{_JACOBIAN}(?: matrix)?{_THEN} (?:(?:is|becomes) (?:non-?invertible|not invertible|rank[ -]deficient|singular)(?: \(singular\))?|loses rank|(?:ist|wird) singulär|verliert (?:ihren |den )?(?:vollen )?rang|est singulière|es singular|è singolare)"
     rf"|{_DETERMINANT}{_THEN} {_NOUGHT}"
+    rf"|(?:ist|wird|es|è|é) (?:der |die |das |el |il |o )?{_ARM}{_THEN} {_SINGULAR_WORD}|(?:es|è|é) {_SINGULAR_WORD} (?:el |il |o )?{_ARM}"
 )
 _NOUN = (
     rf"(?:(?:singularit(?:y|ies)|singularités?|singularidad(?:es)?|singularità|singularität(?:en)?|singular {_PLACE}|{_PLACE} singulières?"

@@ -42,6 +42,11 @@ class _Numbers:
     largest: float = 0.0
 
 
+def is_led_to(names: Names) -> bool:
+    """Whether a sentence leads from values that it gives to what holds there: "For ¤, ¤ and ¤ we get"."""
+    return names.state.told.is_direct and not names.state.told.in_words
+
+
 @dataclass
 class StatedValues:
     """Reads an equation that does not hold everywhere as one at the values that displays stated before it.

@@ -20,7 +20,7 @@ from armproof.verification.equations.alignment import (
     is_constant,
     is_near,
 )
-from armproof.verification.equations.at_stated_values import MANY, is_mostly_right
+from armproof.verification.equations.at_stated_values import MANY, is_led_to, is_mostly_right
 from armproof.verification.equations.by_size import BySize
 from armproof.verification.equations.coordinates import coordinates_among, heights_among
 from armproof.verification.equations.derived_functions import with_coordinates_derived
@@ -252,7 +252,9 @@ class Conventions:
         there = self.equality.compare(tried, other, 1, False)
         if there.verdict is Verdict.CONFIRMED:
             return True
-        if quantity in self.meanings.meant(name.key) and is_mostly_right(there, MANY):
+        is_shown = quantity in self.meanings.meant(name.key) or self.meanings.is_beside_shown(name, quantity)
+        is_claimed = is_shown and bool(there.there) and is_led_to(self.names)
+        if is_claimed or (quantity in self.meanings.meant(name.key) and is_mostly_right(there, MANY)):
             return True
         if there.verdict is Verdict.REFUTED and self.meanings.is_usual(name) and is_constant(pair.printed):
             self.doubts.open.setdefault(name.key, quantity)

@@ -73,6 +73,14 @@ def unless_left_out(outcome: Outcome, names: Names) -> Outcome:
     return outcome.left_open(say(Kind.FORCE_LEFT_OUT, names=sorted(one ^ other))) if one != other else outcome
 
 
+def balanced_forces(names: Names) -> set[str]:
+    """Return the letters of the forces of which the exercise says that the torques are J^T F: where the text gives one a value, it is of no other case."""
+    exercises = ("", names.state.exercise)
+    told = (product for (_, exercise), product in names.state.balanced.items() if exercise in exercises)
+    forces = (_force_behind_transpose(each) for each in told if each is not None)
+    return {key for each in forces if each is not None and (key := bare_key(each)) is not None}
+
+
 def _walked(chain: n.Chain) -> Iterator[n.Node]:
     return (below for member in chain.members for below in n.walk(member))
 

@@ -10,6 +10,7 @@ from typing import TypeGuard
 from armproof.verification.algebra.calculus import are_rates, is_rate, symbols_in
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.algebra.ring import Scalar
+from armproof.verification.equations.at_stated_values import is_led_to
 from armproof.verification.equations.equality import Equality
 from armproof.verification.equations.sides import Member, Members
 from armproof.verification.equations.stated_rates import columns_of_numbers
@@ -259,8 +260,11 @@ class GivenValues:
         if not any(number.decimals or number.value >= 2 for number in numbers) or not isinstance(moving.value, Scalar):
             return False
         here = self.equality.compare(moving, asked, 0, False)
-        # at the configuration given before it is a claim, and right
-        return bool(symbols_in([moving.value])) and here.verdict is not Verdict.CONFIRMED
+        # at the configuration given before it is a claim, and right; where a sentence leads to it from there, it may be wrong
+        return bool(symbols_in([moving.value])) and not (
+            here.verdict is Verdict.CONFIRMED
+            or (here.verdict is Verdict.REFUTED and here.there and is_led_to(self.names))
+        )
 
     def _is_length_value(self, symbol: str, value: n.Node) -> bool:
         """A length set to a number is data: its symbol stands for any."""

@@ -103,8 +103,7 @@ class Torques:
         assert outcome.true is not None
         alone = len(pairs) == 1 and not isinstance(outcome.true.value, Matrix)
         pair = Pair(_column(each.true for each in pairs), _column(each.printed for each in pairs), is_scalar=alone)
-        for name in outcome.defines:
-            self.members.names.leave_open(name, say(Kind.NEAR_TORQUE, names=sorted(outcome.defines)))
+        self.members.names.forget(outcome.defines)  # they are not what is printed, and are asked anew
         return outcome.as_wrong_claim(pair, different_entries(pair, exactly_equal))
 
     @staticmethod

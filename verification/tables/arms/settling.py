@@ -115,7 +115,9 @@ def _never_as_usual(inferred: Inference, records: Iterable[Record]) -> frozenset
         for outcome in record.outcomes:
             if outcome.verdict in HOLDS:
                 held |= outcome.usual.keys()
-            for key in outcome.usual if outcome.verdict is Verdict.REFUTED and record.section not in here else ():
+            is_number = any(each.kind is Kind.WRONG_THERE for each in outcome.findings)  # worked out from what is above
+            is_wrong = outcome.verdict is Verdict.REFUTED and record.section not in here and not is_number
+            for key in outcome.usual if is_wrong else ():
                 refuted.setdefault(key, set()).add((record.cell or 0, record.line))
     return frozenset(key for key, places in refuted.items() if len(places) > 1 and key not in held)
 
