@@ -34,6 +34,7 @@ OTHERS = (
 )
 USUALS = (
     r"Let $P_2$ be the end of the arm.",
+    r"- $\phi$ is the total orientation relative to the base frame",
     r"On note $O$ l'origine du repère de base.",
     r"Mit $\omega_i$ bezeichnen wir die Winkelgeschwindigkeit gegen die Basis.",
     r"Let $\omega$ be the angular velocity of the tool relative to the base.",
