@@ -13,7 +13,14 @@ from armproof.verification.document.clauses import OF_DISPLAY, Clause, clauses, 
 
 _FAR = 14  # words from a denial to the display that its sentence leads to
 _LAST = 3  # words of a clause that lead to a display
-_INSERTION = ("substituição", "substituições", "sustitución", "sustituciones", "sostituzione", "sostituzioni")  # of values
+_INSERTION = (
+    "substituição",
+    "substituições",
+    "sustitución",
+    "sustituciones",
+    "sostituzione",
+    "sostituzioni",
+)  # of values
 _PARTICIPLES = ("ing", "ando", "endo", "ant", "ed")  # "changing the frame" is no order
 _NONE = frozenset(
     "no aucun aucune kein keine keinen keiner ningún ninguna nessun nessuna nessuno nenhum nenhuma".split()

@@ -70,7 +70,9 @@ def test_what_defines_no_name_tells_none(sentence: str) -> None:
 
 
 def test_a_pose_beside_a_joint_angle_is_no_angle() -> None:
-    sentence = r"where $x_i$ is the $i$-th component of the pose $\boldsymbol{x}$, and $\theta_j$ is the $j$-th joint angle."
+    sentence = (
+        r"where $x_i$ is the $i$-th component of the pose $\boldsymbol{x}$, and $\theta_j$ is the $j$-th joint angle."
+    )
     found = {name: each.phrase for each in definitions(sentence) for name in each.listed}
     assert "pose" in found[r"\boldsymbol{x}"]
     assert "angle" in found[r"\theta_j"]
