@@ -263,7 +263,7 @@ class Heeding:
 
     def _define(self, chain: n.Chain, line: int, conditions: Sequence[n.Chain] = ()) -> None:
         """x_p = x − l_3 cos α: a letter that has no meaning gets one, until a display gives it another."""
-        chain = _of_root(chain)
+        chain = _of_constant(_of_root(chain))
         name = chain.members[0]
         if isinstance(name, n.Name) and self._is_rate_of_none(chain):
             self.names.define(name.key, self.checker.members.meaning(chain.members[1]), line, in_text=True)
@@ -293,7 +293,8 @@ class Heeding:
         cells = told.cells if isinstance(told, Matrix) and told.shape[1] == 1 else [told]
         scalars = [cell for cell in cells if isinstance(cell, Scalar)]
         is_usual_yet = bool(usual) and not is_speed and isinstance(told, Matrix)
-        if len(scalars) == len(cells) and symbols_in(scalars) and not is_usual_yet:
+        tells = bool(symbols_in(scalars)) or _is_worked_out(value)
+        if len(scalars) == len(cells) and tells and not is_usual_yet:
             self.names.define(name.key, members.meaning(value), line, node=value, in_text=True)
 
     def _is_joint(self, node: n.Node) -> bool:
@@ -455,6 +456,22 @@ def unbraced(latex: str) -> str:
     """Return the equations of {θ_1 = 30°, θ_2 = 60°}, which set braces or parentheses hold together."""
     found = _HELD.fullmatch(latex)
     return (found["set"] or found["list"]) if found is not None else latex
+
+
+def _of_constant(chain: n.Chain) -> n.Chain:
+    """Return R = 2.86^2 + 127^2 for R = 2.86^2 + 127^2 ≈ 16137.2: the formula tells the number."""
+    is_number = (
+        len(chain.members) == 3 and chain.relations[1] in ("=", "≈") and all(map(n.is_number, chain.members[1:]))
+    )
+    if not is_number or chain.relations[0] != "=" or not _is_worked_out(chain.members[1]):
+        return chain
+    return replace(chain, members=chain.members[:2], relations=chain.relations[:1])
+
+
+def _is_worked_out(node: n.Node) -> bool:
+    """Whether a formula is one of several numbers, of which some are squares: what a letter abbreviates, and no value that is given."""
+    below = [*n.walk(node)] if n.is_number(node) else []
+    return sum(isinstance(each, n.Number) for each in below) > 1 and any(isinstance(each, n.Power) for each in below)
 
 
 def _of_root(chain: n.Chain) -> n.Chain:

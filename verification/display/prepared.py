@@ -14,6 +14,7 @@ from armproof.verification.latex.vocabulary import ASKED
 from armproof.verification.naming.names import Names
 
 WHOLE = ("Z", "N")  # the sets of k in θ = kπ
+_ARCS_OF = {"acos": "cos", "asin": "sin", "atan": "tan"}
 DEGREES = frozenset(range(30, 361, 15))  # without a mark
 TURNS = ("cos", "sin", "tan")
 VECTORS = ("\\mathbf", "\\boldsymbol", "\\bm", "\\vec", "\\overrightarrow", "\\underline", "\\textbf")
@@ -24,6 +25,7 @@ def prepared(statements: list[n.Statement], names: Names) -> list[n.Statement]:
     """Return the statements that are to be decided: without "for all", what vanishes at its end apart."""
     if len(statements) > 1:
         statements = _with_other_solutions(without_index_range(_of_spaced_factors(statements)))
+        statements = _with_arguments_before(statements)
     statements = _with_degrees(statements, names)
     return [part for statement in _without_for_all(statements, names) for part in _without_vanishing_end(statement)]
 
@@ -115,6 +117,33 @@ def _with_other_solutions(statements: list[n.Statement]) -> list[n.Statement]:
             each = replace(each, members=(before.members[0], *each.members), relations=("=",))
         found.append(each)
     return found
+
+
+def _with_arguments_before(statements: list[n.Statement]) -> list[n.Statement]:
+    """Return cos θ = D, θ = ±arccos(·) with D for what the dot stands for: the cosine is equated to it just before."""
+    found: list[n.Statement] = []
+    for each in statements:
+        before = next((one for one in reversed(found) if isinstance(one, n.Chain)), None)
+        if isinstance(each, n.Chain) and before is not None and set(before.relations) == {"="}:
+            first, last = bare(before.members[0]), before.members[-1]
+            arcs = [arc for arc in _dots_in(each) if n.is_call(first, _ARCS_OF[arc.function]) and _is_of(first, each)]
+            meant: dict[int, n.Node] = {id(arc): replace(arc, arguments=(last,)) for arc in arcs}
+            members = (n.substitute_each(member, meant) for member in each.members)
+            each = replace(each, members=tuple(members)) if meant else each
+        found.append(each)
+    return found
+
+
+def _is_of(cosine: n.Call, chain: n.Chain) -> bool:
+    """Whether a cosine is that of the name that a chain begins with."""
+    key = bare_key(chain.members[0])
+    return key is not None and [bare_key(each) for each in cosine.arguments] == [key]
+
+
+def _dots_in(chain: n.Chain) -> list[n.Call]:
+    """Return the arc functions of a chain whose argument is a dot."""
+    calls = (below for member in chain.members for below in n.walk(member) if n.is_call(below, *_ARCS_OF))
+    return [each for each in calls if len(each.arguments) == 1 and isinstance(bare(each.arguments[0]), n.Dots)]
 
 
 def _is_solution(statement: n.Statement | None) -> TypeGuard[n.Chain]:

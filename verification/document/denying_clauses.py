@@ -13,6 +13,14 @@ from armproof.verification.document.clauses import OF_DISPLAY, Clause, clauses, 
 
 _FAR = 14  # words from a denial to the display that its sentence leads to
 _LAST = 3  # words of a clause that lead to a display
+_INSERTION = (
+    "substituição",
+    "substituições",
+    "sustitución",
+    "sustituciones",
+    "sostituzione",
+    "sostituzioni",
+)  # of values
 _PARTICIPLES = ("ing", "ando", "endo", "ant", "ed")  # "changing the frame" is no order
 _NONE = frozenset(
     "no aucun aucune kein keine keinen keiner ningún ninguna nessun nessuna nessuno nenhum nenhuma".split()
@@ -277,7 +285,7 @@ def _is_to_be_changed(clause: Clause) -> bool:
         return False  # "We will not need the other entries"
     if not clause.has("must"):
         first = clause.words[0]
-        is_order = clause.begins("change") and not first.endswith(_PARTICIPLES) and first not in _OTHERS
+        is_order = clause.begins("change") and not first.endswith(_PARTICIPLES) and first not in (*_OTHERS, *_INSERTION)
         return is_order and clause.has("letter", *OF_DISPLAY) and not clause.has("claim")
     if clause.subject == "writer":
         return clause.has(*OF_DISPLAY)

@@ -163,6 +163,7 @@ _NEW_EQUATION = re.compile(r"[A-Za-z{\\^](?:[^=\n&\\+]|\\[A-Za-z]){0,40}=")
 _OVER_OR_BRACE = re.compile(r"\\over(?![A-Za-z])|\\.|[{}]", re.DOTALL)
 _FRACTION = (("LBRACE", "{"), ("FRAC", "frac"), ("LBRACE", "{"))  # {\frac{ for the brace of {a \over b}
 _UNWRITTEN = frozenset(["ast", "star", "times", "bullet"])  # alone in a cell
+_CLOSES = re.compile(r"\s*(?:\\(?:right|[Bb]igg?r?)\s*)?\)")
 _CELL_ENDS = re.compile(r"\s*(?:&|\\\\|\\cr(?![A-Za-z])|\\end(?![A-Za-z])|\})")
 _OPENS_SPACED = re.compile(r"\s*\{(?:(?:\s|~|\\[ ,;:!])*[A-Za-z]{2,}(?:~|\\[ ,;:!])|(?:~|\\[ ,;:!])+\s*[A-Za-z]{2})")
 _FORMULA = re.compile(r"\$([^$]*)\$")
@@ -519,8 +520,9 @@ class _Scanner:
             return self._unwritten(start, end)
         if name in COMMANDS:
             kind = COMMANDS[name]
-            if name == "cdot" and self.previous in _BEGINS and _CELL_ENDS.match(self.text, end):
-                kind = "DOTS"  # one of the dots of a matrix
+            is_cell = self.previous in _BEGINS and _CELL_ENDS.match(self.text, end)
+            if name == "cdot" and (is_cell or (self.previous == "LPAR" and _CLOSES.match(self.text, end))):
+                kind = "DOTS"  # one of the dots of a matrix, or what stands for an argument: arccos(·)
             if kind == "BAR":
                 return self._bar(start, end)
             if kind == "LETTER":

@@ -34,6 +34,7 @@ OTHERS = (
 )
 USUALS = (
     r"Let $P_2$ be the end of the arm.",
+    r"- $\phi$ is the total orientation relative to the base frame",
     r"On note $O$ l'origine du repère de base.",
     r"Mit $\omega_i$ bezeichnen wir die Winkelgeschwindigkeit gegen die Basis.",
     r"Let $\omega$ be the angular velocity of the tool relative to the base.",
@@ -69,7 +70,9 @@ def test_what_defines_no_name_tells_none(sentence: str) -> None:
 
 
 def test_a_pose_beside_a_joint_angle_is_no_angle() -> None:
-    sentence = r"where $x_i$ is the $i$-th component of the pose $\boldsymbol{x}$, and $\theta_j$ is the $j$-th joint angle."
+    sentence = (
+        r"where $x_i$ is the $i$-th component of the pose $\boldsymbol{x}$, and $\theta_j$ is the $j$-th joint angle."
+    )
     found = {name: each.phrase for each in definitions(sentence) for name in each.listed}
     assert "pose" in found[r"\boldsymbol{x}"]
     assert "angle" in found[r"\theta_j"]
