@@ -18,6 +18,7 @@ from armproof.verification.conditions.told_jacobians import unless_of_told_jacob
 from armproof.verification.conditions.told_motions import at_told_motion
 from armproof.verification.conditions.told_names import ToldNames
 from armproof.verification.conditions.told_notation import ATAN2, written_as_told
+from armproof.verification.conditions.told_numbers import unless_of_told_numbers
 from armproof.verification.conditions.told_otherwise import ToldOtherwise
 from armproof.verification.conditions.told_relative import unless_relative
 from armproof.verification.document import Display
@@ -77,6 +78,7 @@ class WordsAround:
             outcome = self.otherwise.judge(outcome, display.meant)
             outcome = self.branches.judge(outcome, display.meant)
             outcome = unless_of_told_jacobian(outcome, display, self.names)
+            outcome = unless_of_told_numbers(outcome, display.meant)
         elif display.meant and not display.erratum and outcome.tells(Kind.SIGNED_DISTANCE):
             outcome = self.branches.judge(outcome, display.meant)
         if FIRST_ORDER in display.meant and not display.erratum and holds_to_first_order(outcome, self.names):

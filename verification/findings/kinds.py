@@ -131,6 +131,7 @@ class Kind(MessageKind):
     MEANT_OTHERWISE = "meant_otherwise", "the text says that {name} is something else than the arm has for it: what is written with it is not decided"
     TOLD_OTHERWISE = "told_otherwise", "the text says of {name}: '{text}'; bind it in the front matter (quantities) to have it checked"
     VARIABLE_TOLD = "variable_told", "the text says of {name}: '{text}'; the arm may have it otherwise, and what is written with it is not decided"
+    NUMBERS_TOLD = "numbers_told", "the text says of the numbers: '{text}'; what is computed with them is not decided"
     OF_OTHER_QUANTITY = "of_other_quantity", "the text speaks of another quantity than the one that is printed: which is meant is not decided"
     OF_OTHER_ARM = "of_other_arm", "the text speaks of another arm than the one at hand: what holds for that is not decided"
     OMEGA_IS_FIRST = "omega_is_first", "the rows of ω stand above those of v, or the text has them there: write `rows: [4, 5, 6, 1, 2, 3]` in the front matter (quantities) to have it checked"
