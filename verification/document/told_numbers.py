@@ -23,7 +23,7 @@ _COMMA = re.compile(r"(?<![\d.,])\d+(?:\{,\}|,)(?:\d{1,2}|\d{4,})(?![\d,])")
 _FORMULAS = re.compile(r"\$\$?[^$]+\$\$?|\\[(\[].*?\\[)\]]|:math:`[^`]+`", re.DOTALL)
 _is = WordLists("""
 RATE rate~ velocit~ speed~ vitesse~ geschwindigkeit~ winkelgeschwindigkeit~ drehzahl~ velocidad~ velocità
-CONVERTED convert~ turned umgerechnet umgewandelt wandeln converti~ convertid~ transform~
+CONVERTED convert~ turned umgerechnet umgewandelt wandeln converti~ convertid~ convier~ konvert~ transform~
 NOT no not never without neither kein~ nicht ohne pas sans aucun~ sin senza non sem não nunca
 SCALE scale scaled maßstab~ échelle escala scala
 READ read reads measur~ take taken taking lesen ablesen abgelesen messen gemessen entnehmen entnommen lisons lit lire lues lus mesur~ relev~ leemos leer leíd~ medimos medir medid~ leggiamo leggere lett~ misur~ lemos ler lidas lidos
