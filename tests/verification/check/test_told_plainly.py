@@ -246,7 +246,13 @@ def test_a_point_may_part_thousands(lengths: str, value: str, verdict: str) -> N
     ],
 )
 def test_a_cited_author_tells_the_convention(cites: str, held: int) -> None:
-    rows = r"| 1 | 0 | 0 | $\theta_1$ | $h$ |" "\n" r"| 2 | 90° | $b$ | $\theta_2$ | 0 |" "\n" r"| 3 | 0 | $l_2$ | $\theta_3$ | 0 |"
+    rows = (
+        r"| 1 | 0 | 0 | $\theta_1$ | $h$ |"
+        "\n"
+        r"| 2 | 90° | $b$ | $\theta_2$ | 0 |"
+        "\n"
+        r"| 3 | 0 | $l_2$ | $\theta_3$ | 0 |"
+    )
     text = f"# Arm\n\n{cites}\n\n| $i$ | $\\alpha$ | $a$ | $\\theta$ | $d$ |\n|---|---|---|---|---|\n{rows}\n\nThe height is\n\n$$ z = h + l_2 \\sin\\theta_%d $$\n\n[1] J. J. Craig, *Robotics*.\n"
     assert verify_text(text % held).equations[-1].verdict.value == "proved"
     assert verify_text(text % 3).equations[-1].verdict.value == "unchecked"
