@@ -49,7 +49,7 @@ def unless_called_another(place: int, parts: Sequence[Inference], result: Docume
     others = frozenset[str]().union(*own.values()) - here
     records = []
     for record in result.equations:
-        names = _names_at(record, parts[place].document, _place(arm))
+        names = _names_at(record, parts[place].document, _place(arm), here | others)
         is_of_other = bool(names & others) and names.isdisjoint(here) and not record.erratum
         doubt = say(Kind.OF_OTHER_ARM)
         records.append(record.left_open(doubt, lambda one: one.verdict in DECIDED) if is_of_other else record)
@@ -69,11 +69,14 @@ def _own_names(place: int, parts: Sequence[Inference]) -> frozenset[str]:
     return frozenset(names if any(map(str.isdigit, names)) else {*names, str(place + 1)})
 
 
-def _names_at(record: Record, document: Document, begin: tuple[int, int]) -> frozenset[str]:
-    """Return what the last sentence under a record's heading, behind what shows the arm, calls an arm, or the heading does."""
+def _names_at(record: Record, document: Document, begin: tuple[int, int], known: frozenset[str]) -> frozenset[str]:
+    """Return what the last sentence under a record's heading, behind what shows the arm, calls an arm, or the heading does; that may be the name of an arm alone, "Anna"."""
     at = (record.cell or 0, record.line)
     told = [each for each in document.called if each.section == record.section and begin < each.place <= at]
-    return told[-1].names if told else called_in(words_of(record.section))
+    if told:
+        return told[-1].names
+    words = words_of(record.section)
+    return called_in(words) or frozenset(word.lower() for word in words.split() if word[:1].isupper()) & known
 
 
 def _place(arm: TakenArm) -> tuple[int, int]:

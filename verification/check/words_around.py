@@ -18,6 +18,7 @@ from armproof.verification.conditions.told_jacobians import unless_of_told_jacob
 from armproof.verification.conditions.told_motions import at_told_motion
 from armproof.verification.conditions.told_names import ToldNames
 from armproof.verification.conditions.told_notation import ATAN2, written_as_told
+from armproof.verification.conditions.told_numbers import unless_of_told_numbers
 from armproof.verification.conditions.told_operations import unless_of_told_operation
 from armproof.verification.conditions.told_otherwise import ToldOtherwise, is_of_other_build
 from armproof.verification.conditions.told_relative import unless_relative
@@ -81,6 +82,7 @@ class WordsAround:
             outcome = unless_of_told_operation(
                 unless_of_told_jacobian(outcome, display, self.names), display, self.names
             )
+            outcome = unless_of_told_numbers(outcome, display.meant)
         elif display.meant and not display.erratum and outcome.tells(Kind.SIGNED_DISTANCE):
             outcome = self.branches.judge(outcome, display.meant)
         if FIRST_ORDER in display.meant and not display.erratum and holds_to_first_order(outcome, self.names):

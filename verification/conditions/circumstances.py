@@ -12,11 +12,11 @@ from functools import partial
 from armproof.verification.algebra.calculus import substitute, symbols_in
 from armproof.verification.algebra.matrix import as_matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
+from armproof.verification.conditions.given_numbers import fails_at_values, given_numbers, keeps_letters
 from armproof.verification.conditions.heeding import Heeding, unbraced, value_of
 from armproof.verification.conditions.holding_there import holds_where, postures_of
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.conditions.postures import vanish_at_quarter_turns
-from armproof.verification.conditions.told_numbers import fails_at_values, keeps_letters, told_numbers
 from armproof.verification.document.postures import THERE, names_singular_place, tells_kind
 from armproof.verification.document.sentences import FROM_VALUES, NOT_THERE
 from armproof.verification.document.told_singularities import TOLD_SINGULAR
@@ -384,7 +384,7 @@ class Circumstances:
         """Whether an equation holds, or nobody can tell, under conditions."""
         assert outcome.true is not None and outcome.printed is not None
         if fails_at_values(
-            self.checker, told_numbers(self.checker, self.given, conditions, outcome.pair), outcome.pair
+            self.checker, given_numbers(self.checker, self.given, conditions, outcome.pair), outcome.pair
         ):
             return False
         return holds_where(self.checker, conditions, n.Chain((outcome.true.node, outcome.printed.node), ("=",)))

@@ -147,7 +147,7 @@ class OtherMeanings:
         arm, exact = self.names.arm, self.checker.exact
         assert arm is not None
         values = {joint.symbol: exact.ring.rational(0) for joint in arm.joints if joint.kind == "revolute"}
-        values |= {each: exact.ring.one for each in self.given.lengths}
+        values |= dict.fromkeys(self.given.lengths, exact.ring.one)
         steps = [[substitute(each, values).normal() for each in step] for step in self._steps()]
         return all(y.is_zero() and z.is_zero() for _, y, z in steps)
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from armproof.verification.document.word_lists import WordLists
 
 # in small letters: what no such sentence lacks
-MAY_READ_LEVEL = r"pend[uo]l|péndul|pêndul|pendel|inclinom|inclinóm|inclinôm|clinomet|neigungsmess|gyro|giro|kreisel|spirit level|water level|bulle|burbuja|bolha|wasserwaage|livell|plumb|plomb|plomada|piombo|prumo|senklot|compass|boussole|kompass|brújula|bussola|bússola"
+MAY_READ_LEVEL = r"pend[uo]l|péndul|pêndul|pendel|inclinom|inclinóm|inclinôm|clinomet|neigungsmess|gyro|giro|giró|kreisel|spirit level|water level|bulle|burbuja|bolha|wasserwaage|livell|plumb|plomb|plomada|piombo|prumo|senklot|compass|boussole|kompass|brújula|bussola|bússola"
 _NEAR = 3
 _is = WordLists("""
 SHOWS_LEVEL inclinomet~ inclinomèt~ inclinómet~ inclinômet~ clinomet~ neigungsmess~ gyro~ giroscop~ giróscop~ kreisel~ wasserwaage~ livell~ plumb plumb-line plomada prumo senklot~ spirit bulle burbuja bolha compass~ boussole~ kompass~ brújula~ bussol~ bússola~

@@ -48,6 +48,13 @@ from armproof.verification.document.told_jacobians import (
 )
 from armproof.verification.document.told_motions import MAY_TELL_MOTION, SINCE, told_motion
 from armproof.verification.document.told_notation import REACTION
+from armproof.verification.document.told_numbers import (
+    MAY_TELL_NUMBERS,
+    as_told,
+    may_be_grouped,
+    reads_scaled,
+    units_told,
+)
 from armproof.verification.document.told_operations import MAY_TELL_OPERATION, OPERATION, told_operation
 from armproof.verification.document.told_quantities import (
     MAY_TELL_QUANTITY,
@@ -70,7 +77,7 @@ from armproof.verification.document.told_tasks import MAY_TELL_TASK, told_tasks
 
 MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
     f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_TELL_BRANCH.pattern}|{MAY_TELL_JACOBIAN.pattern}|{MAY_TELL_BALANCE.pattern}"
-    f"|{MAY_TELL_QUANTITY.pattern}|{MAY_TELL_RELATIVE.pattern}"
+    f"|{MAY_TELL_QUANTITY.pattern}|{MAY_TELL_RELATIVE.pattern}|{MAY_TELL_NUMBERS.pattern}"
     f"|{MAY_AMEND.pattern}|{MAY_TELL_OPERATION.pattern}|{MAY_TELL_MOTION.pattern}|{MAY_CHANGE_ARM.pattern}|{MAY_LIMIT.pattern}|{MAY_BE_FIRST_ORDER.pattern}|{MAY_CONSTRAIN.pattern}"
 )
 _BESIDE = 12  # lines behind a sentence that may be said of what is near alone
@@ -146,6 +153,9 @@ def told_since(
             yield from (Since(f"{LOCKED} {each}" if each else LOCKED, line, end) for each in letters or ("",))
         if MAY_TELL_OPERATION.search(words.lower()) and (operation := told_operation(words)):
             yield Since(f"{OPERATION} {operation}", line, heard[-1].until)
+        behind = said[at + 1][1] if at + 1 < len(said) else ""
+        if units_told(words, formulas) or reads_scaled(sentence, words, behind) or may_be_grouped(formulas, text):
+            yield Since(as_told(sentence), line, end)
         if tells_quantity(words):
             yield Since(TOLD_QUANTITY, line, heard[-1].until)
         elif names_thing(words):

@@ -200,10 +200,10 @@ def _strokes(said: Sequence[str], formulas: Sequence[str]) -> Iterator[tuple[str
 
 
 def _clauses(said: Sequence[str]) -> Iterator[Sequence[str]]:
-    """Yield the clauses of a sentence, which commas, semicolons and "and" part."""
+    """Yield the clauses of a sentence, which commas, semicolons and "and" part; one without a formula belongs to the next."""
     begin = 0
     for place, word in enumerate((*said, ",")):
-        if word in (",", ";", ":", "and", "et", "und", "y", "e", "while", "tandis", "während", "mientras", "mentre", "enquanto"):  # fmt: skip
+        if "¤" in said[begin:place] and word in (",", ";", ":", "and", "et", "und", "y", "e", "while", "tandis", "während", "mientras", "mentre", "enquanto"):  # fmt: skip
             yield said[begin:place]
             begin = place + 1
 

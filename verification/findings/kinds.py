@@ -131,6 +131,7 @@ class Kind(MessageKind):
     MEANT_OTHERWISE = "meant_otherwise", "the text says that {name} is something else than the arm has for it: what is written with it is not decided"
     TOLD_OTHERWISE = "told_otherwise", "the text says of {name}: '{text}'; bind it in the front matter (quantities) to have it checked"
     VARIABLE_TOLD = "variable_told", "the text says of {name}: '{text}'; the arm may have it otherwise, and what is written with it is not decided"
+    NUMBERS_TOLD = "numbers_told", "the text says of the numbers: '{text}'; what is computed with them is not decided"
     OF_OTHER_QUANTITY = "of_other_quantity", "the text speaks of another quantity than the one that is printed: which is meant is not decided"
     TABLE_AMENDED = "table_amended", "what the text says, '{text}', may amend the table of the arm: what is computed with the table is not decided"
     OF_OTHER_ARM = "of_other_arm", "the text speaks of another arm than the one at hand: what holds for that is not decided"

@@ -1,0 +1,76 @@
+r"""What the text says of numbers that are not what they are read as: rates in degrees per second, lengths of a drawing at a scale, "1.000 mm" that is a thousand."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+from armproof.verification.document.word_lists import WordLists
+
+TOLD_NUMBERS = "numbers told"  # and the words, behind a tab
+
+MAY_TELL_NUMBERS = re.compile(  # what no such sentence lacks, in small letters
+    r"per second|/s\b|rpm|/min|per minute|per hour|par seconde|par minute|pro sekunde|je sekunde|pro minute|por segundo|por minuto|al secondo|per secondo|al minuto|scale|maßstab|échelle|escala|scala|\d\.\d{3}(?!\d)"
+)
+_OTHER_UNIT = re.compile(  # of rates that are no radians per second, said of them all: no number stands before it
+    r"(?<!\S)(?<!\d )(?<!¤ )(?:degrees? (?:per|a) (?:second|minute)|deg/s|°/s|rpm|(?:revolutions|turns|rotations) (?:per|a) (?:second|minute)|rev/(?:s|min)|r/min|degrés (?:par|à la) seconde|tours (?:par|à la) (?:minute|seconde)|tr/(?:min|s)|grad (?:pro|je) sekunde|(?:umdrehungen|drehungen) (?:pro|je) (?:minute|sekunde)|u/min"
+    r"|grados por segundo|(?:vueltas|revoluciones) por (?:minuto|segundo)|gradi (?:al|per) secondo|giri (?:al|per) (?:minuto|secondo)|giri/min|graus por segundo|(?:voltas|rotações) por (?:minuto|segundo))(?!\w)"
+)
+_RATIO = re.compile(r"(?<![\d:.,])(\d+) ?[:/] ?(\d+)(?![\d:])")
+_GROUPED = re.compile(r"(?<![\d.,])[1-9]\d{0,2}(?:\.\d{3})+(?![\d.,])")
+_POINT = re.compile(r"(?<![\d.,])(?:0\.\d+|\d+\.(?:\d{1,2}|\d{4,}))(?![\d.])")  # which parts no thousands off
+_COMMA = re.compile(r"(?<![\d.,])\d+(?:\{,\}|,)(?:\d{1,2}|\d{4,})(?![\d,])")
+_FORMULAS = re.compile(r"\$\$?[^$]+\$\$?|\\[(\[].*?\\[)\]]|:math:`[^`]+`", re.DOTALL)
+_is = WordLists("""
+RATE rate~ velocit~ speed~ vitesse~ geschwindigkeit~ winkelgeschwindigkeit~ drehzahl~ velocidad~ velocità
+CONVERTED convert~ turned umgerechnet umgewandelt wandeln converti~ convertid~ convier~ konvert~ transform~
+NOT no not never without neither kein~ nicht ohne pas sans aucun~ sin senza non sem não nunca
+SCALE scale scaled maßstab~ échelle escala scala
+READ read reads measur~ take taken taking lesen ablesen abgelesen messen gemessen entnehmen entnommen lisons lit lire lues lus mesur~ relev~ leemos leer leíd~ medimos medir medid~ leggiamo leggere lett~ misur~ lemos ler lidas lidos
+ENGLISH the and is of with that
+COMMA der die das und ist mit sind le les des est une avec el los las una con il gli della sono di o os um uma com são que
+""").holds
+
+
+def units_told(words: str, formulas: Sequence[str]) -> bool:
+    """Whether a sentence says that rates are in another unit than radians per second, and not that they are converted, or bear it."""
+    small = words.lower()
+    if not _OTHER_UNIT.search(small) or any("circ" in each or "°" in each for each in formulas):
+        return False
+    said = small.split()
+    is_converted = any(_is(word, "CONVERTED") for word in said) and not any(_is(word, "NOT") for word in said)
+    return any(_is(word, "RATE") for word in said) and not is_converted
+
+
+def reads_scaled(sentence: str, words: str, behind: str) -> bool:
+    """Whether a sentence is of a drawing at a scale that is not 1:1, from which it, or the next one, reads its numbers."""
+    said = words.lower().split()
+    if not any(_is(word, "SCALE") for word in said):
+        return False
+    is_scaled = any(found[1] != found[2] for found in _RATIO.finditer(sentence))
+    return is_scaled and any(_is(word, "READ") for word in (*said, *behind.lower().split()))
+
+
+def may_be_grouped(formulas: Sequence[str], text: str) -> bool:
+    """Whether a number of a sentence may have its thousands parted by a point, "1.000 mm" in a text that writes commas, or whose language does."""
+    return any(map(_GROUPED.search, formulas)) and _parts_thousands(text)
+
+
+def _parts_thousands(text: str) -> bool:
+    inside = " ".join(found.group() for found in _FORMULAS.finditer(text))
+    if _POINT.search(inside):
+        return False
+    if _COMMA.search(inside):
+        return True
+    said = re.findall(r"[^\W\d_]+", text.lower())
+    return sum(_is(word, "COMMA") for word in said) > sum(_is(word, "ENGLISH") for word in said)
+
+
+def as_told(sentence: str) -> str:
+    """Return what a sentence says of numbers as what holds of a display."""
+    return f"{TOLD_NUMBERS}\t{' '.join(sentence.split())}"
+
+
+def numbers_told(meant: Sequence[str]) -> Iterator[str]:
+    """Yield the sentences that tell something of a display's numbers."""
+    yield from (each.partition("\t")[2] for each in meant if each.startswith(TOLD_NUMBERS))
