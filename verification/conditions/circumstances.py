@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -34,7 +33,6 @@ from armproof.verification.naming.state import Told
 from armproof.verification.verdict import HOLDS, Role, Verdict
 
 ON_A_BRANCH = (Kind.ON_A_BRANCH, Kind.TO_DECIMALS_ON_A_BRANCH)
-_SINGULAR = re.compile("singul")
 OF_A_SIGN = ("sqrt", "abs", *n.ARCS)  # a root or an angle that has another sign elsewhere
 
 
@@ -75,7 +73,7 @@ class Circumstances:
         if outcome.verdict is not Verdict.REFUTED or outcome.true is None or outcome.printed is None:
             return outcome
         conditions: list[n.Chain] = []
-        is_of_determinant = self._is_determinant(outcome) and any(map(_SINGULAR.search, said))  # there it is 0
+        is_of_determinant = False  # "det J = 0 when the arm is stretched" says so of the determinant
         leads_on = not {*TOLD_SINGULAR}.isdisjoint(
             said
         )  # to where the arm is singular, "The singular configuration is"
@@ -102,13 +100,6 @@ class Circumstances:
         if outcome.true is None or outcome.printed is None or not self._follows(behind, outcome):
             return outcome
         return outcome.left_open(say(Kind.HOLDS_AS_BEHIND))
-
-    def _is_determinant(self, outcome: Outcome) -> bool:
-        """Whether an equation gives a determinant that moves."""
-        pair, nodes = outcome.pair, [below for node in outcome.nodes for below in n.walk(node)]
-        return (
-            pair is not None and bool(symbols_in(pair.printed.cells)) and any(n.is_call(each, "det") for each in nodes)
-        )
 
     def _vanishes(self, conditions: Sequence[n.Chain], outcome: Outcome) -> bool:
         """Whether an equation gives a determinant that moves, and says 0 = 0 under conditions: "so the arm is singular where θ_2 = 0"."""
