@@ -76,8 +76,13 @@ def _lines(text: str, suffix: str) -> Iterator[tuple[int, int]]:
 def _denies(box: re.Match[str]) -> bool:
     """Whether the name or the title of a box denies what stands in it."""
     words = " ".join(filter(None, box.group("name", "option", "class", "summary", "words")))
-    begins = box.string[box.end() : box.end() + _TITLE].split("\n\n")[0].strip().split("\n")[0]  # a title of its own
-    return _says_no(re.sub(r"[-_{}:.=\"#]", " ", words)) or is_not_to_copy(begins)
+    return _says_no(re.sub(r"[-_{}:.=\"#]", " ", words)) or (box["name"] is None and is_not_to_copy(_title(box)))
+
+
+def _title(box: re.Match[str]) -> str:
+    """Return the line that a box begins with, where it is short enough for a title of its own."""
+    first = box.string[box.end() : box.end() + _TITLE].strip().split("\n")[0]
+    return first if len(first) <= _TITLE // 2 else ""
 
 
 @lru_cache(maxsize=256)

@@ -127,8 +127,9 @@ def told_since(
             yield Since(OTHER_BUILD, line, min(end, _before_table(text, place)))
         may_change = MAY_CHANGE_ARM.search(words.lower()) and not sentence.startswith("(")  # aside it changes nothing
         if tables and MAY_AMEND.search(words.lower()):
-            yield from _of_tables(words, formulas, line, tables)
-            if has_same_table(words) and tables[0].line < line:
+            if not has_same_table(words):
+                yield from _of_tables(words, formulas, line, tables)
+            elif tables[0].line < line:
                 yield Since(OTHER_BUILD, line, min(end, _before_table(text, place)))
         above = _letters_above(displays, tables, line) if may_change else set()
         if above and changes_arm(words, formulas, above):
