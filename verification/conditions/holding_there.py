@@ -34,7 +34,10 @@ def fails_at_values(checker: ChainChecker, given: Sequence[Mapping[str, n.Node] 
     if outcome.pair is None or not values or not all(given) or not {*values} <= known:
         return False
     true, printed = outcome.pair.true.cells, outcome.pair.printed.cells
-    at_rest = {each: 0 for each in symbols_in([*true, *printed]) if is_rate(each) and each.rpartition(" ")[2] in values}
+    nought = checker.exact.ring.zero
+    at_rest = {
+        each: nought for each in symbols_in([*true, *printed]) if is_rate(each) and each.rpartition(" ")[2] in values
+    }
     with WhereDefined():
         for rates in ({}, at_rest):
             sides = [[substitute(each, {**values, **rates}).normal() for each in side] for side in (true, printed)]
