@@ -8,6 +8,7 @@ from armproof.verification.check import verify_text
 
 HEAD = r"""---
 arm: planar_2r
+quantities: {x: {origin: 2, component: x}, y: {origin: 2, component: y}}
 ---
 
 For $\theta_1 = 90^\circ$ and $\theta_2 = -90^\circ$ the elbow is bent.
@@ -29,9 +30,12 @@ def test_values_excuse_what_holds_with_them_alone(display: str, verdict: str):
 
 
 @pytest.mark.parametrize(
-    ("behind", "verdict"),
-    [("The singular configuration is", "refuted"), ("In the configuration in which the arm is stretched", "unchecked")],
+    ("behind", "verdicts"),
+    [
+        ("The singular configuration is", {"refuted"}),
+        ("This is so in the stretched configuration", {"refuted", "unchecked"}),
+    ],
 )
-def test_a_determinant_in_letters_is_none_at_a_singular_configuration(behind: str, verdict: str):
+def test_a_determinant_in_letters_is_none_at_a_singular_configuration(behind: str, verdicts: set[str]):
     text = f"---\narm: planar_2r\n---\n\n$$ \\det J = l_1 l_2 c_1 $$\n\n{behind}\n\n$$ \\theta_2 = 0 $$\n"
-    assert verify_text(text).equations[0].verdict.value in (verdict, "refuted")
+    assert verify_text(text).equations[0].verdict.value in verdicts

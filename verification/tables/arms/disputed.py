@@ -66,11 +66,11 @@ def unless_disputed(part: Inference, result: DocumentResult, check: Check) -> Do
         return result
     if len(gained) >= FEWEST and _has_index_slip(part, other):
         of_table = part.arm.source == "table"
-        mended, tables = (
+        mended, data = (
             tuple(_with_slip(each, other, part) if of_table else each for each in records)
             for records in (there.equations, result.tables)
         )
-        return replace(there, front=result.front, arms=result.arms, equations=mended, tables=tables)
+        return replace(there, front=result.front, arms=result.arms, equations=mended, tables=data)
     return replace(
         result,
         equations=tuple(_doubted(each, other, gained, part) for each in result.equations),

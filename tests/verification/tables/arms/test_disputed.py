@@ -60,7 +60,13 @@ def test_a_row_that_turns_although_its_table_has_no_angle_is_named(angle: str, t
 
 
 UPRIGHT = "| 1 | 0 | $d_1$ | 0 | 0 |\n| 2 | $\\theta_2$ | 0 | $a_2$ | 0 |\n| 3 | $\\theta_3$ | 0 | $a_3$ | 0 |\n\n"
-PLACES = (r"x = a_2 c_2 + a_3 c_{23}", r"y = a_2 s_2 + a_3 s_{23}", r"x^2 + y^2 = a_2^2 + a_3^2 + 2 a_2 a_3 c_3")
+PLACES = (
+    r"A_2 = \begin{bmatrix} c_2 & -s_2 & 0 & a_2 c_2 \\ s_2 & c_2 & 0 & a_2 s_2 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix}",
+    r"x = a_2 c_2 + a_3 c_{23}",
+    r"y = a_2 s_2 + a_3 s_{23}",
+    r"z = d_1",
+    r"x^2 + y^2 = a_2^2 + a_3^2 + 2 a_2 a_3 c_3",
+)
 
 
 def said_of(rows: str, *displays: str) -> tuple[str, list[str]]:
@@ -70,15 +76,15 @@ def said_of(rows: str, *displays: str) -> tuple[str, list[str]]:
 
 
 def test_a_length_that_has_the_index_of_another_row_is_refuted_where_the_displays_have_its_own() -> None:
-    assert said_of(UPRIGHT, *PLACES) == ("defined", ["proved"] * 3)
+    assert said_of(UPRIGHT, *PLACES) == ("defined", ["proved"] * 5)
     slipped = UPRIGHT.replace("$a_3$", "$a_2$")
-    assert said_of(slipped, *PLACES) == ("refuted", ["proved"] * 3)
-    assert said_of(slipped, *PLACES[:2], PLACES[2].replace("+ 2", "- 2"))[1][:2] == ["proved", "proved"]
+    assert said_of(slipped, *PLACES) == ("refuted", ["proved"] * 5)
+    assert said_of(slipped, *PLACES[:4], PLACES[4].replace("+ 2", "- 2")) == ("refuted", [*["proved"] * 4, "refuted"])
 
 
 def test_two_links_of_one_length_are_no_slip() -> None:
     alike = tuple(each.replace("a_3", "a_2") for each in PLACES)
-    assert said_of(UPRIGHT.replace("$a_3$", "$a_2$"), *alike) == ("defined", ["proved"] * 3)
+    assert said_of(UPRIGHT.replace("$a_3$", "$a_2$"), *alike) == ("defined", ["proved"] * 5)
     other = tuple(each.replace("a_3", "a_4") for each in PLACES)  # whose index it is, nothing tells
     table, found = said_of(UPRIGHT.replace("$a_3$", "$a_2$"), *other)
     assert table != "refuted" and "refuted" not in found
