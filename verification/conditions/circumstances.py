@@ -55,7 +55,7 @@ class Circumstances:
         ):  # 0.2 + 0.2898 is what it is, wherever
             return outcome
         given = (*told.earlier, *told.conditions)
-        is_above = line and told.line != line and not told.is_direct
+        is_above = line and told.line != line and not told.is_direct and self.names.arm is not None
         if is_above and keeps_letters(self.checker, self.given, given, outcome.pair):
             told = replace(told, conditions=(), earlier=())
         if not self._is_wrong_at(told, outcome) and any(self._follows(each, outcome) for each in self._told(told)):
