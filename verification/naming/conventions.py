@@ -169,8 +169,10 @@ def _all(base: str, index: str, reference: str, arm: Arm, placed: bool) -> Itera
         yield Quantity("rotation", frame, reference, rows=rows, columns=columns, scalar=True)
     if base == "J":
         yield from _quarters(index, reference, arm)  # of a whole arm; J_{11} is hardly that of frame 1 in frame 1
-    is_point = base in POSITIONS or base.lower() in AXES
-    for frame, component, given in _indices(index, reference, arm) if is_point or index not in INNER_POINTS else ():
+    if index in INNER_POINTS and base in (*AXES, *AXES.upper()):
+        inner = (frame for frame in _wrists(arm) if frame != _last(arm))
+        yield from (_component(Quantity("origin", frame, reference), base.lower()) for frame in inner)
+    for frame, component, given in _indices(index, reference, arm):
         origin = Quantity("origin", frame, given)
         if component is None:
             yield from _of_frame(base, index, origin, arm, placed)
@@ -270,7 +272,7 @@ def _indices(index: str, reference: str, arm: Arm) -> Iterator[tuple[str, str | 
     if (frame := _frame(plain, arm)) is not None:
         yield frame, None, reference
         return
-    for frame in _wrists(arm) if plain.rstrip(AXES).rstrip(",") in WRIST | INNER_POINTS else []:
+    for frame in _wrists(arm) if plain.rstrip(AXES).rstrip(",") in WRIST else []:
         yield frame, plain[-1] if plain[-1] in AXES else None, reference
     for first, second in _splits(plain):
         if second in AXES and (frame := _frame(first, arm)) is not None:

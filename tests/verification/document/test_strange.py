@@ -41,6 +41,7 @@ STRANGE_ABOVE = (
     "Faz água.",
     "Sie verliert ein Glied.",
     "It loses a term.",
+    "It loses a sign, and the rank.",
     "La fórmula pierde un signo.",
     "Sonst stimmt die Formel.",
 )
