@@ -140,7 +140,7 @@ class OtherMeanings:
     def _holds_rest(self, which: str) -> bool:
         """Whether the arm has the length of what slides where it is pushed in, from which its stroke is counted."""
         rest = which.removeprefix(STROKE).strip() if which.startswith(STROKE) else ""
-        return bool(rest) and self.names.known_symbol(self.names.reader.key_of(rest)) in self.given.lengths
+        return bool(rest) and self.names.known_symbol(self.names.reader.key_of(rest)) in {*self.given.lengths}
 
     def _lies_along_x(self) -> bool:
         """Whether the arm lies along the x-axis of the base, to no other side, where its angles are zero."""

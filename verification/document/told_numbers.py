@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 
 from armproof.verification.document.word_lists import WordLists
 
@@ -56,7 +57,9 @@ def may_be_grouped(formulas: Sequence[str], text: str) -> bool:
     return any(map(_GROUPED.search, formulas)) and _parts_thousands(text)
 
 
+@lru_cache(maxsize=2)
 def _parts_thousands(text: str) -> bool:
+    """Return whether a text writes decimal commas, or is of a language that does, and nowhere a decimal point."""
     inside = " ".join(found.group() for found in _FORMULAS.finditer(text))
     if _POINT.search(inside):
         return False

@@ -30,8 +30,11 @@ TOOL hand tool tip gripper end-effector target main outil pince cible greifer~ w
 AGAINST against relative relatively respect gegen gegenüber rapport relativement respecto rispetto relação
 CHOICE solution~ branch~ posture~ configuration~ choose chose~ choice take keep pick lösung~ zweig~ stellung~ haltung~ wähl~ nehmen branche~ choisi~ prenons gardons solución soluciones rama~ elegi~ tomamos postura~ configuración soluzion~ ramo rami scegli~ prendiamo configurazion~ soluç~ escolh~ configuraç~
 BEHIND behind backwards derrière arrière hinten hinter rücken atrás espalda~ detrás dietro schiena indietro trás costas
-OWN its the his son le seinem seinen dem den su la sua seu sus suas
-BACK back dos
+ARM arm arm's robot~ manipulator~ bras manipulateur~ roboter~ brazo braccio braço robô
+OWN its the his son le seinem seinen ihrem ihren dem den su la sua seu sus suas
+BACK back dos rücken espalda~ schiena costas
+WRITTEN equation~ formula~ formulae expression~ book~ text gleichung~ formel~ buch~ équation~ formule~ livre ecuaci~ fórmula~ libro~ equazion~ equaç~ livro
+IS are is was were be been nothing
 COUNTED positive~ positiv~ counted measured gezählt gemessen compté~ mesuré~ contad~ medid~ misurat~
 NOT not never no nicht nie kein~ pas jamais nunca non mai não
 PRONOUN it he she il elle er es sie lo ele ela esso
@@ -43,6 +46,8 @@ def told_side(words: str) -> str | None:
     """Return the sign of θ_2 that a sentence tells by the side of the elbow or the turn of the forearm, UNCLEAR where it may be either; None of another sentence."""
     small = words.lower()
     said = small.split()
+    if any(_is(word, "WRITTEN") for word in said):
+        return None
     if any(_is(word, "ELBOW") for word in said) and (side := _sides(said)):
         return _of_line(said, side)
     is_choice = any(_is(word, "CHOICE") for word in said)
@@ -52,7 +57,8 @@ def told_side(words: str) -> str | None:
     if clockwise is not None and any(_is(word, "FOREARM") for word in said):
         return _of_turn(said, clockwise)
     backs = (at for at, word in enumerate(said) if _is(word, "BACK") and at and _is(said[at - 1], "OWN"))
-    return UNCLEAR if next(backs, None) is not None or any(_is(word, "BEHIND") for word in said) else None
+    is_behind = any(_is(word, "BEHIND") for word in said) and any(_is(word, "ARM") for word in said)
+    return UNCLEAR if is_behind or next(backs, None) is not None else None
 
 
 def goes_on_with_side(words: str, before: str) -> bool:
@@ -69,6 +75,9 @@ def _sides(said: Sequence[str]) -> list[int]:
         for at, word in enumerate(said)
         if (_is(word, "LEFT") or _is(word, "RIGHT"))
         and not any(_is(each, "NO_SIDE") for each in said[at + 1 : at + 2])
+        and not (
+            word == "left" and any(_is(each, "IS") for each in said[at - 1 : at]) and said[at + 1 : at + 2] != ["of"]
+        )
         and not (word == "droite" and said[at - 1 : at] in (["la"], ["une"], ["cette"]))
         and not (word.startswith("recht") and said[at - 1 : at] == ["im"])
     ]

@@ -92,8 +92,8 @@ def variables_defined(defined: Definition) -> Iterator[str]:
         )
         is_other |= any(map(_Y_AXIS.fullmatch, formulas))
     which = ANY if is_other else ""
-    if is_sure and _of_other_joint(phrase, numbers):
-        which = OTHER_LINK
+    if is_sure and _of_other_joint(phrase, numbers):  # what goes on behind a comma may be said of another letter
+        which = ANY if {"¤", "…", ","} & {*defined.text} else OTHER_LINK
     if not which and is_sure and (any(map(_X_AXIS.fullmatch, formulas)) or any(_is(word, "BASE_AXIS") for word in own)):
         which = FROM_BASE
     if not which and is_sure and any(_is(word, "UPRIGHT") for word in own):
