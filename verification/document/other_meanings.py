@@ -329,7 +329,9 @@ def _in_strange_words(document: Document, text: str) -> Iterator[Meaning]:
         return
     for line, sentence in sentences_with_lines(text):
         if ("$" in sentence or "\\(" in sentence or ":math:" in sentence) and len(sentence) <= MOST_CHARACTERS:
-            yield from (Meaning(line, (told,), reach=(line, _reach(line, text)[1])) for told in strange_letters(sentence))
+            yield from (
+                Meaning(line, (told,), reach=(line, _reach(line, text)[1])) for told in strange_letters(sentence)
+            )
 
 
 def _of_places(line: int, plain: str, words: str, formulas: Sequence[str], text: str) -> Iterator[Meaning]:

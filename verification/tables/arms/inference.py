@@ -73,7 +73,9 @@ def _inferred(document: Document) -> Inference:
         return (
             of_table if of_table.problem is not None else Inference(document, None, problem, problem.terms.get("line"))
         )
-    if not found or all(each.lengths & rates_in(document.displays) for each in found):  # a slide along x is no row of DH
+    if not found or all(
+        each.lengths & rates_in(document.displays) for each in found
+    ):  # a slide along x is no row of DH
         forms = _of_formulas(document, plain_names(document))
         if not found and of_table.problem is None and (described := _of_words(document, forms)) is not None:
             return described

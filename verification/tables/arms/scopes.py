@@ -95,7 +95,9 @@ def _next_start(document: Document, names: Names, found: Candidate | None, table
         start = _of_other_joints(document, found) or _behind_other_joints(document, found)
         start = start or (_of_other_points(document, names) if found.source == "closed form" else None)
     else:
-        start = None if tables or is_described(document) else _of_other_law(document) or _of_section_alone(document, names)
+        start = (
+            None if tables or is_described(document) else _of_other_law(document) or _of_section_alone(document, names)
+        )
     return start or _of_letters_anew(document, names)
 
 
