@@ -33,7 +33,7 @@ from armproof.verification.document.sentences import not_known_in, quoted
 from armproof.verification.document.strange_letters import STRANGE_LETTER
 from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.document.told_turns import OTHER_TURN
-from armproof.verification.document.told_variables import BENT, FROM_BASE, RAISED, STANDING, VARIABLE
+from armproof.verification.document.told_variables import BENT, FROM_BASE, OF_OTHER_LINK, RAISED, STANDING, VARIABLE
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.given_values import GivenValues
 from armproof.verification.equations.outcome import Outcome
@@ -104,10 +104,12 @@ class OtherMeanings:
 
     def _of_variables(self, outcome: Outcome, meant: Sequence[str], written: set[str]) -> Outcome:
         """Leave open what is written with a joint variable or a length of which the text says what is not that of the arm."""
-        if self.names.arm is None or self.names.is_of_formulas:  # which fit any letters
+        if self.names.arm is None:
             return outcome
         told = (each.split("\t")[1:] for each in meant if each.startswith(VARIABLE))
         for which, latex, text in told:
+            if self.names.is_of_formulas and which != OF_OTHER_LINK:  # they fit any letters, and no other order of them
+                continue
             if which in (BENT, RAISED) and self._is_bent():
                 continue
             if letters := written & self._variables(which, latex):

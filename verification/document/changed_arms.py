@@ -11,10 +11,10 @@ from collections.abc import Collection, Iterator, Sequence
 from armproof.verification.document.word_lists import WordLists
 
 MAY_CHANGE_ARM = re.compile(  # what no such sentence lacks, in small letters
-    r"robot|\barms?\b|manipul|\bbase\b|\bbras\b|roboter|\bit\b|\bil\b|link|bar\b|bars\b|length|forearm|segment|longueur|barre|länge|glied|unterarm|longitud|brazo|lunghezz|bracci|tool|outil|pen\b|stylo|screw|tube|long\b"
+    r"robot|\barms?\b|manipul|\bbase\b|\bbras\b|roboter|\bit\b|\bil\b|link|bar\b|bars\b|length|forearm|segment|longueur|barre|länge|glied|unterarm|longitud|brazo|lunghezz|bracci|tool|outil|pen\b|stylo|screw|tube|long\b|mirror|miroir|spiegel|espejo|specchio|espelho|\bfoot\b|\bpied\b|fuß|\bpie\b|piede|\bpé\b|membr|asta\b|barra|eslab|elo\b|elos\b"
 )
 _is = WordLists("""
-ARM robot robots arm manipulator base bras manipulateur roboter roboterarm brazo manipulador braccio manipolatore braço robô machine mechanism mécanisme it il elle er lo
+ARM robot robots arm manipulator base foot bras pied fuß pie piede pé manipulateur roboter roboterarm brazo manipulador braccio manipolatore braço robô machine mechanism mécanisme it il elle er lo
 MOUNTED lift~ raise~ put puts place~ placing set stand~ hang~ hung suspend~ mount~ bolt~ fix~ screwed carried rides carries move~ moving shift~ displace~ tilt~ turned soulev~ posé posée posons pose place~ placé placée monte~ monté~ accroch~ fixe~ fixé~ déplac~ surélev~ rehauss~ inclin~ gehoben gestellt gesetzt montiert aufgehängt hängt verschoben befestigt gekippt levantad~ coloca~ colgad~ cuelga montad~ desplaza~ sollevat~ mess~ appes~ montat~ spostat~ levantado pendurad~ desloca~
 SUPPORT platform table pedestal cart carriage ceiling wall stand plinth trolley truck vehicle rail gantry column bench box turntable slope ramp plateforme plate-forme socle piédestal chariot plafond mur estrade rampe établi support colonne véhicule portique sockel tisch decke wand wagen podest schiene säule plattform mesa techo pared plataforma pedestal carro tavolo soffitto parete piattaforma piedistallo carrello mesa teto parede carrinho upside-down upside
 LINKS link links bar bars rod rods segment~ length lengths longueur~ barre barres forearm upper-arm glieder stäbe längen unterarm oberarm avant-bras bras longitudes eslabones barras antebrazo lunghezze aste bracci avambraccio comprimentos elos antebraço arm~ robot~
@@ -23,16 +23,27 @@ ALL all both every each toutes tous les chaque alle beide jede todas todos ambas
 HELD pen pencil screwdriver tube extension probe drill torch brush nozzle tool rod stick finger needle marker gripper hand spike pointer blade knife adapter spacer pipe stylo crayon tournevis rallonge sonde perceuse torche pinceau buse outil tige doigt aiguille feutre pince lame couteau adaptateur tuyau perche stift bleistift schraubendreher schraubenzieher verlängerung rohr bohrer pinsel düse werkzeug stab finger nadel greifer adapter lápiz destornillador tubo extensión sonda broca antorcha pincel herramienta penna matita cacciavite prolunga sonda trapano pennello utensile caneta chave extensão ferramenta
 NO_LENGTH transform~ homogeneous matrix matrices matric~ matrizen product~ angle angles side sides membres seiten equation~ équation~ gleichung~ speed~ velocit~ vitesse~ geschwindigkeit~ torque~ couple couples force~ drehmoment~ rate rates area~ row rows column~ vector~ velocidad~ coppie winkel~ term terms square~ carré~
 THE the this that dh la le der die das el los il lo o our its
+EXCHANGED exchang~ swap~ interchang~ switch~ permut~ échang~ interverti~ vertausch~ tausch~ intercambi~ permuta~ scambi~ inverti~ troca~ troqu~
+PIECE extension prolunga rallonge verlängerung verlängerungsstück alargador alargadera extensión prolongador extensão
+MEMBER member membro membri forearm upper-arm arm robot link bar rod bras avant-bras segment barre membre unterarm oberarm arm roboter stab glied antebrazo brazo eslabón barra avambraccio braccio asta antebraço braço elo
+A an a una un une eine einen ein uma um
+HAS has have gets carries receives a reçoit porte hat bekommt trägt erhält tiene lleva recibe ha riceve porta tem recebe leva
+MIRROR mirror miroir spiegel espejo specchio espelho
+LOOK look~ see sees seen watch~ view~ regard~ voit voyons observe~ sehen sieht betracht~ schau~ mira~ ve vemos observa~ guard~ vede vediamo osserv~ olha~ vê
 MIGHT can could may might often usually typically generally peut peuvent souvent kann können oft puede pueden può possono pode podem
 """).holds
 _LENGTH_LETTER = re.compile(
-    r"\s*(?:\\(?:mathrm|mathit|text)\s*\{\s*)?(?:\\(?:varepsilon|epsilon|ell|lambda|delta|Delta|kappa|eta|rho)|[a-zA-Z])(?:\s*_\s*(?:\{[^{}]*\}|\w))?\s*\}?\s*"
+    r"\s*(?:\\(?:mathrm|mathit|text)\s*\{\s*)?(?:\\(?:varepsilon|epsilon|ell|alpha|beta|gamma|psi|lambda|delta|Delta|kappa|eta|rho)|[a-zA-Z])(?:\s*_\s*(?:\{[^{}]*\}|\w))?\s*\}?\s*"
 )
 _BY = frozenset("by of de d' um von por di height hauteur höhe altura altezza".split())
 _OF_LENGTH = re.compile(
     r"(?<!\S)(?:(?:of|with|whose|the|de|d' une|der|mit der|von der|con|di|da|la|a|is|has|and) )*(?:length|height|longueur|hauteur|länge|höhe|longitud|altura|lunghezza|altezza|comprimento) (?:of |is |de |est |von |ist |es |di |è |é )?¤ |¤ (?:long|lang|de long|de longueur|largo|lungo) "
 )
+_TWO = frozenset("two deux zwei beiden dos due duas dois".split())
 _OF_ROWS = ("table", "column")  # "the table" is that of the rows
+_EACH_OTHERS_PLACE = re.compile(
+    r"(?<!\S)(?:in the place of the other|(?:each|one) other'? s places?|places? of each other|à la place de l' autre|an die stelle (?:des|der) anderen|en (?:el )?lugar (?:de la|del) otr[oa]|al posto dell' altr[oa]|no lugar d[oa] outr[oa]) "
+)
 _NEAR = 8  # words between what is held and how long it is
 
 
@@ -42,7 +53,37 @@ def changes_arm(words: str, formulas: Sequence[str], letters_above: Collection[s
     if said[-1:] == ["?"] or any(_is(each, "MIGHT") for each in said):
         return False
     new = [bool(_LENGTH_LETTER.fullmatch(each)) and _plain(each) not in letters_above for each in formulas]
+    if _is_exchanged(words.lower(), said) or _has_piece(said) or _is_mirrored(said):
+        return True
     return _is_elsewhere(said, new) or _is_scaled(said, new) or any(_holds(words.lower(), said, new))
+
+
+def _is_exchanged(words: str, said: Sequence[str]) -> bool:
+    """Whether a sentence puts two links each in the place of the other."""
+    of_links = any(_is(each, "LINKS") for each in said) and not any(_is(each, "NO_LENGTH") for each in said)
+    is_exchanged = any(_is(each, "EXCHANGED") for each in said) and any(
+        _is(each, "ALL") or each in _TWO for each in said
+    )
+    return of_links and bool(is_exchanged or _EACH_OTHERS_PLACE.search(words))
+
+
+def _has_piece(said: Sequence[str]) -> bool:
+    """Whether a link has an extension: "the forearm has an extension"."""
+    return any(
+        _is(each, "PIECE")
+        and place > 1
+        and _is(said[place - 1], "A")
+        and any(_is(word, "HAS") for word in said[max(0, place - 3) : place - 1])
+        and any(_is(word, "MEMBER") for word in said[:place])
+        for place, each in enumerate(said)
+    )
+
+
+def _is_mirrored(said: Sequence[str]) -> bool:
+    """Whether one looks at the arm in a mirror."""
+    at = next((place for place, each in enumerate(said) if _is(each, "MIRROR")), 0)
+    is_in = any(each in ("in", "dans", "im", "en", "nello", "no") for each in said[max(0, at - 2) : at])
+    return is_in and any(_is(each, "ARM") for each in said) and any(_is(each, "LOOK") for each in said[:at])
 
 
 def _plain(latex: str) -> str:
@@ -64,7 +105,7 @@ def _by_new(said: Sequence[str], new: Sequence[bool]) -> Iterator[bool]:
     """Yield of each formula whether it is a new length by which something is moved or grows."""
     at = [place for place, each in enumerate(said) if each == "¤"]
     for place, is_new in zip(at, new, strict=False):
-        yield is_new and any(each in _BY for each in said[max(0, place - 2) : place])
+        yield is_new and any(each in _BY for each in said[max(0, place - 3) : place])
 
 
 def _is_scaled(said: Sequence[str], new: Sequence[bool]) -> bool:
