@@ -192,7 +192,7 @@ class Meaning:
 def with_other_meanings(document: Document, text: str) -> Document:
     """Return a document whose displays know which letters its text gives another meaning than usual, and where it is of another place."""
     since = [*told_since(text, document.displays, [*_sentences(text)], lambda line: _reach(line, text))]
-    found = [*_meanings(text), *_of_headings(text), *_in_strange_words(document, text), *_in_passing(text)]
+    found = [*_meanings(text), *_of_headings(text), *_in_strange_words(document, text), *_in_passing(document, text)]
     for display in document.displays:
         if letters := tuple(_orders([display.latex], "")):  # q = [r; θ]
             found.append(Meaning(display.line, letters))
@@ -330,9 +330,7 @@ def _holds_formula(sentence: str) -> bool:
 
 def _in_strange_words(document: Document, text: str) -> Iterator[Meaning]:
     """Yield which letters a text tells of in words that are not known, behind their sentence up to the end of its section."""
-    if any(display.cell is not None for display in document.displays) or not is_in_known_language(
-        words_of(text[:_TELLS_LANGUAGE])
-    ):
+    if _is_of_cells(document) or not is_in_known_language(words_of(text[:_TELLS_LANGUAGE])):
         return
     for line, sentence in sentences_with_lines(text):
         if _holds_formula(sentence) and len(sentence) <= MOST_CHARACTERS:
@@ -341,9 +339,14 @@ def _in_strange_words(document: Document, text: str) -> Iterator[Meaning]:
             )
 
 
-def _in_passing(text: str) -> Iterator[Meaning]:
+def _is_of_cells(document: Document) -> bool:
+    """Whether the lines of displays are those of their cells, and not of the text."""
+    return any(display.cell is not None for display in document.displays)
+
+
+def _in_passing(document: Document, text: str) -> Iterator[Meaning]:
     """Yield what sentences tell of letters in passing, behind them up to the end of their section."""
-    if not MAY_TELL_IN_PASSING.search(text.lower()):
+    if _is_of_cells(document) or not MAY_TELL_IN_PASSING.search(text.lower()):
         return
     before: list[tuple[str, int]] = []  # the words of the two sentences above, and where their sections begin
     for line, sentence in sentences_with_lines(text):
