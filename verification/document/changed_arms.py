@@ -44,6 +44,7 @@ _OF_ROWS = ("table", "column")  # "the table" is that of the rows
 _EACH_OTHERS_PLACE = re.compile(
     r"(?<!\S)(?:in the place of the other|(?:each|one) other'? s places?|places? of each other|à la place de l' autre|an die stelle (?:des|der) anderen|en (?:el )?lugar (?:de la|del) otr[oa]|al posto dell' altr[oa]|no lugar d[oa] outr[oa]) "
 )
+_NEAR_OF_ANGLE = 3  # "turned by the angle"
 _NEAR = 8  # words between what is held and how long it is
 
 
@@ -98,14 +99,14 @@ def _is_elsewhere(said: Sequence[str], new: Sequence[bool]) -> bool:
         _is(each, "SUPPORT") and not (each in _OF_ROWS and any(_is(e, "THE") for e in said[max(0, place - 2) : place]))
         for place, each in enumerate(said)
     )
-    return is_on or any(_by_new(said, new))
+    return is_on or any(_by_new(said, new, _NEAR_OF_ANGLE))
 
 
-def _by_new(said: Sequence[str], new: Sequence[bool]) -> Iterator[bool]:
+def _by_new(said: Sequence[str], new: Sequence[bool], near: int = 2) -> Iterator[bool]:
     """Yield of each formula whether it is a new length by which something is moved or grows."""
     at = [place for place, each in enumerate(said) if each == "¤"]
     for place, is_new in zip(at, new, strict=False):
-        yield is_new and any(each in _BY for each in said[max(0, place - 3) : place])
+        yield is_new and any(each in _BY for each in said[max(0, place - near) : place])
 
 
 def _is_scaled(said: Sequence[str], new: Sequence[bool]) -> bool:
