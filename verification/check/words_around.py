@@ -85,6 +85,8 @@ class WordsAround:
             outcome = unless_of_told_numbers(outcome, display.meant)
         elif display.meant and not display.erratum and outcome.tells(Kind.SIGNED_DISTANCE):
             outcome = self.branches.judge(outcome, display.meant)
+        if display.meant and not display.erratum and outcome.as_usual is not None:
+            outcome = self._unless_usual_is_open(outcome, display.meant)
         if FIRST_ORDER in display.meant and not display.erratum and holds_to_first_order(outcome, self.names):
             outcome = outcome.left_open(say(Kind.TO_FIRST_ORDER))
         if not display.erratum and _is_told_otherwise(outcome, display.meant):
@@ -120,6 +122,14 @@ class WordsAround:
         told = [each.removeprefix(BASE_AT) for each in display.meant if each.startswith(BASE_AT)]
         lengths: set[str | None] = {*self.circumstances.given.lengths}
         return any(self.names.known_symbol(self.names.reader.key_of(each)) not in lengths for each in told)
+
+    def _unless_usual_is_open(self, outcome: Outcome, meant: Sequence[str]) -> Outcome:
+        """Return an outcome without what it would be with usual meanings, where the text leaves that open."""
+        assert outcome.as_usual is not None
+        usual = outcome.as_usual.outcome
+        left = self.otherwise.judge(self.meanings.judge(usual, meant), meant)
+        is_open = usual.verdict in DECIDED and left.verdict not in DECIDED
+        return replace(outcome, as_usual=None) if is_open else outcome
 
     def _unless_noted(self, outcome: Outcome, display: Display) -> Outcome:
         """Leave open what is written in a notation that the text says to be another, and a rank that it says to be so everywhere and that is not."""

@@ -11,7 +11,7 @@ from collections.abc import Collection, Iterator, Sequence
 from armproof.verification.document.word_lists import WordLists
 
 MAY_CHANGE_ARM = re.compile(  # what no such sentence lacks, in small letters
-    r"robot|\barms?\b|manipul|\bbase\b|\bbras\b|roboter|\bit\b|\bil\b|link|bar\b|bars\b|length|forearm|segment|longueur|barre|länge|glied|unterarm|longitud|brazo|lunghezz|bracci|tool|outil|foot|model|maquet|scale|échelle|maßstab|escala|scala|stab|stäbe|stange|asta|aste\b|elos?\b|forearm|spindle|\bnut\b|pitch|hélico|helic|elico|\bvis\b|schraub|spindel|tornillo|\bvite\b|parafuso|pen\b|stylo|screw|tube|long\b"
+    r"robot|\barms?\b|manipul|\bbase\b|\bbras\b|roboter|\bit\b|\bil\b|link|bar\b|bars\b|length|forearm|segment|longueur|barre|länge|glied|unterarm|longitud|brazo|lunghezz|bracci|tool|outil|foot|model|maquet|scale|échelle|maßstab|escala|scala|stab|stäbe|stange|asta|aste\b|elos?\b|forearm|spindle|\bnut\b|pitch|hélico|helic|elico|\bvis\b|schraub|spindel|tornillo|\bvite\b|parafuso|pen\b|stylo|screw|tube|long\b|mirror|miroir|spiegel|espejo|specchio|espelho"
 )
 _is = WordLists("""
 ARM robot robots arm manipulator base bras manipulateur roboter roboterarm brazo manipulador braccio manipolatore braço robô machine mechanism mécanisme it il elle er lo
@@ -24,7 +24,7 @@ ALL all both every each toutes tous les chaque alle beide jede todas todos ambas
 HELD pen pencil screwdriver tube extension probe drill torch brush nozzle tool rod stick finger needle marker gripper hand spike pointer blade knife adapter spacer pipe stylo crayon tournevis rallonge sonde perceuse torche pinceau buse outil tige doigt aiguille feutre pince lame couteau adaptateur tuyau perche stift bleistift schraubendreher schraubenzieher verlängerung rohr bohrer pinsel düse werkzeug stab finger nadel greifer adapter lápiz destornillador tubo extensión sonda broca antorcha pincel herramienta penna matita cacciavite prolunga sonda trapano pennello utensile caneta chave extensão ferramenta
 NO_LENGTH transform~ homogeneous matrix matrices matric~ matrizen product~ angle angles side sides membres seiten equation~ équation~ gleichung~ speed~ velocit~ vitesse~ geschwindigkeit~ torque~ couple couples force~ drehmoment~ rate rates area~ row rows column~ vector~ velocidad~ coppie winkel~ term terms square~ carré~
 THE the this that dh la le der die das el los il lo o our its
-EXCHANGED exchanged swapped interchanged exchange swap swapping exchanging échangées échangés échange échangeons intervertit intervertis permute vertauscht vertauschen tauschen getauscht intercambi~ scambi~ scambiat~ trocad~ troca trocamos
+EXCHANGED exchang~ swap~ interchang~ échang~ interverti~ permut~ vertausch~ tausch~ getauscht intercambi~ permuta~ scambi~ inverti~ troca~ troqu~
 ADDED extension extensions rallonge rallonges prolongement verlängerung~ extensión prolunga extensão
 TWO two both deux les beide beiden zwei dos ambas due entrambe dois duas ambos each
 NO_BARS roles role rows row columns column axes axis angles angle coordinates sine cosine letters names symbols indices index signs terms factors rôles lignes colonnes angles winkel zeilen spalten rollen filas columnas righe colonne linhas colunas
@@ -32,6 +32,8 @@ SCREW screw screws screw-joint helical helicoidal spindle nut pitch hélicoïdal
 TURNS turn turns turned turning rotate~ rotation tourne tournant tourner dreht drehen dreh~ gira girar girando ruota ruotando ruotare rotaz~
 PART hand tool gripper quill slide joint it wrist outil main pince organe liaison articulation glissière hand werkzeug greifer gelenk schub pinole mano herramienta pinza articulación giunto utensile ferramenta junta
 NEVER not no never without nicht kein keine ohne ne pas sans no sin non senza não sem motor shaft handle
+MIRROR mirror miroir spiegel espejo specchio espelho
+LOOK look~ see sees seen watch~ view~ regard~ voit voyons observe~ sehen sieht betracht~ schau~ mira~ ve vemos observa~ guard~ vede vediamo osserv~ olha~ vê
 MIGHT can could may might often usually typically generally peut peuvent souvent kann können oft puede pueden può possono pode podem
 """).holds
 _LENGTH_LETTER = re.compile(
@@ -47,6 +49,9 @@ _MODEL = re.compile(
 )
 _AS_LONG = re.compile(
     r"(?<!\S)(?:(?:just )?as long as (?:itself|it|the|this)|of (?:the same|its own) length|(?:de|d' une) (?:la )?même longueur|aussi longue? que|(?:gleich|ebenso) lang\w*|(?:von )?gleicher länge|de la misma longitud|tan larg[oa] como|lung[oa] quanto|della stessa lunghezza|do mesmo comprimento|tão long[oa] quanto) "
+)
+_EACH_OTHERS_PLACE = re.compile(
+    r"(?<!\S)(?:in the place of the other|(?:each|one) other'? s places?|places? of each other|à la place de l' autre|an die stelle (?:des|der) anderen|en (?:el )?lugar (?:de la|del) otr[oa]|al posto dell' altr[oa]|no lugar d[oa] outr[oa])(?!\S)"
 )
 _NEW_ANGLE = re.compile(r"\s*\\(?:alpha|beta|gamma|psi|(?:var)?phi|delta|epsilon|eta)(?:\s*_\s*(?:\{[^{}]*\}|\w))?\s*")
 _OF_PITCH = frozenset("de du le un son".split())  # before "pas", which denies nothing then
@@ -64,6 +69,7 @@ def changes_arm(words: str, formulas: Sequence[str], letters_above: Collection[s
         or _is_exchanged(said)
         or _is_a_model(words.lower())
         or _is_as_long(words.lower(), said)
+        or _is_mirrored(said)
     ):
         return True
     new = [bool(_LENGTH_LETTER.fullmatch(each)) and _plain(each) not in letters_above for each in formulas]
@@ -76,7 +82,14 @@ def _is_exchanged(said: Sequence[str]) -> bool:
     has_bars = any(_is(each, "LINKS") for each in said) and any(_is(each, "TWO") for each in said)
     if not has_bars or any(_is(each, "NO_BARS") for each in said):
         return False
-    return any(_is(each, "EXCHANGED") for each in said) or "place of the other" in " ".join(said)
+    return any(_is(each, "EXCHANGED") for each in said) or _EACH_OTHERS_PLACE.search(" ".join(said)) is not None
+
+
+def _is_mirrored(said: Sequence[str]) -> bool:
+    """Whether one looks at the arm in a mirror."""
+    at = next((place for place, each in enumerate(said) if _is(each, "MIRROR")), 0)
+    is_in = any(each in ("in", "dans", "im", "en", "nello", "no") for each in said[max(0, at - 2) : at])
+    return is_in and any(_is(each, "ARM") for each in said) and any(_is(each, "LOOK") for each in said[:at])
 
 
 def _is_a_model(words: str) -> bool:

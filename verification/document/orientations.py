@@ -57,11 +57,15 @@ _OF_ALL_AT_ZERO = re.compile(
     r"|(?:zero|null)[ -]?(?:position|posture|configuration|pose|stellung|lage)(?!\S)|(?:nullstellung|nulllage|nullposition)(?!\S)"
     r"|(?:position|posture|configuration|posición|posizione|configuración|configurazione|posição) (?:zéro|cero|zero|nulle|nula|nulla)(?!\S))"
 )
+_HINGE = r"(?:hinge|pivot|shoulder|base|first joint|charnière|épaule|scharnier|gelenk|schulter|drehpunkt|bisagra|hombro|cerniera|spalla|perno|dobradiça|ombro|articulação|articulación|articulation)"
 _ALONG = re.compile(
     r"(?:along|entlang|längs|selon|suivant|le long|según|lungo|a lo largo|in|in richtung|dans|en|ao longo)(?: (?:the|der|die|de|del|l'|la|positive|positiven|direction|du|del|do|axes?|direzione|dirección|richtung|of|dell'|des|sens)){0,4} (-?)([xyz])-axis"
+    rf"|(?:right|directly|straight|exactly|genau|direkt|senkrecht|juste|exactement|justo|directamente|proprio|esattamente|exatamente|mesmo|logo) (?:(?P<under>under|below|beneath|unter|sous|au-dessous|debajo|sotto|abaixo|embaixo)|(?P<over>above|over|über|au-dessus|encima|sopra|acima)) {_ARTICLE}(?:(?:do|da|del|dem|der|du) )?{_HINGE}(?!\S)"
     rf"|(?:points?|pointing|stands?|zeigt|weist|steht|pointe|dirigé|dressé|apunta|punta|rivolto|straight)(?: [^\s,;:.]+){{0,3}}? (?:(?P<up>{_UP})|(?P<down>{_DOWN}))(?!\S)"
 )
-_ARM = re.compile(r"(?<!\S)(?:arm|robot|roboter|bras|brazo|braccio|braço|manipulator|links?|tool|it|er|il)(?!\S)")
+_ARM = re.compile(
+    r"(?<!\S)(?:arm|robot|roboter|bras|brazo|braccio|braço|manipulator|links?|tool|hand|gripper|lamp|hook|load|pince|lampe|werkzeug|greifer|haken|pinza|gancho|garra|it|er|il)(?!\S)"
+)
 _BY_MEANS = re.compile(r"(?<!\S)(?:by|using|through|par|grâce|durch|mittels|mediante|usando|tramite|através)(?!\S)")
 _DENIES = re.compile(r"(?<!\S)(?:not|nicht|never|no|non|não|ne|n'|keine?|unlike|instead|statt)(?!\S)")
 
@@ -88,7 +92,7 @@ def _told(sentence: str) -> Iterator[str]:
     if of_one_axis and _OF_ALL_AT_ZERO.search(words) and _ARM.search(words):
         lying = [*_ALONG.finditer(words)]
         for along in sorted(lying, key=lambda each: each[2] is None)[:1]:  # an axis tells more than "up"
-            yield f"{AT_ZERO} {'up' if along['up'] else 'down' if along['down'] else (along[1] or '') + along[2]}"
+            yield f"{AT_ZERO} {'up' if along['up'] or along['over'] else 'down' if along['down'] or along['under'] else (along[1] or '') + along[2]}"
 
 
 def _letter_by(words: str, formulas: list[str], found: re.Match[str]) -> str | None:

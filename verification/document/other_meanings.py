@@ -31,6 +31,12 @@ from armproof.verification.document.model import Display, Document
 from armproof.verification.document.strange import is_in_known_language
 from armproof.verification.document.strange_letters import strange_letters
 from armproof.verification.document.subjects import OTHER_BASE, OTHER_PLACE, subjects, without_tool_frame
+from armproof.verification.document.told_in_passing import (
+    MAY_TELL_IN_PASSING,
+    RELATIVE_NOT,
+    REORDERED,
+    told_in_passing,
+)
 from armproof.verification.document.told_names import (
     MAY_TELL_NAMES,
     STRANGE,
@@ -112,6 +118,7 @@ _IS_SIGNED = re.compile(  # d_2 is positive on one side and negative on the othe
     r"\bpositi[vf]\w* .{0,60}?\bn[eé]gati[vf]|\bn[eé]gati[vf]\w* .{0,60}?\bpositi[vf]|\bpositiv[oa]\b.{0,60}?\bnegativ[oa]\b",
     re.IGNORECASE,
 )
+_MOST_BEFORE = 2  # sentences that name what one is of
 _MOST_AGAIN = 50  # times that a name is said to be something, of which the next one below another heading counts
 _ROW_OF_TABLE = re.compile(r"^[ \t]*\|.*$", re.MULTILINE)  # of a table, which is no sentence
 _SHIFTS = re.compile(r"\bby \Z|height \Z")
@@ -189,7 +196,7 @@ def with_other_meanings(document: Document, text: str) -> Document:
     """Return a document whose displays know which letters its text gives another meaning than usual, and where it is of another place."""
     tables = [*cells_of_tables(document)]
     since = [*told_since(text, document.displays, [*_sentences(text)], lambda line: _reach(line, text), tables)]
-    found = [*_meanings(text), *_of_headings(text), *_in_strange_words(document, text)]
+    found = [*_meanings(text), *_of_headings(text), *_in_strange_words(document, text), *_in_passing(document, text)]
     for display in document.displays:
         if letters := tuple(_orders([display.latex], "")):  # q = [r; θ]
             found.append(Meaning(display.line, letters))
@@ -291,7 +298,7 @@ def _meanings(text: str) -> Iterator[Meaning]:
             yield Meaning(line, (ASKED,), reach=(line, _reach(line, text)[1]))
         if len(sentence) <= MOST_CHARACTERS and MAY_NOTE.search(small):
             yield from (Meaning(line, (each,)) for each in notations_told(sentence))
-        if "$" in sentence or "\\(" in sentence:
+        if _holds_formula(sentence):
             defined += ((line, each) for each in _defined_in(sentence))
         if len(sentence) <= MOST_CHARACTERS and MAY_TELL_VARIABLE.search(small):
             plain = with_axes(" ".join(sentence.split()))
@@ -321,17 +328,42 @@ def _meanings(text: str) -> Iterator[Meaning]:
     yield from _of_names([(line, told) for line, each in defined for told in told_names([each])], text)
 
 
+def _holds_formula(sentence: str) -> bool:
+    return "$" in sentence or "\\(" in sentence or ":math:" in sentence
+
+
 def _in_strange_words(document: Document, text: str) -> Iterator[Meaning]:
     """Yield which letters a text tells of in words that are not known, behind their sentence up to the end of its section."""
-    if any(display.cell is not None for display in document.displays) or not is_in_known_language(
-        words_of(text[:_TELLS_LANGUAGE])
-    ):
+    if _is_of_cells(document) or not is_in_known_language(words_of(text[:_TELLS_LANGUAGE])):
         return
     for line, sentence in sentences_with_lines(text):
-        if ("$" in sentence or "\\(" in sentence or ":math:" in sentence) and len(sentence) <= MOST_CHARACTERS:
+        if _holds_formula(sentence) and len(sentence) <= MOST_CHARACTERS:
             yield from (
                 Meaning(line, (told,), reach=(line, _reach(line, text)[1])) for told in strange_letters(sentence)
             )
+
+
+def _is_of_cells(document: Document) -> bool:
+    """Whether the lines of displays are those of their cells, and not of the text."""
+    return any(display.cell is not None for display in document.displays)
+
+
+def _in_passing(document: Document, text: str) -> Iterator[Meaning]:
+    """Yield what sentences tell of letters in passing, behind them up to the end of their section."""
+    if _is_of_cells(document) or not MAY_TELL_IN_PASSING.search(text.lower()):
+        return
+    before: list[tuple[str, int]] = []  # the words of the two sentences above, and where their sections begin
+    for line, sentence in sentences_with_lines(text):
+        if len(sentence) > MOST_CHARACTERS or not sentence or _ROW_OF_TABLE.search(sentence):
+            continue
+        begin, end = _reach(line, text)
+        plain = with_axes(" ".join(sentence.split()))
+        words = words_of(plain)
+        above = "".join(each for each, section in before[-_MOST_BEFORE:] if section == begin)
+        for which, letter in told_in_passing(words, formulas_of(plain), above):
+            meant = JACOBIAN if which == REORDERED else f"{BEHIND if which == RELATIVE_NOT else ANEW} {letter}".rstrip()
+            yield Meaning(line, (meant,), reach=(line, end))
+        before.append((words, begin))
 
 
 def _of_places(line: int, plain: str, words: str, formulas: Sequence[str], text: str) -> Iterator[Meaning]:

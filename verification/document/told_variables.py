@@ -56,6 +56,8 @@ RIGHT right droit rechten recto retto reto quarter quart viertel
 TURN angle angles winkel ángulo angolo ângulo turn tour tours
 BASE_AXIS x-axis above over über oberhalb au-dessus dessus encima sobre sopra acima horizontal~ ground floor world absolute~ absolu~ sol boden suelo pavimento space room inclination~ elevation~ inclinaison~ neigung~ inclinación inclinazione
 LENGTH length lengths long longueur longueurs longue länge längen lang longitud longitudes lunghezza lunghezze lungo lunga comprimento comprimentos
+BEND bent bend bends inclined tilted deviates kinked plié pliée fléchi fléchie incliné inclinée gebeugt geknickt abgewinkelt geneigt doblado doblada flexionado inclinado inclinada piegato piegata inclinato inclinata dobrado dobrada fletido fletida
+IS is are be ist sind est sont vaut es vale è é = equals
 CALLED called named numbered labelled labeled appelé appelée appelons nommée heißt genannt nennen llamamos llamada chiamiamo chiamato chamamos chamada call name number
 """).holds  # fmt: skip
 _ORDINALS = ("first premier première erste ersten erstes erster primer primera primero primo prima primeiro primeira", "second deuxième seconde zweite zweiten zweites zweiter segundo segunda secondo seconda", "third troisième dritte dritten drittes dritter tercer tercera tercero terzo terza terceiro terceira", "fourth quatrième vierte vierten cuarto quarto", "fifth cinquième fünfte quinto", "sixth sixième sechste sexto sesto")  # fmt: skip
@@ -74,6 +76,9 @@ _ANGLE = re.compile(r"\\(?:var)?theta|\\(?:var)?phi|q")
 _IS_ZERO = re.compile(r"\s*(?:(?:\\(?:var)?(?:theta|phi)|q)(?:\s*_\s*\{?\w\}?)?\s*=\s*)+\{?0(?:\^\\circ)?\}?\s*")
 _Y_AXIS = re.compile(r"\s*[+-]?\s*(?:\\(?:hat|vec|mathbf)\s*\{?\s*)?y(?:_\{?0\}?)?\}?\s*")
 _X_AXIS = re.compile(r"\s*\+?\s*(?:\\(?:hat|vec|mathbf)\s*\{?\s*)?(?:x(?:_\{?0\}?)?|\\overrightarrow\{?x\}?)\}?\s*")
+_VALUE = re.compile(
+    r"\s*[+-]?\s*(?!0+\b|180\b)\d+(?:[.,]\d+)?\s*(?:\^\s*\{?\s*\\circ\s*\}?|°|\\degree|\\text\{\s*°\})\s*|\s*[+-]?\\(?:[td]?frac\s*\{?\\pi\}?\s*\{?\d\}?|pi\s*/\s*\d)\s*"
+)
 _NEAR = 4
 
 
@@ -157,14 +162,34 @@ def _bent_at_zero(said: Sequence[str], formulas: Sequence[str]) -> str:
     """Return which angles are not those of the arm in a sentence that has it bent, or upright, where they are zero; "" in another one."""
     at = [place for place, word in enumerate(said) if _is(word, "ZERO")]
     zeros = any(_is(word, "REST") for word in said) or any(_is_of_zero(said, place) for place in at)
+    zeros = zeros or any(_is_letter_zero(said, formulas, place) for place in at)
     if not (zeros or any(map(_IS_ZERO.fullmatch, formulas))) or any(_is(word, "FORCES") for word in said):
         return ""
     pairs = [*pairwise(said)]
     is_turned = any((_is(a, "RIGHT") and _is(b, "TURN")) or (_is(b, "RIGHT") and _is(a, "TURN")) for a, b in pairs)
     is_turned |= any(_is(word, "LOWEST") for word in said) or _is_under_a_place(said)
-    if is_turned or any(_is(word, "BENT") for word in said) or any(map(_Y_AXIS.fullmatch, formulas)):
+    if (
+        is_turned
+        or _is_bent_by(said, formulas)
+        or any(_is(word, "BENT") for word in said)
+        or any(map(_Y_AXIS.fullmatch, formulas))
+    ):
         return BENT
     return RAISED if any(_is(word, "UPRIGHT") for word in said) else ""
+
+
+def _is_bent_by(said: Sequence[str], formulas: Sequence[str]) -> bool:
+    """Whether an arm is said to be bent by an angle that is neither nought nor half a turn: "bent by $30^\\circ$"."""
+    return any(_is(word, "BEND") for word in said) and any(map(_VALUE.fullmatch, formulas))
+
+
+def _is_letter_zero(said: Sequence[str], formulas: Sequence[str], place: int) -> bool:
+    """Whether a letter of an angle is said to be the zero at a place: "$\\theta_2$ is zero there"."""
+    if said[max(0, place - 2) : place - 1] != ["¤"] or not _is(said[place - 1], "IS"):
+        return False
+    latex = formulas[said[:place].count("¤") - 1 :][:1]
+    found = _LETTER.fullmatch(latex[0]) if latex else None
+    return found is not None and _ANGLE.match(found["letter"]) is not None
 
 
 def _is_of_zero(said: Sequence[str], place: int) -> bool:

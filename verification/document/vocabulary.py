@@ -821,16 +821,16 @@ não nenhum nenhuma nem apenas somente sem sinal
 OF_NO_LETTER = """
 error errors mistake mistakes issue issues problem problems wrong false correct incorrect true reads read ask asks asked lost loses missing miss erratum errata slow slower slowest
 fast faster fastest high higher highest low lower lowest better best worse worst important interesting easy easier hard harder difficult nice simple simpler careful beware attention
-would could should might hardly seldom rarely often always usually obviously clearly evidently why who whom whose whether
-erreur erreurs faute fautes problème problèmes faux fausse vrai vraie exact exacte perd perdu perdue perdent manque corrigé facile difficile important intéressant lent lente rapide rapidement meilleur meilleure
+belong belongs alike sought would could should might hardly seldom rarely often always usually obviously clearly evidently why who whom whose whether
+erreur erreurs faute fautes problème problèmes annule disparaît disparaissent faux fausse vrai vraie exact exacte perd perdu perdue perdent manque corrigé facile difficile important intéressant lent lente rapide rapidement meilleur meilleure
 souvent toujours rarement évidemment clairement attention pourquoi qu'on dont lui eux celui-ci celle-ci
-fehler problem probleme falsch richtig wahr verliert verlieren verloren fehlt fehlen leicht schwer schwierig wichtig interessant langsam langsamer schnell schneller oft immer selten offenbar deutlich
+erscheint erscheinen fehler problem probleme falsch richtig wahr verliert verlieren verloren fehlt fehlen leicht schwer schwierig wichtig interessant langsam langsamer schnell schneller oft immer selten offenbar deutlich
 warum weshalb wieso ich mich mir dich dir uns euch ihm ihn ihnen jener jene jenes
-error errores problema problemas falso falsa cierto cierta verdadero correcto incorrecto pierde pierden perdido falta fácil difícil importante interesante lento rápido aprecia apreciar claridad
+desaparece desaparecen error errores problema problemas falso falsa cierto cierta verdadero correcto incorrecto pierde pierden perdido falta fácil difícil importante interesante lento rápido aprecia apreciar claridad
 a menudo siempre rara vez evidentemente claramente quien cuyo cuya aquel aquella
-errore errori problema problemi falso falsa vero vera corretto errato perde perdono perso manca facile difficile importante interessante lento veloce rapido spesso sempre raramente chiaramente
+ignoto ignota ignote scompare scompaiono errore errori problema problemi falso falsa vero vera corretto errato perde perdono perso manca facile difficile importante interessante lento veloce rapido spesso sempre raramente chiaramente
 agli anch anch' anche esso essa essi esse costui perché
-erro erros problema problemas falso falsa certo verdadeiro correto incorreto perde perdem perdido falta fácil difícil importante interessante lento rápido muitas vezes sempre raramente claramente porquê quem cujo cuja
+desconhecido desconhecida erro erros problema problemas falso falsa certo verdadeiro correto incorreto perde perdem perdido falta fácil difícil importante interessante lento rápido muitas vezes sempre raramente claramente porquê quem cujo cuja
 """
 
 # words beside the equations of one display that leave these what they are: none of what makes another quantity of one (mean, squared)

@@ -65,6 +65,6 @@ def test_words_that_are_known_or_of_other_letters_cost_nothing(sentence: str) ->
 
 
 def test_the_finding_names_the_letter_and_the_words() -> None:
-    first = verify_text(PAGE.replace("SENTENCE", OF_LETTER[0]), path=Path("x.md")).equations[0]
+    first = verify_text(PAGE.replace("SENTENCE", OF_LETTER[5]), path=Path("x.md")).equations[0]
     [found] = [each for each in first.findings if each.kind is Kind.STRANGE_LETTER]
-    assert found.terms["name"] == "x" and found.terms["words"] == "watches"
+    assert found.terms["name"] == "l_2" and found.terms["words"] == "pollivendolo, rubacchiato"
