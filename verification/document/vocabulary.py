@@ -821,7 +821,7 @@ não nenhum nenhuma nem apenas somente sem sinal
 OF_NO_LETTER = """
 error errors mistake mistakes issue issues problem problems wrong false correct incorrect true reads read ask asks asked lost loses missing miss erratum errata slow slower slowest
 fast faster fastest high higher highest low lower lowest better best worse worst important interesting easy easier hard harder difficult nice simple simpler careful beware attention
-belong belongs alike sought would could should might hardly seldom rarely often always usually obviously clearly evidently why who whom whose whether
+belong belongs alike sought depression dépression depresión depressione depressão depressionswinkel senkungswinkel would could should might hardly seldom rarely often always usually obviously clearly evidently why who whom whose whether
 erreur erreurs faute fautes problème problèmes annule disparaît disparaissent faux fausse vrai vraie exact exacte perd perdu perdue perdent manque corrigé facile difficile important intéressant lent lente rapide rapidement meilleur meilleure
 souvent toujours rarement évidemment clairement attention pourquoi qu'on dont lui eux celui-ci celle-ci
 erscheint erscheinen fehler problem probleme falsch richtig wahr verliert verlieren verloren fehlt fehlen leicht schwer schwierig wichtig interessant langsam langsamer schnell schneller oft immer selten offenbar deutlich
