@@ -9,6 +9,7 @@ from itertools import accumulate
 from armproof.verification.document import Display, Document, Table
 from armproof.verification.document.arms_called import called_in
 from armproof.verification.document.hearing import words_of
+from armproof.verification.document.sentences import not_known_in
 from armproof.verification.findings import Kind, say
 from armproof.verification.tables.arms import Inference
 from armproof.verification.verdict import DECIDED, HOLDS, DocumentResult, Record, TakenArm, Verdict
@@ -75,8 +76,8 @@ def _names_at(record: Record, document: Document, begin: tuple[int, int], known:
     told = [each for each in document.called if each.section == record.section and begin < each.place <= at]
     if told:
         return told[-1].names
-    words = words_of(record.section)
-    return called_in(words) or frozenset(word.lower() for word in words.split() if word[:1].isupper()) & known
+    called = called_in(words_of(record.section))
+    return called or frozenset(word.lower() for word in not_known_in(record.section) if word[:1].isupper()) & known
 
 
 def _place(arm: TakenArm) -> tuple[int, int]:

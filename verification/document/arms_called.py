@@ -27,7 +27,7 @@ _ORDINAL = re.compile(rf"(?<!\S)({'|'.join(_ORDINALS)}) (?:[^\W\d]+ )?{_NOUN} ",
 _NUMBER = re.compile(rf"(?<!\S)(?i:{_NOUN}|robot) (?:(?i:no|nr|n°) )?(\d|[A-H])(?= )")
 _KIND = re.compile(rf"(?<!\S)([^\W\d]{{4,}}) {_NOUN} |(?<!\S){_NOUN} ([^\W\d]{{4,}}) ", re.IGNORECASE)
 _NO_KINDS = frozenset(
-    "robot robots this that same whole entire other with avec plan's where which dieser ganze".split()
+    "robot robots this that same whole entire other with avec plan's where which dieser ganze link links linked joint joints axis segment segments your their these those every each some many such both given general generic typical simple robotic robotique robótico robotico industrial industriel serial série arbitrary considered cette notre votre chaque quelconque seinem einem diesem unser jeder este esta nuestro cada questo nostro ogni nosso".split()
 )
 
 

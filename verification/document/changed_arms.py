@@ -55,6 +55,9 @@ _EACH_OTHERS_PLACE = re.compile(
 )
 _NEW_ANGLE = re.compile(r"\s*\\(?:alpha|beta|gamma|psi|(?:var)?phi|delta|epsilon|eta)(?:\s*_\s*(?:\{[^{}]*\}|\w))?\s*")
 _OF_PITCH = frozenset("de du le un son".split())  # before "pas", which denies nothing then
+_ON = frozenset(
+    "on onto upon to from at in under against along sur à au aux dans sous contre le auf an am im in unter vom von sobre en a al del bajo contra su sul sulla al nel da dal alla em no na ao sob".split()
+)
 _OF_ROWS = ("table", "column")  # "the table" is that of the rows
 _NEAR = 8  # words between what is held and how long it is
 
@@ -121,7 +124,9 @@ def _is_elsewhere(said: Sequence[str], new: Sequence[bool], turned: Sequence[boo
     if not any(_is(each, "ARM") for each in said) or not any(_is(each, "MOUNTED") for each in said):
         return False
     is_on = any(
-        _is(each, "SUPPORT") and not (each in _OF_ROWS and any(_is(e, "THE") for e in said[max(0, place - 2) : place]))
+        _is(each, "SUPPORT")
+        and (each.startswith("upside") or any(near in _ON for near in said[max(0, place - 3) : place]))
+        and not (each in _OF_ROWS and any(_is(e, "THE") for e in said[max(0, place - 2) : place]))
         for place, each in enumerate(said)
     )
     return (

@@ -42,6 +42,7 @@ SOURCE = "description"
 MOST = 8  # readings that are weighed
 _MOST_LETTERS = 9
 _EACH = re.compile(r"_\s*\{?\s*[ik]\s*\}?$")  # the angle of each link
+_WRITTEN = re.compile(r"(?<![A-Za-z\\])[yz](?![A-Za-z])")
 _REACH = ("r", "d", "s", "rho")  # distances that mostly vary
 _FLAT, _UPRIGHT, _TURNED, _RAISED, _SIDEWAYS = (
     "flat",
@@ -78,6 +79,7 @@ class _Build:
     heights: tuple[_Part, ...]
     offsets: tuple[_Part, ...] = ()
     told_planes: frozenset[str] = frozenset()
+    written: frozenset[str] = frozenset()  # which of y and z the displays write
 
     def chains(self) -> Iterator[list[Step]]:
         """Yield the chains that these can be of."""
@@ -113,7 +115,8 @@ class _Build:
             return [_TURNED, *([_FLAT] if not any(lifts[1:]) else [])] if len(turns) > 1 else [_FLAT]
         if any(lifts):
             return [_UPRIGHT, *raised, *([_TURNED] if len(turns) > 1 and not lifts[0] else [])]
-        return [_FLAT, _UPRIGHT, *raised, *([_TURNED] if len(turns) > 2 else [])]
+        plain = {"y": [_FLAT], "z": [_UPRIGHT]}.get("".join(sorted(self.written)), [_FLAT, _UPRIGHT])
+        return [*plain, *raised, *([_TURNED] if len(turns) > 2 else [])]
 
     def _ways(self) -> Iterator[dict[str, str]]:
         """Yield where each joint that slides may go."""
@@ -233,7 +236,8 @@ def _build(document: Document, names: Names) -> _Build | None:
         return None  # the text does not tell all
     of_kind = {kind: tuple(each for each in parts if each.kind == kind) for kind in (LENGTH, HEIGHT, OFFSET)}
     planes = frozenset(each.letter for each in document.told if each.kind == PLANE)
-    return _Build(tuple(joints), of_kind[LENGTH], of_kind[HEIGHT], of_kind[OFFSET], planes)
+    written = frozenset(each for display in document.displays for each in _WRITTEN.findall(display.latex))
+    return _Build(tuple(joints), of_kind[LENGTH], of_kind[HEIGHT], of_kind[OFFSET], planes, written)
 
 
 def _is_of_each(told: ToldPart) -> bool:
