@@ -15,15 +15,16 @@ from armproof.verification.document.vocabulary import LOADED, OF_NO_LETTER
 STRANGE_LETTER = "letter in strange words"  # the letter, and the sentence
 _LETTER = re.compile(r"\s*(?:\\(?:d?dot|mathbf|boldsymbol|vec|bm|mathrm)\b\s*\{?\s*)*(?:\\?[A-Za-z]+)(?:\s*_\s*\{?\s*\w+\s*\}?)?\s*\}*\s*")  # fmt: skip
 _NO_SENTENCE = re.compile(r"^[ \t]*\||\bErratum\b|\\(?:documentclass|usepackage|begin\s*\{tabular)", re.MULTILINE)
+_FEWEST = 2
 _OF_NO_LETTER = frozenset((LOADED + OF_NO_LETTER).split())
 
 
 def strange_letters(sentence: str) -> Iterator[str]:
-    """Yield the letters that stand alone in a sentence of which some words are not known."""
+    """Yield the letters that stand alone in a sentence of which two words or more are not known: one alone is of the subject, mostly."""
     if sentence.rstrip().endswith(":"):
         return  # it leads to a display, and is heard there
     letters = [each for each in formulas_of(sentence) if _LETTER.fullmatch(each)]
     if not letters or _NO_SENTENCE.search(sentence) is not None:
         return
-    if not _OF_NO_LETTER.issuperset(map(str.lower, not_known_in(sentence))):
+    if len({*map(str.lower, not_known_in(sentence))} - _OF_NO_LETTER) >= _FEWEST:
         yield from ("\t".join((STRANGE_LETTER, each.strip(), " ".join(sentence.split()))) for each in letters)
