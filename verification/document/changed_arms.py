@@ -32,6 +32,9 @@ SCREW screw screws screw-joint helical helicoidal spindle nut pitch hélicoïdal
 TURNS turn turns turned turning rotate~ rotation tourne tournant tourner dreht drehen dreh~ gira girar girando ruota ruotando ruotare rotaz~
 PART hand tool gripper quill slide joint it wrist outil main pince organe liaison articulation glissière hand werkzeug greifer gelenk schub pinole mano herramienta pinza articulación giunto utensile ferramenta junta
 NEVER not no never without nicht kein keine ohne ne pas sans no sin non senza não sem motor shaft handle
+MEMBER member membro membri forearm upper-arm arm robot link bar rod bras avant-bras segment barre membre unterarm oberarm arm roboter stab glied antebrazo brazo eslabón barra avambraccio braccio asta antebraço braço elo
+A an a una un une eine einen ein uma um
+HAS has have gets carries receives a reçoit porte hat bekommt trägt erhält tiene lleva recibe ha riceve porta tem recebe leva
 MIRROR mirror miroir spiegel espejo specchio espelho
 LOOK look~ see sees seen watch~ view~ regard~ voit voyons observe~ sehen sieht betracht~ schau~ mira~ ve vemos observa~ guard~ vede vediamo osserv~ olha~ vê
 MIGHT can could may might often usually typically generally peut peuvent souvent kann können oft puede pueden può possono pode podem
@@ -54,6 +57,7 @@ _EACH_OTHERS_PLACE = re.compile(
     r"(?<!\S)(?:in the place of the other|(?:each|one) other'? s places?|places? of each other|à la place de l' autre|an die stelle (?:des|der) anderen|en (?:el )?lugar (?:de la|del) otr[oa]|al posto dell' altr[oa]|no lugar d[oa] outr[oa])(?!\S)"
 )
 _NEW_ANGLE = re.compile(r"\s*\\(?:alpha|beta|gamma|psi|(?:var)?phi|delta|epsilon|eta)(?:\s*_\s*(?:\{[^{}]*\}|\w))?\s*")
+_OF_SCREW = frozenset("la una della a di con".split())  # before Italian "vite", which is "fast" in French
 _OF_PITCH = frozenset("de du le un son".split())  # before "pas", which denies nothing then
 _ON = frozenset(
     "on onto upon to from at in under against along sur à au aux dans sous contre le auf an am im in unter vom von sobre en a al del bajo contra su sul sulla al nel da dal alla em no na ao sob".split()
@@ -73,6 +77,7 @@ def changes_arm(words: str, formulas: Sequence[str], letters_above: Collection[s
         or _is_a_model(words.lower())
         or _is_as_long(words.lower(), said)
         or _is_mirrored(said)
+        or _has_piece(said)
     ):
         return True
     new = [bool(_LENGTH_LETTER.fullmatch(each)) and _plain(each) not in letters_above for each in formulas]
@@ -86,6 +91,18 @@ def _is_exchanged(said: Sequence[str]) -> bool:
     if not has_bars or any(_is(each, "NO_BARS") for each in said):
         return False
     return any(_is(each, "EXCHANGED") for each in said) or _EACH_OTHERS_PLACE.search(" ".join(said)) is not None
+
+
+def _has_piece(said: Sequence[str]) -> bool:
+    """Whether a link has an extension: "the forearm has an extension"."""
+    return any(
+        _is(each, "ADDED")
+        and place > 1
+        and _is(said[place - 1], "A")
+        and any(_is(word, "HAS") for word in said[max(0, place - 3) : place - 1])
+        and any(_is(word, "MEMBER") for word in said[:place])
+        for place, each in enumerate(said)
+    )
 
 
 def _is_mirrored(said: Sequence[str]) -> bool:
@@ -108,7 +125,8 @@ def _is_as_long(words: str, said: Sequence[str]) -> bool:
 
 def _turns_as_it_slides(said: Sequence[str]) -> bool:
     """Whether a joint is a screw that turns the hand, which no table has: "sliding it also turns the hand", "La troisième liaison est hélicoïdale"."""
-    has_screw = any(_is(each, "SCREW") for each in said)
+    pairs = zip(["", *said], said, strict=False)
+    has_screw = any(_is(each, "SCREW") and (each != "vite" or before in _OF_SCREW) for before, each in pairs)
     plain = [each for before, each in zip(["", *said], said, strict=False) if before not in _OF_PITCH]
     if not has_screw or any(_is(each, "NEVER") for each in plain):
         return False

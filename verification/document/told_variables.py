@@ -79,6 +79,7 @@ _X_AXIS = re.compile(r"\s*\+?\s*(?:\\(?:hat|vec|mathbf)\s*\{?\s*)?(?:x(?:_\{?0\}
 _VALUE = re.compile(
     r"\s*[+-]?\s*(?!0+\b|180\b)\d+(?:[.,]\d+)?\s*(?:\^\s*\{?\s*\\circ\s*\}?|°|\\degree|\\text\{\s*°\})\s*|\s*[+-]?\\(?:[td]?frac\s*\{?\\pi\}?\s*\{?\d\}?|pi\s*/\s*\d)\s*"
 )
+_NO_MOTOR = frozenset("no aucun kein keine ningún nessun nenhum".split())
 _NEAR = 4
 
 
@@ -154,7 +155,7 @@ def _is_of_drive(said: Sequence[str]) -> bool:
         return False
     if drives:
         return True
-    at = [place for place, word in enumerate(said) if _is(word, "MOTOR")]
+    at = [k for k, word in enumerate(said) if _is(word, "MOTOR") and (k == 0 or said[k - 1] not in _NO_MOTOR)]
     return any(_is(word, "OF_MOTOR") for place in at for word in said[max(0, place - _NEAR) : place + 2])
 
 

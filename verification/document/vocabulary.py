@@ -10,7 +10,7 @@ by those of `OF_NO_LETTER` it may deny the display, too, and not say of a letter
 """
 
 ENGLISH = """
-abbreviate abduction ability able about above abscissa absolute abundance academic accelerate access accommodate accompanying accomplish according
+climbs climb abbreviate abduction ability able about above abscissa absolute abundance academic accelerate access accommodate accompanying accomplish according
 account accumulate accuracy achievable achieve achieving acquire across acrylic act acting action actions activates active activity actor acts actual
 actually actuated actuation actuator adapter adaptive add added adding addition additive address adds adduction adjacent adjoint adjugate adjust
 admissible admits adopt advance advantage advise aerial affect affine afford aforementioned after afternoon afterwards again against agenda agile
@@ -194,7 +194,7 @@ zyz
 bars
 """
 FRENCH = """
-a abaissé abonner abord abordant aborder abordons abordé aboutissons abrégée abréviation abscisse absolue accessible accolade accomplie accorde
+meuvent pistolet pinceau soudure a abaissé abonner abord abordant aborder abordons abordé aboutissons abrégée abréviation abscisse absolue accessible accolade accomplie accorde
 accouplement accrocher accueil accélère accélération achevant achever achevons achevé achève acier acoustique acquérir actionneur actionneurs activant
 activer activité activé actualité actuellement adapter adaptons adapté addition adjoignant adjointe admet admettent adopte affecte affichage affines
 affixe afin agencement agenda agrandir agréable ai aidant aide aidons aidé aidée aidées aidés aie aies aille aillent ailleurs ainsi aire aires aisé
@@ -335,7 +335,7 @@ voulez vouloir voulons voulue voyage voyez voyons vrai vraie vrillé vu vue vues
 prolongement prolonge tibia
 """
 GERMAN = """
-ab abbaut abbildung abend abends aber abermals abgabetermin abgeben abgeleitet abgeschlossen abgleichen ablauf ablegen ablegt ablegung ableiten
+auszug misst mißt höchstens mindestens ab abbaut abbildung abend abends aber abermals abgabetermin abgeben abgeleitet abgeschlossen abgleichen ablauf ablegen ablegt ablegung ableiten
 ablesen abmessungen abnahme absatz abschließen abschnitt absolut abstand abstände abstützung abszisse absätze abtastung achse achsen acht achte achten
 addieren addition agenda akku aktiviert aktualisiert aktuator aktuell alle allem allen aller alles allgemein allmählich alphabet als also aluminium am
 an analog andere anfang angeben angegeben angehängt angelenkt angenehm angenommen angeordnet angepasst angeschlossen angesetzt angetrieben angewandt
@@ -456,7 +456,7 @@ zweig zweige zweigliedrig zweimal zweite zwischen zwölf zyklus zylinder zählen
 verlängerung oberarms unterarms
 """
 SPANISH = """
-a abajo abarca abarcó abduccion abducción abierta abordar aborde abordo abordó abra abramos abran abre abren abriendo abril abrimos abrir abriremos
+angulo angulos numero posicion rotacion traslacion articulacion eslabon a abajo abarca abarcó abduccion abducción abierta abordar aborde abordo abordó abra abramos abran abre abren abriendo abril abrimos abrir abriremos
 abrirá abrió abro abscisa absorbiendo abstracta acaba acabado acabamos acaban acabar acabe acabemos acaben acabo acabó accesible acceso acciones
 acción aceleración acerca acero acimut acompaña acoplada acostumbra acotado activa activen actividad activo activó actuador actúa actúan acumulada
 adapta adelante además adentro adición adjunto admite adonde adopta aducción adyacentes adónde afrontar afuera agarra agarre agarro agarró agenda
@@ -692,7 +692,7 @@ volentieri volevasi volta volte volumi voluto vorrà vuole zampa zampe zeri zero
 prolungamento prolungato quota
 """
 PORTUGUESE = """
-a abaixo aberta abordar abordem abordou abra abram abrange abre abrem abreviaturas abril abrimos abrindo abrir abriremos abrirá abriu abro acabado
+anti-horário horário a abaixo aberta abordar abordem abordou abra abram abrange abre abrem abreviaturas abril abrimos abrindo abrir abriremos abrirá abriu abro acabado
 acabando acabar acabe acabem acabo acabou aceleração acenda acender acendimento acendo acerca acesso acessível acha achamos achando achar acima
 acionar acione acionou acoplada acrescentou ademais adiante adicionando adição adota adotado adotam adotando adotar adotem adotou afasta agarrar
 agarre agarrou agenda agora agosto agrupando ainda ajuda ajudado ajudam ajudando ajudar ajude ajudem ajudo ajudou ajustes ajustou ajustável alcança
