@@ -150,8 +150,8 @@ class DocumentChecker:
         self.arm = arm
         self.inferred = inferred or Inference(document)
         try:
-            quantities = {**(document.front.get("quantities") or {}), **(bound or {})}
-            front = {**document.front, "quantities": quantities} if bound else document.front
+            told = document.front.get("quantities") or {}
+            front = {**document.front, "quantities": {**told, **bound}} if bound else document.front
             self.names = read_names(arm, front)
         except DocumentError as error:
             raise document.fault(error.key or "quantities", error) from None

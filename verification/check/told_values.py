@@ -15,11 +15,11 @@ def values_in_text(displays: Sequence[Display], display: Display) -> Listing | N
     """Return the values that the text above a display gives in its section, the last one of each letter."""
     found: dict[str, str] = {}
     for each in displays:
-        if each.section == display.section:
+        if each.said and each.section == display.section:
             below = each.said[each.said_above :] if each.said_above <= len(each.said) else ()
             for name, value in (pair for text in below for pair in _values(text)):
                 found[name] = value
-        if each.place == display.place:
+        if each.line == display.line and each.place == display.place:
             break
     values = tuple(f"{name} = {value}" for name, value in found.items())
     return Listing(0, values, display.section, in_text=True) if values else None

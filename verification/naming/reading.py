@@ -17,7 +17,7 @@ from armproof.verification.findings import Kind, finding_of, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import VARIANTS
 from armproof.verification.latex.nodes import call_key
-from armproof.verification.latex.reader import Reader, key_as_latex
+from armproof.verification.latex.reader import MAX_LENGTH, Reader, key_as_latex
 from armproof.verification.latex.tokens import PRE_SCRIPTS, Spelling, canonical_script
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.latex.vocabulary import FUNCTIONS, LETTERS
@@ -134,12 +134,13 @@ def read_names(arm: Arm | None, front: Mapping[str, Any]) -> Names:
 
 def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
     """Return how a document spells: φ and ϕ are two letters where it uses both, a decimal comma is French or used before."""
-    raw = "\n".join(display.latex for display in document.displays)
+    displays = [each for each in document.displays if len(each.latex) <= MAX_LENGTH]  # which can be read
+    raw = "\n".join(display.latex for display in displays)
     text = normalise_unicode(raw)
     found = set(re.findall(r"\\([A-Za-z]+?)(?![A-Za-z])", raw))
     bound = " ".join(str(key) for part in ("symbols", "quantities") for key in document.front.get(part) or ())
     apart = {variant for variant, plain in VARIANTS.items() if {variant, plain} <= found and plain not in bound}
-    texts = [normalise_unicode(each) for display in document.displays for each in (display.latex, *display.said)]
+    texts = [normalise_unicode(each) for display in displays for each in (display.latex, *display.said)]
     said = "\n".join(texts)
     letters = (r"theta", r"(?<![A-Za-z])q", r"(?<![A-Za-z])[cCsS]")
     of_theta, of_q, of_cosine = (set(re.findall(rf"{letter}\s*_\s*\{{?\s*(\d)", said)) for letter in letters)
@@ -151,11 +152,11 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
     own = frozenset(letter for each in texts for letter in _OWN_LETTER.findall(each))
     lengths = frozenset(f"{letter}_{index}" for letter, index in _LENGTH.findall(text))
     return Spelling(
-        words, frozenset(apart), comma, variables, angle, sums, _masses(said), own, _refers_below(document.displays), lengths,
-        frozenset(_SCREW.findall(text)), _own_unit(document.displays, document.tables), frozenset(of_theta | of_q | of_cosine), _normals(said),
+        words, frozenset(apart), comma, variables, angle, sums, _masses(said), own, _refers_below(displays), lengths,
+        frozenset(_SCREW.findall(text)), _own_unit(displays, document.tables), frozenset(of_theta | of_q | of_cosine), _normals(said),
         dressed_letters(texts), starred_names(texts), _of_two_velocities(texts),
         frozenset(f"{letter}_{axis}" for letter, axis in _LOAD.findall(said)) | _moments(texts),
-        frozenset(_columns(document.displays)), frozenset(_as_read(each, apart) for each in rates_in(document.displays)), bool(of_theta) and of_q == _QUATERNION,
+        frozenset(_columns(displays)), frozenset(_as_read(each, apart) for each in rates_in(displays)), bool(of_theta) and of_q == _QUATERNION,
         *_told_scalars(document.scalars, said),
     )  # fmt: skip
 
