@@ -43,6 +43,7 @@ from armproof.verification.naming.settled import settle_definitions, settle_used
 from armproof.verification.naming.shown import settle_used_otherwise, settle_usual
 from armproof.verification.tables import check_table
 from armproof.verification.tables.arms import (
+    OF_TOOL,
     Inference,
     difference,
     infer_arm,
@@ -158,7 +159,7 @@ class DocumentChecker:
         taken = self.inferred.arm
         is_part = (taken is not None and taken.is_part) or tells_other_tool(document, self.names)
         self.names = replace(self.names, is_part=is_part)
-        is_of_formulas = self.inferred.arm is not None and self.inferred.arm.source in ("closed form", "description")
+        is_of_formulas = self.inferred.arm is not None and self.inferred.arm.source in OF_TOOL
         self.names = replace(
             self.names, lacks_base=lacks_base(document, arm, self.inferred), is_of_formulas=is_of_formulas
         )
@@ -228,14 +229,18 @@ class DocumentChecker:
         checked: dict[str, tuple[DocumentChecker, tuple[Record, ...]]] = {}
 
         def bind(bound: Bound) -> tuple[Record, ...]:
-            options = self.checker.confirm, self.correct, self.samples, self.inferred, None, bound
-            again = DocumentChecker(self.document, self.arm, *options)
-            checked[repr(bound)] = again, again.check_displays()
+            checked[repr(bound)] = self._again(None, bound)
             return checked[repr(bound)][1]
 
         bound = bound_as_usual(equations, bind, self._usual) if self.arm is not None else {}
         about, records = checked[repr(bound)] if bound else (self, equations)
         return about._with_mistakes(records, bound)
+
+    def _again(self, mended: Mends | None, bound: Bound) -> tuple[DocumentChecker, tuple[Record, ...]]:
+        """Return a checker of the document with definitions mended and names bound, and the records of its displays."""
+        options = self.checker.confirm, self.correct, self.samples, self.inferred, mended, bound
+        again = DocumentChecker(self.document, self.arm, *options)
+        return again, again.check_displays()
 
     def _with_mistakes(self, equations: tuple[Record, ...], bound: Bound) -> DocumentResult:
         """Return the document's result, judged with the definitions mended that are its mistakes."""
@@ -244,9 +249,7 @@ class DocumentChecker:
         def judge(mended: Mends) -> Judged:
             slips = told(mended.values())
             if slips not in checked:
-                options = self.checker.confirm, self.correct, self.samples, self.inferred, mended, bound
-                again = DocumentChecker(self.document, self.arm, *options)
-                checked[slips] = again, again.check_displays()
+                checked[slips] = self._again(mended, bound)
             about, records = checked[slips]
             return Judged(records, about.names.state.met, about.displays.parts_of)
 

@@ -28,7 +28,6 @@ from armproof.verification.document.other_meanings import ANEW, BASE_AT, FRAME
 from armproof.verification.document.sentences import EVERYWHERE, SAME_POINT, not_known_in, quoted
 from armproof.verification.document.strange_letters import STRANGE_LETTER
 from armproof.verification.document.subjects import WRIST
-from armproof.verification.document.told_builds import OTHER_BUILD
 from armproof.verification.document.told_constraints import CONSTRAINED, NEGATIVE
 from armproof.verification.equations.argument_order import as_told
 from armproof.verification.equations.outcome import Outcome
@@ -87,7 +86,7 @@ class WordsAround:
             outcome = unless_of_told_numbers(outcome, display.meant)
         elif display.meant and not display.erratum and outcome.tells(Kind.SIGNED_DISTANCE):
             outcome = self.branches.judge(outcome, display.meant)
-        tells = any(each == OTHER_BUILD or each.startswith((ANEW, STRANGE_LETTER)) for each in display.meant)
+        tells = any(each.startswith((ANEW, STRANGE_LETTER)) for each in display.meant)
         if tells and not display.erratum and outcome.as_usual is not None:
             outcome = self._unless_usual_is_open(outcome, display.meant)
         if FIRST_ORDER in display.meant and not display.erratum and holds_to_first_order(outcome, self.names):

@@ -17,7 +17,7 @@ MAY_AMEND = re.compile(  # what no such sentence lacks, in small letters
     r"table|tableau|\brows?\b|lignes?\b|zeile|tabla|tabela|\bfilas?\b|tabella|\brigh?[ae]\b|linha|these (?:length|angle)|ces (?:longueur|angle)|diese[rn]? (?:länge|winkel)|headings?\b|headers?\b|en-t[êe]tes?|überschrift|cabecera|encabez|intestazion|column|colonne|spalte|colonna|coluna|est[ao]s (?:longitud|ángul|comprim|ângul)|quest[ei] (?:lunghezz|angol)"
     r"|(?:angle|twist|offset|length|winkel|länge|longueur|ángulo|longitud|angolo|lunghezza|ângulo) (?:of|de|du|von|des|del|della|do) .{0,20}?(?:link|joint|segment|corps|articulation|glied|gelenk|eslabón|articulación|giunto|membro|junta)|^\W*[*†‡§¹²³]"
 )
-_is = WordLists(r"""
+_lists = WordLists(r"""
 TABLE table tables tableau tabelle tabellen tabla tabella tabela
 ROW row rows ligne lignes zeile zeilen fila filas riga righe linha linhas
 COLUMN column columns colonne colonnes spalte spalten columna columnas colonna coluna
@@ -44,7 +44,8 @@ SAME same identical même gleiche gleichen selbe dieselbe derselben misma mismo 
 BUT but except aber jedoch mais sauf außer nur pero salvo excepto ma però tranne porém exceto apart however only
 WITH with avec mit con com
 UNLIKE unlike contrary contrairement anders entgegen diferencia differenza contrariamente contrario contraire contrário diferente differs differ differently abweichend
-""").holds  # fmt: skip
+""")
+_is, _has = _lists.holds, _lists.has  # fmt: skip
 _MARK = re.compile(r"\W*(?:\*|†|‡|§|¹|²|³)")
 _AMOUNT = re.compile(r"\d+\s*(?:°|\^|\\circ|deg|grad|rad)|\\pi|π|\d\s*\\?(?:mm|cm|m)\b|^\s*[-−+]?\s*\d+(?:\.\d+)?\s*$")
 _IN_WORDS = re.compile(
@@ -90,15 +91,15 @@ def amends_table(words: str, formulas: Sequence[str], table: Cells, line: int) -
     if said[-1:] == ["?"] or (_OF_ERRATUM.match(words) and "printed" in said):
         return False
     is_near = table.line - _NEAR_ABOVE <= line <= table.end + _NEAR_BELOW
-    has_table = any(_is(each, "TABLE") for each in said)
-    if not has_table and any(_is(each, "OTHER_ROWS") for each in said):
+    has_table = _has(said, "TABLE")
+    if not has_table and _has(said, "OTHER_ROWS"):
         return False
     if not (has_table or is_near):
         return False
     if _MARK.match(words) and _amounts(words, formulas) - _amounts_shown(shown):
         return True
-    has_row = has_table or any(_is(each, "ROW") for each in said)
-    has_row |= any(_is(each, "COLUMN") for each in said)
+    has_row = has_table or _has(said, "ROW")
+    has_row |= _has(said, "COLUMN")
     if not (has_row or MAY_AMEND.search(words.lower())):
         return False
     return any((
@@ -106,10 +107,10 @@ def amends_table(words: str, formulas: Sequence[str], table: Cells, line: int) -
         _adds(said, words, formulas, shown),
         has_row and _is_wrong(said),
         _changes_all(said, has_table),
-        has_row and (_ignores(said) or any(_is(each, "INSERT") for each in said)),
-        any(_is(each, "HEADING") for each in said) and _is_wrong(said),
+        has_row and (_ignores(said) or _has(said, "INSERT")),
+        _has(said, "HEADING") and _is_wrong(said),
         has_row and _is_replaced(said),
-        has_table and any(_is(each, "UNLIKE") for each in said),
+        has_table and _has(said, "UNLIKE"),
     ))  # fmt: skip
 
 
@@ -117,25 +118,25 @@ def has_same_table(words: str) -> bool:
     """Whether a sentence gives an arm the table of another one, "but" with something else: "The second robot has the same table, but …"."""
     said = words.lower().split()
     place = next((at for at, each in enumerate(said) if _is(each, "SAME")), len(said))
-    if not any(_is(each, "TABLE") for each in said[place : place + _FAR]):
+    if not _has(said[place : place + _FAR], "TABLE"):
         return False
     return any(_is(each, "BUT") or _is(each, "WITH") for each in said[place:])
 
 
 def _reads_otherwise(said: Sequence[str]) -> bool:
     """Whether something is to be read, or taken, instead of what stands there: "read ¤", "¤ instead of ¤"."""
-    if any(_is(each, "INSTEAD") for each in said) and any(_is(each, "ENTRY") for each in said):
+    if _has(said, "INSTEAD") and _has(said, "ENTRY"):
         return True
     places = [at for at, each in enumerate(said) if _is(each, "READ")]
-    by_reader = any(_is(each, "READER") for each in said[: places[0]]) if places else False
-    return any(
-        "¤" in said[at + 1 : at + 3] or any(_is(each, "SHOULD") for each in said[max(0, at - 3) : at]) for at in places
-    ) and not (by_reader or "off" in said or "from" in said or "ab" in said)
+    by_reader = _has(said[: places[0]], "READER") if places else False
+    return any("¤" in said[at + 1 : at + 3] or _has(said[max(0, at - 3) : at], "SHOULD") for at in places) and not (
+        by_reader or "off" in said or "from" in said or "ab" in said
+    )
 
 
 def _adds(said: Sequence[str], words: str, formulas: Sequence[str], shown: str) -> bool:
     """Whether a size is added that the table has not: "add 90° to the angle"."""
-    if not any(_is(each, "ADD") for each in said) or any(_is(each, "HAS") for each in said):
+    if not _has(said, "ADD") or _has(said, "HAS"):
         return False
     return bool(_amounts(words, formulas) - _amounts_shown(shown))
 
@@ -168,16 +169,16 @@ def _bare(amount: str) -> str:
 def _is_wrong(said: Sequence[str]) -> bool:
     """Whether something in the table is said to be wrong, or missing, or in another's place."""
     at = [place for place, each in enumerate(said) if _is(each, "ERROR")]
-    return bool(at) and not any(_is(each, "PLAIN") for each in said)
+    return bool(at) and not _has(said, "PLAIN")
 
 
 def _changes_all(said: Sequence[str], has_table: bool) -> bool:
     """Whether the lengths or the angles of the table have another size or sign: "half of these lengths"."""
     for place, word in enumerate(said):
         before, near = said[max(0, place - 2) : place], said[max(0, place - 8) : place + 9]
-        of_table = has_table or any(_is(each, "OF_ROWS") for each in before)
-        if _is(word, "SIZES") and of_table and any(_is(each, "CHANGED") for each in near):
-            return not any(_is(each, "PLAIN") for each in said)
+        of_table = has_table or _has(before, "OF_ROWS")
+        if _is(word, "SIZES") and of_table and _has(near, "CHANGED"):
+            return not _has(said, "PLAIN")
     return False
 
 
@@ -186,17 +187,17 @@ def _ignores(said: Sequence[str]) -> bool:
     for place, word in enumerate(said):
         near = [*said[max(0, place - _FAR) : place], *said[place + 1 : place + 1 + _FAR]]
         if _is(word, "IGNORE") and any(_is(each, "ROW") or _is(each, "COLUMN") for each in near):
-            return not any(_is(each, "PLAIN") for each in said)
+            return not _has(said, "PLAIN")
     return False
 
 
 def _is_replaced(said: Sequence[str]) -> bool:
     """Whether an entry is to be another one: "in row 2 replace ¤ by ¤", "the first length of the table should be zero"."""
-    if not any(_is(each, "ENTRY") for each in said) or any(_is(each, "PLAIN") or _is(each, "VALUES") for each in said):
+    if not _has(said, "ENTRY") or any(_is(each, "PLAIN") or _is(each, "VALUES") for each in said):
         return False
-    is_order = any(_is(each, "REPLACE") for each in said) and "¤" in said
+    is_order = _has(said, "REPLACE") and "¤" in said
     should_be = any(
-        _is(each, "SHOULD") and (any(_is(e, "BE") for e in said[at + 1 : at + 4]) or "¤" in said[at + 1 : at + 4])
+        _is(each, "SHOULD") and (_has(said[at + 1 : at + 4], "BE") or "¤" in said[at + 1 : at + 4])
         for at, each in enumerate(said)
     )
     return is_order or should_be

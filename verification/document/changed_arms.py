@@ -13,7 +13,7 @@ from armproof.verification.document.word_lists import WordLists
 MAY_CHANGE_ARM = re.compile(  # what no such sentence lacks, in small letters
     r"robot|\barms?\b|manipul|\bbase\b|\bbras\b|roboter|\bit\b|\bil\b|link|bar\b|bars\b|length|forearm|segment|longueur|barre|länge|glied|unterarm|longitud|brazo|lunghezz|bracci|tool|outil|foot|model|maquet|scale|échelle|maßstab|escala|scala|stab|stäbe|stange|asta|aste\b|elos?\b|forearm|spindle|\bnut\b|pitch|hélico|helic|elico|\bvis\b|schraub|spindel|tornillo|\bvite\b|parafuso|pen\b|stylo|screw|tube|long\b|mirror|miroir|spiegel|espejo|specchio|espelho"
 )
-_is = WordLists("""
+_lists = WordLists("""
 ARM robot robots arm manipulator base bras manipulateur roboter roboterarm brazo manipulador braccio manipolatore braço robô machine mechanism mécanisme it il elle er lo
 MOUNTED lift~ raise~ put puts place~ placing set stand~ hang~ hung suspend~ mount~ bolt~ fix~ screwed carried rides carries move~ moving shift~ displace~ tilt~ turned rotated tourné tournée tournons gedreht girad~ ruotat~ soulev~ posé posée posons pose place~ placé placée monte~ monté~ accroch~ fixe~ fixé~ déplac~ surélev~ rehauss~ inclin~ gehoben gestellt gesetzt montiert aufgehängt hängt verschoben befestigt gekippt levantad~ coloca~ colgad~ cuelga montad~ desplaza~ sollevat~ mess~ appes~ montat~ spostat~ levantado pendurad~ desloca~
 SUPPORT platform table pedestal cart carriage ceiling wall stand plinth trolley truck vehicle rail gantry column bench box turntable slope ramp plateforme plate-forme socle piédestal chariot plafond mur estrade rampe établi support colonne véhicule portique sockel tisch decke wand wagen podest schiene säule plattform mesa techo pared plataforma pedestal carro tavolo soffitto parete piattaforma piedistallo carrello mesa teto parede carrinho upside-down upside
@@ -38,7 +38,8 @@ HAS has have gets carries receives a reçoit porte hat bekommt trägt erhält ti
 MIRROR mirror miroir spiegel espejo specchio espelho
 LOOK look~ see sees seen watch~ view~ regard~ voit voyons observe~ sehen sieht betracht~ schau~ mira~ ve vemos observa~ guard~ vede vediamo osserv~ olha~ vê
 MIGHT can could may might often usually typically generally peut peuvent souvent kann können oft puede pueden può possono pode podem
-""").holds
+""")
+_is, _has = _lists.holds, _lists.has
 _LENGTH_LETTER = re.compile(
     r"\s*(?:\\(?:mathrm|mathit|text)\s*\{\s*)?(?:\\(?:varepsilon|epsilon|ell|lambda|delta|Delta|kappa|eta|rho)|[a-zA-Z])(?:\s*_\s*(?:\{[^{}]*\}|\w))?\s*\}?\s*"
 )
@@ -69,7 +70,7 @@ _NEAR = 8  # words between what is held and how long it is
 def changes_arm(words: str, formulas: Sequence[str], letters_above: Collection[str]) -> bool:
     """Whether a sentence makes an arm another one than its displays above have it, whose letters are given."""
     said = words.lower().replace("upper arm", "upper-arm").replace("upside down", "upside-down").split()
-    if said[-1:] == ["?"] or any(_is(each, "MIGHT") for each in said):
+    if said[-1:] == ["?"] or _has(said, "MIGHT"):
         return False
     if (
         _turns_as_it_slides(said)
@@ -87,10 +88,10 @@ def changes_arm(words: str, formulas: Sequence[str], letters_above: Collection[s
 
 def _is_exchanged(said: Sequence[str]) -> bool:
     """Whether the bars are put each in the other's place: "Now the two bars are exchanged"."""
-    has_bars = any(_is(each, "LINKS") for each in said) and any(_is(each, "TWO") for each in said)
-    if not has_bars or any(_is(each, "NO_BARS") for each in said):
+    has_bars = _has(said, "LINKS") and _has(said, "TWO")
+    if not has_bars or _has(said, "NO_BARS"):
         return False
-    return any(_is(each, "EXCHANGED") for each in said) or _EACH_OTHERS_PLACE.search(" ".join(said)) is not None
+    return _has(said, "EXCHANGED") or _EACH_OTHERS_PLACE.search(" ".join(said)) is not None
 
 
 def _has_piece(said: Sequence[str]) -> bool:
@@ -99,8 +100,8 @@ def _has_piece(said: Sequence[str]) -> bool:
         _is(each, "ADDED")
         and place > 1
         and _is(said[place - 1], "A")
-        and any(_is(word, "HAS") for word in said[max(0, place - 3) : place - 1])
-        and any(_is(word, "MEMBER") for word in said[:place])
+        and _has(said[max(0, place - 3) : place - 1], "HAS")
+        and _has(said[:place], "MEMBER")
         for place, each in enumerate(said)
     )
 
@@ -109,7 +110,7 @@ def _is_mirrored(said: Sequence[str]) -> bool:
     """Whether one looks at the arm in a mirror."""
     at = next((place for place, each in enumerate(said) if _is(each, "MIRROR")), 0)
     is_in = any(each in ("in", "dans", "im", "en", "nello", "no") for each in said[max(0, at - 2) : at])
-    return is_in and any(_is(each, "ARM") for each in said) and any(_is(each, "LOOK") for each in said[:at])
+    return is_in and _has(said, "ARM") and _has(said[:at], "LOOK")
 
 
 def _is_a_model(words: str) -> bool:
@@ -119,8 +120,8 @@ def _is_a_model(words: str) -> bool:
 
 def _is_as_long(words: str, said: Sequence[str]) -> bool:
     """Whether a link grows by something of its own length: "The forearm carries an extension as long as itself"."""
-    grows = any(_is(each, "SCALED") for each in said) or any(_is(each, "ADDED") for each in said)
-    return grows and any(_is(each, "LINKS") for each in said) and _AS_LONG.search(words) is not None
+    grows = _has(said, "SCALED") or _has(said, "ADDED")
+    return grows and _has(said, "LINKS") and _AS_LONG.search(words) is not None
 
 
 def _turns_as_it_slides(said: Sequence[str]) -> bool:
@@ -128,9 +129,9 @@ def _turns_as_it_slides(said: Sequence[str]) -> bool:
     pairs = zip(["", *said], said, strict=False)
     has_screw = any(_is(each, "SCREW") and (each != "vite" or before in _OF_SCREW) for before, each in pairs)
     plain = [each for before, each in zip(["", *said], said, strict=False) if before not in _OF_PITCH]
-    if not has_screw or any(_is(each, "NEVER") for each in plain):
+    if not has_screw or _has(plain, "NEVER"):
         return False
-    return any(_is(each, "TURNS") for each in said) and any(_is(each, "PART") for each in said)
+    return _has(said, "TURNS") and _has(said, "PART")
 
 
 def _plain(latex: str) -> str:
@@ -139,19 +140,15 @@ def _plain(latex: str) -> str:
 
 def _is_elsewhere(said: Sequence[str], new: Sequence[bool], turned: Sequence[bool]) -> bool:
     """Whether a robot is put on something, or moved by a length or an angle of its own: "lifted by the height $H$"."""
-    if not any(_is(each, "ARM") for each in said) or not any(_is(each, "MOUNTED") for each in said):
+    if not _has(said, "ARM") or not _has(said, "MOUNTED"):
         return False
     is_on = any(
         _is(each, "SUPPORT")
         and (each.startswith("upside") or any(near in _ON for near in said[max(0, place - 3) : place]))
-        and not (each in _OF_ROWS and any(_is(e, "THE") for e in said[max(0, place - 2) : place]))
+        and not (each in _OF_ROWS and _has(said[max(0, place - 2) : place], "THE"))
         for place, each in enumerate(said)
     )
-    return (
-        is_on
-        or any(_by_new(said, new))
-        or (any(_is(each, "ITS_FOOT") for each in said) and any(_by_new(said, turned, 3)))
-    )
+    return is_on or any(_by_new(said, new)) or (_has(said, "ITS_FOOT") and any(_by_new(said, turned, 3)))
 
 
 def _by_new(said: Sequence[str], new: Sequence[bool], most: int = 2) -> Iterator[bool]:
@@ -165,8 +162,8 @@ def _is_scaled(said: Sequence[str], new: Sequence[bool]) -> bool:
     """Whether all lengths are multiplied, or a link grows by a length of its own."""
     for place, word in enumerate(said):
         near = said[max(0, place - 6) : place + 7]
-        if _is(word, "SCALED") and any(_is(each, "LINKS") for each in near):
-            is_of_all = any(_is(each, "ALL") for each in near) and not any(_is(each, "NO_LENGTH") for each in near)
+        if _is(word, "SCALED") and _has(near, "LINKS"):
+            is_of_all = _has(near, "ALL") and not _has(near, "NO_LENGTH")
             return is_of_all or any(_by_new(said, new))
     return False
 
@@ -177,4 +174,4 @@ def _holds(words: str, said: Sequence[str], new: Sequence[bool]) -> Iterator[boo
         number = words.count("¤", 0, found.end()) - 1
         place = len(words[: found.start()].split())
         near = said[max(0, place - _NEAR) : place]
-        yield number < len(new) and new[number] and any(_is(each, "HELD") for each in near)
+        yield number < len(new) and new[number] and _has(near, "HELD")

@@ -12,7 +12,14 @@ from armproof.verification.document.model import Display, Document, Table
 _Part = TypeVar("_Part", Display, Table)
 
 
-def flat_text(text: str) -> tuple[str, Mapping[int, int]]:
+def as_one_text(text: str, suffix: str) -> tuple[str, Mapping[int, int]]:
+    """Return what a source says as one text, and how many lines of it stand above each cell of a notebook."""
+    if suffix == ".ipynb" and text:
+        return _flat_text(text)
+    return (_spoken_text(text) if suffix == ".py" else text), {}
+
+
+def _flat_text(text: str) -> tuple[str, Mapping[int, int]]:
     """Return the text of a notebook's Markdown cells, a blank line between two and blank lines for what is code, and how many lines stand above each cell."""
     lines: list[str] = []
     above: dict[int, int] = {}
@@ -23,7 +30,7 @@ def flat_text(text: str) -> tuple[str, Mapping[int, int]]:
     return "\n".join(lines), above
 
 
-def spoken_text(text: str) -> str:
+def _spoken_text(text: str) -> str:
     """Return the text of a py:percent file on its own lines, without comment marks, blank where it is code."""
     lines = [""] * (text.count("\n") + 1)
     for cell in percent_cells(text):
@@ -35,6 +42,8 @@ def spoken_text(text: str) -> str:
 
 def on_flat_lines(document: Document, above: Mapping[int, int], sign: int = 1) -> Document:
     """Return a notebook whose parts stand on the lines of its one text; with sign -1 on those of their cells again."""
+    if not above:
+        return document
     return replace(
         document,
         displays=tuple(_moved(each, above, sign) for each in document.displays),

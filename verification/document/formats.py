@@ -22,7 +22,7 @@ from armproof.verification.document.denials import (
     heading_may_deny,
     is_denied_by_headings,
 )
-from armproof.verification.document.flat_cells import flat_text, on_flat_lines, spoken_text
+from armproof.verification.document.flat_cells import as_one_text, on_flat_lines
 from armproof.verification.document.formula_links import shows_its_latex
 from armproof.verification.document.front_matter import read_any_text, suffix_of
 from armproof.verification.document.heading import encloses
@@ -142,11 +142,8 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
         words_of(text[:_TELLS_LANGUAGE])
     ):
         document = replace(document, displays=tuple(replace(each, strange="") for each in document.displays))
-    flat, above = (
-        flat_text(text) if suffix == ".ipynb" and text else (spoken_text(text) if suffix == ".py" else text, {})
-    )
-    document = _with_what_is_told(on_flat_lines(document, above) if above else document, flat)
-    document = on_flat_lines(document, above, -1) if above else document
+    flat, above = as_one_text(text, suffix)
+    document = on_flat_lines(_with_what_is_told(on_flat_lines(document, above), flat), above, -1)
     small = flat.lower()
     if (images := sum(not shows_its_latex(each) for each in _IMAGE.findall(text))) and suffix != ".py":
         told = say(Kind.IMAGES, count=images) if images > 1 else say(Kind.IMAGE)

@@ -15,12 +15,13 @@ LOCKED = "locked"  # joints: rates behind it are those of others; with the lette
 MAY_LOCK = re.compile(
     r"lock|block|brak|clamp|jam|stuck|broken|froz|freez|fixed|[ck]onst|costant|unchang|inchang|unver|only|alone|keep|held|holds?\b|still|immobil|stand|verrou|bloqu|frein|panne|seul|garde|figé|gesperrt|sperr|gebremst|brems|blockier|fest|verriegel|arretier|behält|nur\b|allein|fren|solo|sólo|inmóvil|quiet|conserva|mantien|rest|trav|apenas|só\b|reste|fail|dead|defekt|ausgefallen|switched off|averi"
 )
-_is = WordLists("""
+_lists = WordLists("""
 LOCKED locked blocked braked clamped jammed stuck broken frozen immobile immobilised immobilized locks blocks seized failed verrouill~ bloqué~ bloque bloquent bloquons freiné~ panne immobile~ immobilis~ figé~ coincé~ gesperrt~ sperrt sperren gebremst~ blockiert~ verriegel~ arretier~ festgeklemmt~ festgehalten~ festgestellt~ klemmt defekt ausgefallen bloquead~ frenad~ inmóvil~ averiad~ trabad~ bloccat~ frenat~ blocca bloccano fermo ferma travad~ parad~ bloquead~
 HELD fixed constant constants fixe fixes fixé~ constante~ constant~ fest konstant~ fijo fija fijos constante~ fisso fissa costante~ fixo fixa unchanged inchangé~ unverändert~ value valeur wert valor valore still
 HOLDS is are stays stay remains remain kept keeps keep held holds hold stands stand being est sont reste restent demeure garde gardent conserve conservent maintenu~ tient bleibt bleiben ist sind wird werden behält behalten gehalten hält es son queda quedan permanece~ mantiene~ conserva~ está están è sono resta restano rimane rimangono tiene tenuto mantém fica permanece~
 PART joint joints elbow shoulder wrist axis motor motors slide telescope forearm drive actuator articulation~ coude épaule poignet axe moteur~ glissière~ liaison~ gelenk~ ellbogen schulter handgelenk achse~ motor motoren schub schubgelenk antrieb unterarm articulaci~ codo hombro muñeca eje motor giunt~ gomito spalla polso asse motore motori junta~ cotovelo ombro punho eixo
-""").holds
+""")
+_is, _has = _lists.holds, _lists.has
 _JOINT = re.compile(r"(?:\\(?:var)?(?:theta|phi)|[qdr])(?:\s*_\s*(?:\{\s*\w+\s*\}|\w))?")
 _BRAKE = re.compile(
     r"(?<!\S)(?:brakes?|locks?|pins?|bolts?|freins?|bremsen?|frenos?|freni|freno|freios?) (?:\S+ )?(?:holds?|keeps?|locks?|blocks?|tient|bloque|retient|immobilise|hält|halten|blockiert|sperrt|sujeta|mantiene|bloquea|tiene|blocca|segura|on) "
@@ -56,10 +57,10 @@ def locks(words: str, formulas: Sequence[str]) -> bool:
     small = words.lower()
     said = small.split()
     has_joint = any(map(_JOINT.fullmatch, map(str.strip, formulas)))
-    names_part = has_joint or any(_is(each, "PART") for each in said)
+    names_part = has_joint or _has(said, "PART")
     if small.endswith("? ") or not (names_part or _BRAKE.search(small)):
         return any(map(_BY_RATE.search, map(str.strip, formulas)))
-    if any(_is(each, "LOCKED") for each in said) or _ALONE.search(small) or _BRAKE.search(small):
+    if _has(said, "LOCKED") or _ALONE.search(small) or _BRAKE.search(small):
         return True
     return any(_is(each, "HOLDS") and _is_held(said, place) for place, each in enumerate(said))
 
@@ -68,7 +69,7 @@ def held_letters(words: str, formulas: Sequence[str]) -> list[str]:
     """Return the letters of which alone a sentence says that they are constant, "$d_2$ est une constante"; none where it may hold another joint."""
     small = words.lower()
     said = small.split()
-    if any(_is(each, "LOCKED") for each in said) or _ALONE.search(small) or _BRAKE.search(small):
+    if _has(said, "LOCKED") or _ALONE.search(small) or _BRAKE.search(small):
         return []
     found: list[str] = []
     for place, each in enumerate(said):

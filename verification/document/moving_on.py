@@ -16,13 +16,14 @@ MOVED_BEHIND = r"\text{moved behind}"  # and than the text gives before it says 
 RESIZED = r"\text{resized}"  # lengths have
 OF_MOTION = (MOVED, MOVED_BEHIND, RESIZED)
 
-_is = WordLists("""
+_lists = WordLists("""
 PART joint joints elbow~ shoulder~ wrist~ forearm~ arm arms robot~ manipulator~ mechanism~ link links bar bars rod rods segment~ motor motors angle angles length lengths articulation~ liaison~ coude~ épaule~ poignet~ avant-bras bras manipulateur~ barre~ moteur~ longueur~ axe axes gelenk~ ellbogen~ ellenbogen~ schulter~ handgelenk~ unterarm~ oberarm~ roboter~ glied~ stab stäbe winkel~ länge~ achse~ articulaci~ codo~ hombro~ muñeca~ brazo~ eslab~ barra~ ángulo~ longitud~ ejes giunt~ gomito~ spalla~ polso braccio bracci motore motori angol~ lunghezz~ asta aste junta~ articulaç~ cotovelo~ ombro~ punho~ braço~ elo elos ângulo~ comprimento~
 CHANGE turns turned turning rotate rotates rotated rotating swing~ swung move moves moved moving bends bending fold folds folding unfold~ straighten~ stretching extends extending retract~ lift lifts lifted lifting raises raised raising lowers lowered lowering releas~ unlock~ frees freed switch~ reversed reverses reversing flips flipped flipping mirrored doubl~ halv~ tripl~ twice increas~ decreas~ grow grows grew shrink~ shrunk lengthen~ shorten~ longer shorter replac~ exchang~ swap~ changes changed changing opposite backwards runs starts stops passes passing tourne tournent tourné tournée tournés tournées tournant tourner pivote pivotent pivoté pivotée pivotant pivoter déplace déplacent déplacé déplacée déplaçant bouge~ plie plient pliant plier plié pliée replie replient dépli~ étend~ étendu libère libèrent libéré libérée libérons libérer débloqu~ relâch~ retourné~ retourne double doublent doublé doublés doublées doublant doubler doublons triplé~ augment~ diminu~ allong~ raccourc~ remplac~ échang~ change changent changé changés changeant opposé~ lève relève baisse abaisse démarre~ marche inversé~ gedreht dreht drehen bewegt bewegen schwenk~ geschwenkt beugt beugen gebeugt gelöst verdoppel~ halbier~ verläng~ verkürz~ vergrößer~ verkleiner~ ersetz~ umgekehrt ändert ändern geändert wechselt entgegengesetzt~ gira giran girado girada girados girando girar mueve mueven movido movida mover dobla doblan doblado doblada doblando duplic~ aument~ invierte~ cambia cambian cambiado cambiando libera liberan liberado opuest~ alarga~ acorta~ ruota ruotano ruotato ruotata ruotando ruotare muove muovono mosso mossa piega piegano piegato piegando raddoppi~ dimezz~ inverte~ invertit~ cambiato cambiano allung~ accorci~ oppost~ giram girados movem movido dobra dobram dobrado dobrando muda mudam mudou mudado alonga~ encurta~ opost~
 LENGTH link links bar bars rod rods segment~ length lengths longueur~ barre~ glied~ stab stäbe länge~ eslab~ barra~ longitud~ lunghezz~ asta aste bracci elo elos comprimento~
 LIMB forearm~ avant-bras unterarm~ oberarm~ antebrazo avambraccio antebraço upper bras
 SIZE doubl~ halv~ tripl~ twice longer shorter lengthen~ shorten~ replac~ exchang~ swap~ grow grows shrink~ remplac~ échang~ allong~ raccourc~ longs longues courts courtes verdoppel~ halbier~ verläng~ verkürz~ ersetz~ duplic~ alarga~ acorta~ reemplaz~ raddoppi~ dimezz~ allung~ accorci~ sostitui~ dobra~ alonga~ encurta~ substitu~
-""").holds
+""")
+_is, _has = _lists.holds, _lists.has
 _NUMBER = r"(?:\d+(?:[.,]\d+)?|one|two|three|four|five|six|eight|ten|twenty|half a|un|une|deux|trois|quatre|cinq|six|huit|dix|vingt|eine?n?|zwei|drei|vier|fünf|acht|zehn|uno|una|dos|tres|cuatro|cinco|diez|due|tre|quattro|cinque|dieci|dois|duas|três|quatro|dez)"
 _UNIT = r"(?:mm|cm|dm|m|meters?|metres?|inch(?:es)?|feet|foot|(?:centi|milli|déci)?mètres?|(?:zenti|milli)?metern?|(?:centi|mili)?metros?|(?:centi|milli)?metri|(?:centi|milli|deci)met(?:er|re)s?)"
 _SIZED = re.compile(rf"(?<!\S){_NUMBER} {_UNIT} |(?<!\S)\d+(?:[.,]\d+)?{_UNIT} ")
@@ -105,7 +106,7 @@ def _moves(sentence: str) -> tuple[str, ...]:
     if words.endswith("? "):
         return ()
     said = _IDLE.sub("", words).split()
-    moves = any(_is(each, "CHANGE") for each in said) and any(_is(each, "PART") for each in said)
-    if any(_is(each, "LENGTH") for each in said) and any(_is(each, "SIZE") for each in said):
+    moves = _has(said, "CHANGE") and _has(said, "PART")
+    if _has(said, "LENGTH") and _has(said, "SIZE"):
         return MOVED, RESIZED
     return (MOVED,) if moves or _LATER.search(words) or _OTHER_POSTURE.search(words) else ()

@@ -24,7 +24,7 @@ ACCELERATION = "acceleration"
 
 MOST_OF_LABEL = 2  # words of one that stands alone before a display: "Elbow:"
 
-_is = WordLists("""
+_lists = WordLists("""
 QUANTITY position~ coordinate~ location~ velocit~ speed~ acceleration~ jacobi~ pose poses orientation~ rotation~ attitude~ twist~ transform~ coordonnée~ vitesse~ accélération~ situation lage koordinaten geschwindigkeit~ winkelgeschwindigkeit~ beschleunigung~ orientierung~ stellung posición posiciones coordenadas velocidad~ aceleración orientación rotación posizione coordinate velocità accelerazione orientamento rotazione posição velocidade aceleração orientação rotação matrice~ matrix matriz
 OF of for du de d' des del della dell' dello der do da
 SKIPPED back the a an o la le l' les el il lo das die den dem un une uno una its his this that unit~ linear angular linéaire angulaire geometric géométrique geometrischen velocity vector vecteur vektor point punkt punto planar spatial whole
@@ -68,7 +68,8 @@ THOSE those that celles celle ceux celui diejenigen die jene las los aquellas qu
 FOR for pour für para per
 ACTS describes concerns regards décrit concerne beschreibt betrifft describe concierne descrive riguarda descreve
 DERIVATIVE derivative~ dérivée~ ableitung~ zeitableitung derivada~ derivata
-""").holds
+""")
+_is, _has = _lists.holds, _lists.has
 _ORDINALS = {"first": 1, "second": 2, "third": 3, "fourth": 4, "premier": 1, "première": 1, "deuxième": 2, "seconde": 2, "troisième": 3, "ersten": 1, "zweiten": 2, "dritten": 3, "primer": 1, "primero": 1, "segundo": 2, "tercer": 3, "primo": 1, "secondo": 2, "terzo": 3, "primeiro": 1, "terceiro": 3}  # fmt: skip
 _CENTRES = frozenset("centre center centro zentrum mittelpunkt".split())
 _WRISTS = ("wrist", "poignet", "handgelenk", "handwurzel", "muñeca", "polso", "pulso", "punho")
@@ -98,10 +99,10 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
     said = [f"¤{next(numbers, '')}" if each == "¤" else each for each in said]
     of_tool = _for_the_tool(said)
     for place, word in enumerate(said):
-        if place >= of_tool and _is(word, "QUANTITY") and any(_is(each, "OF") for each in said[place + 1 : place + 3]):
+        if place >= of_tool and _is(word, "QUANTITY") and _has(said[place + 1 : place + 3], "OF"):
             behind = next(k for k in (place + 1, place + 2) if _is(said[k], "OF")) + 1
             yield from _of_place(_phrase(said[behind:]))
-        if _is(word, "AXES") and any(_is(each, "ALONG") for each in said[max(0, place - 3) : place]):
+        if _is(word, "AXES") and _has(said[max(0, place - 3) : place], "ALONG"):
             yield from _along(said[place + 1 :])
         if _is(word, "IN") and place + 1 < len(said) and _OF_FRAME.fullmatch(said[place + 1]):
             yield OTHER_BASE
@@ -129,10 +130,10 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
     yield from _of_two_frames(said)
     spoken = [each for each in said if each not in _ENDS]
     clause = said[len(said) - 1 - said[:-1][::-1].index(",") :] if "," in said[:-1] else said
-    is_placed = any(_is(each, "BE") for each in clause) and _is((spoken or [""])[-1], "AT")
+    is_placed = _has(clause, "BE") and _is((spoken or [""])[-1], "AT")
     if is_placed:
         yield from _of_place(_phrase(clause) or _phrase(said))
-    elif _moves(_unskipped(said)) and not any(_is(each, "TOOL") for each in said):
+    elif _moves(_unskipped(said)) and not _has(said, "TOOL"):
         yield OTHER_PLACE
     yield from _quantity(said)
     if is_of_other_function(said):
@@ -152,14 +153,14 @@ def _of_subject(said: Sequence[str]) -> Iterator[str]:
     for place, word in enumerate(said):
         behind, beside = said[place + 1 : place + 5], said[place + 1 : place + 9]
         has = _is(word, "HAS") or (word in ("a", "ont") and _is((*behind, "")[0], "FOR"))
-        if has and place and any(_is(each, "PLACED") for each in behind):
+        if has and place and _has(behind, "PLACED"):
             yield from _of_place(_phrase(said[:place]))
         points = [each for each in beside if each not in _JOINT]  # and not "from joint space to the plane"
-        part = len(word) > len("way") or any(_is(each, "OF") for each in said[max(0, place - 2) : place])
+        part = len(word) > len("way") or _has(said[max(0, place - 2) : place], "OF")
         if _is(word, "WAY") and part and any(_is(e, kind) for e in points for kind in ("OTHER", "WRIST", "TOOL")):
             yield OTHER_PLACE
-        joins = any(_is(each, "BETWEEN") for each in behind[:2]) or behind[:2] == ["que", "font"]
-        of_links = leads and _is(word, "ANGLE") and joins and any(_is(each, "NUMBERED") for each in beside)
+        joins = _has(behind[:2], "BETWEEN") or behind[:2] == ["que", "font"]
+        of_links = leads and _is(word, "ANGLE") and joins and _has(beside, "NUMBERED")
         if of_links and not any(_is(each, "AXIS") or _is(each, "BASE") for each in beside):  # as the tool's angle has
             yield OTHER_PLACE
         if leads and _is(word, "PROJECTION") and not word.endswith("s") and _number(_phrase(behind)):
@@ -199,7 +200,7 @@ def _begins_part(said: Sequence[str]) -> bool:
     """Whether a sentence is of the point where a link begins, which is the one before it."""
     for place, word in enumerate(said):
         near = said[place + 1 : place + 7]
-        if _is(word, "POINT") and any(_is(each, "BEGINS") for each in near) and any(_is(e, "NUMBERED") for e in near):
+        if _is(word, "POINT") and _has(near, "BEGINS") and _has(near, "NUMBERED"):
             return True
     return False
 
@@ -219,7 +220,7 @@ def places_of_those(words: str) -> Iterator[str]:
 
 def _of_those(said: Sequence[str]) -> Iterator[str]:
     for place, word in enumerate(said):
-        is_told = any(_is(each, "BE") for each in said[max(0, place - 2) : place])
+        is_told = _has(said[max(0, place - 2) : place], "BE")
         if is_told and _is(word, "THOSE") and _is((*said[place + 1 :], "")[0], "OF"):
             yield from _of_thing(_phrase(said[place + 2 :]))
 
@@ -242,7 +243,7 @@ def _along(behind: Sequence[str]) -> Iterator[str]:
     is_of_other = any(_is(each, kind) for each in phrase for kind in ("TOOL", "OTHER", "WRIST")) or _number(
         phrase
     ) not in ("", "0")
-    if is_numbered or (is_of_other and not any(_is(each, "BASE") for each in phrase)):
+    if is_numbered or (is_of_other and not _has(phrase, "BASE")):
         yield OTHER_BASE
 
 
@@ -258,7 +259,7 @@ def _moves(said: Sequence[str]) -> bool:
             _is(each, "TURNS") or (_is(each, "MOVES") and place == 0) for each in said[place + 1 : place + 4]
         ):
             return True
-        if is_other and place == 0 and any(_is(each, "CIRCLES") for each in said[1:_FAR]):
+        if is_other and place == 0 and _has(said[1:_FAR], "CIRCLES"):
             return True
     return False
 
@@ -267,11 +268,11 @@ def _of_two_frames(said: Sequence[str]) -> Iterator[str]:
     """Yield to which frame a transform leads from the base, or that it leads from another: from frame 0 to frame 1."""
     begins = [place for place, word in enumerate(said) if _is(word, "FROM")]
     ends = [place for place, word in enumerate(said) if _is(word, "TO") and begins and place > begins[0]]
-    if not ends or not any(_is(each, "NUMBERED") for each in said):
+    if not ends or not _has(said, "NUMBERED"):
         return
     source, target = _phrase(said[begins[0] + 1 : ends[0]]), _phrase(said[ends[0] + 1 :])
     number = _number(target)
-    if _number(source) == "0" or any(_is(each, "BASE") for each in source):
+    if _number(source) == "0" or _has(source, "BASE"):
         yield from [f"{LINK} {number}"] if number else []
     elif _number(source) and number:
         yield OTHER_BASE
@@ -289,7 +290,7 @@ def _of_place(phrase: Sequence[str]) -> Iterator[str]:
         if (found := _POINT.fullmatch(word.removeprefix("¤"))) and word.startswith("¤"):
             yield f"{LINK} {found[1]}"
             return
-        is_half_way = _is(word, "MIDDLE") and not (any(_is(each, "TOOL") for each in phrase) and not number)
+        is_half_way = _is(word, "MIDDLE") and not (_has(phrase, "TOOL") and not number)
         if _is(word, "OTHER") or is_half_way:
             yield OTHER_PLACE
             return
@@ -317,11 +318,11 @@ def _number(phrase: Sequence[str]) -> str:
 
 def _seen_from(said: Sequence[str], place: int) -> Iterator[str]:
     """Yield that something is seen from another thing than the base, or that it is a relative velocity."""
-    if any(map(_OF_JOINT.match, said[:place])) and any(_is(each, "BE") for each in said[:place]):
+    if any(map(_OF_JOINT.match, said[:place])) and _has(said[:place], "BE"):
         return  # an angle is relative to the link before
     if _OF_JOINT.match("".join(said[max(0, place - 1) : place])):
         return  # so is "the elbow angle $\\theta_2$ (relative to link 1)"
-    is_first = not any(_is(each, "QUANTITY") for each in said[: max(0, place - 1)])
+    is_first = not _has(said[: max(0, place - 1)], "QUANTITY")
     if is_first and any(
         _is(each, "QUANTITY") for each in (*said[max(0, place - 1) : place], *said[place + 1 : place + 2])
     ):
@@ -333,7 +334,7 @@ def _seen_from(said: Sequence[str], place: int) -> Iterator[str]:
         len(behind),
     )
     behind = behind[:end]
-    if any(_is(each, "TIME") for each in behind[:3]):
+    if _has(behind[:3], "TIME"):
         return  # "Differentiating with respect to time relates the joint velocities"
     if any(word in _JOINT and _is(then, "VARIABLE") for word, then in pairwise(behind)):
         return  # "with respect to the joint variables"
@@ -360,9 +361,7 @@ def _quantity(said: Sequence[str]) -> Iterator[str]:
     letters = next((letter for stem, letter in _LETTERS.items() if said[last].startswith(stem)), "")
     before = said[max(0, last - 4) : last]
     beside = [*before[-1:], *said[last + 1 : last + 2]]
-    is_of = any(_is(each, "OF") for each in before) and any(
-        _is(each, "TRANSPOSED") or _is(each, "DERIVATIVE") for each in before
-    )
+    is_of = _has(before, "OF") and any(_is(each, "TRANSPOSED") or _is(each, "DERIVATIVE") for each in before)
     if letters and (is_of or any(_is(each, "TRANSPOSED") or _is(each, "SCALED") for each in beside)):
         yield f"{OPERATED} {letters}"
     if all(said[place].startswith(("acceler", "accélér", "beschleun", "aceler")) for place in places):

@@ -24,7 +24,7 @@ ABSOLUTE, RELATIVE = "absolute", "relative"  # from where an angle counts
 XZ, YZ = "xz", "yz"
 UP, DOWN, ALONG_X, ALONG_Y, OUTWARDS = "up", "down", "x", "y", "outwards"  # where what slides goes
 
-_is = WordLists("""
+_lists = WordLists("""
 ANGLE angle angles rotation rotations bearing inclination inclinaison orientation azimut azimuth winkel drehwinkel gelenkwinkel ángulo ángulos angolo angoli ângulo ângulos
 TURNS turn~ rotat~ pivot~ swivel~ revol~ swing~ tourn~ pivote dreh~ schwenk~ gira~ giro rota rotan ruota~ roda gira swings
 LENGTH length lengths long longueur longueurs länge längen longitud longitudes lunghezza lunghezze comprimento comprimentos
@@ -55,7 +55,8 @@ X x-axis
 Y y-axis own-y-axis
 OUTWARDS own-x-axis radial~ horizontally horizontal outward~ out horizontalement extend~ telescop~ télescop~ allonge~ s'allonge sort teleskop~ ausfahren ausgefahren ausfährt extiende~ estende~ prolonga~
 MASS mass masse massen masa massa gravity pesanteur barycentre
-""").holds
+""")
+_is, _has = _lists.holds, _lists.has
 _GREEK = r"\\(?:var)?(?:theta|vartheta|phi|psi|alpha|beta|gamma)"
 _ANGLE = re.compile(rf"{_GREEK}(?:\s*_\s*(?:\{{\s*\w+\s*\}}|\w))?'?")
 _ANY = re.compile(r"(?:[A-Za-z]|\\(?:ell|rho|delta|lambda))(?:\s*_\s*(?:\{\s*\w+\s*\}|\w))?'?")
@@ -88,7 +89,7 @@ def told_parts(sentence: str, place: tuple[int | None, int], before: tuple[int, 
         left = [word for word, _ in reversed(said[max(begin, k - _FAR) : k])]
         right = [word for word, _ in said[k + 1 : end]][:_FAR]
         begin = end if end < len(said) and not said[end][1] else k + 1
-        if any(_is(word, "MASS") for word in clause):
+        if _has(clause, "MASS"):
             continue
         for letter in said[k][1]:
             kind = _kind(letter, left, right) or (LENGTH if last == LENGTH and _goes_on(letter, left) else "")
@@ -175,13 +176,13 @@ def _kind(letter: str, left: Sequence[str], right: Sequence[str]) -> str:
     if _ANGLE.fullmatch(letter):
         return TURN
     if _POINT.fullmatch(letter):
-        return END if any(_is(word, "TOOL") for word in (*left[:3], *right[:4])) else ""
+        return END if _has((*left[:3], *right[:4]), "TOOL") else ""
     is_q = letter.startswith("q")
     before = next((kind for word in left if (kind := _called(word, is_q))), "")
     behind = next((kind for word in right if (kind := _called(word, is_q))), "")
     kind = before or behind
     lead = [*takewhile(lambda word: word != ",", left)]
-    if any(_is(word, "OFFSET") for word in lead):
+    if _has(lead, "OFFSET"):
         return OFFSET
     if kind in ("", LENGTH) and any(
         _is(word, "ALONG") and any(map(_is_axis, right[k + 1 : k + 4])) for k, word in enumerate(right)

@@ -17,8 +17,8 @@ MAY_TELL_IN_PASSING = re.compile(  # what no such sentence lacks, in small lette
     r"|compass|boussole|kompass|brújula|bussola|bússola|scale|échelle|maßstab|massstab|escala|scala|base|basis|top\b|upper|oben|obere|haut|supérieur|arriba|superior|sopra|superiore|cima\b"
     r"|differen|différen|diferen"
 )
-_is = WordLists("""
-TOP upper top topmost uppermost first oben obere~ oberste~ erste~ haut supérieure? supérieure supérieur première arriba superior primera alto superiore sopra prima cima primeira
+_lists = WordLists("""
+TOP upper top topmost uppermost first oben obere~ oberste~ erste~ haut supérieure supérieur première arriba superior primera alto superiore sopra prima cima primeira
 BOTTOM lower bottom below beneath under underneath second last unten untere~ unterste~ darunter zweite~ bas inférieure inférieur dessous seconde deuxième abajo inferior debajo segunda basso inferiore sotto seconda baixo abaixo
 ROW row rows entry entries line component half place ligne~ composante~ zeile~ eintrag einträge komponente~ fila~ componente~ riga righe linha~ entrada~
 ALONE top oben darunter bottom haut arriba sopra cima
@@ -44,7 +44,8 @@ TO to nach vers à la zur a hacia verso para towards der
 COMPASS compass boussole kompass brújula bussola bússola
 SCALE scale échelle maßstab massstab escala scala
 OTHER_FUNCTION difference half double product differenz hälfte doppelten produkt~ différence moitié produit diferencia mitad producto differenza metà prodotto diferença metade produto
-""").holds  # fmt: skip
+""")  # fmt: skip
+_is, _has = _lists.holds, _lists.has
 _COORDINATE = re.compile(
     r"\s*(?:\\(?:d?dot|mathbf|vec|boldsymbol)\s*\{?\s*)?(?:[xyzp])(?:_\{?\w+\}?)?\s*\}?\s*", re.IGNORECASE
 )
@@ -91,7 +92,7 @@ def told_in_passing(words: str, formulas: Sequence[str], before: str) -> Iterato
         *_by_compass(said, earlier, formulas),
     ]
     yield from ((OTHERWISE, _DOTS.sub("", each).strip()) for each in letters)
-    if any(map(_SHORTHAND.fullmatch, formulas)) and any(_is(each, "OTHER_FUNCTION") for each in said):
+    if any(map(_SHORTHAND.fullmatch, formulas)) and _has(said, "OTHER_FUNCTION"):
         yield RELATIVE_NOT, ""
 
 
@@ -104,10 +105,6 @@ def _named(said: Sequence[str], formulas: Sequence[str]) -> list[str]:
     """Return words in which letters of coordinates, of joints and of velocities stand as words."""
     letters = iter(formulas)
     return [_NAME_OF.get(_PLAIN.sub("", next(letters, "")), each) if each == "¤" else each for each in said]
-
-
-def _has(said: Sequence[str], *kinds: str) -> bool:
-    return any(_is(word, kind) for word in said for kind in kinds)
 
 
 def _reorders(said: Sequence[str], formulas: Sequence[str]) -> bool:

@@ -22,7 +22,7 @@ _GROUPED = re.compile(r"(?<![\d.,])[1-9]\d{0,2}(?:\.\d{3})+(?![\d.,])")
 _POINT = re.compile(r"(?<![\d.,])(?:0\.\d+|\d+\.(?:\d{1,2}|\d{4,}))(?![\d.])")  # which parts no thousands off
 _COMMA = re.compile(r"(?<![\d.,])\d+(?:\{,\}|,)(?:\d{1,2}|\d{4,})(?![\d,])")
 _FORMULAS = re.compile(r"\$\$?[^$]+\$\$?|\\[(\[].*?\\[)\]]|:math:`[^`]+`", re.DOTALL)
-_is = WordLists("""
+_lists = WordLists("""
 RATE rate~ velocit~ speed~ vitesse~ geschwindigkeit~ winkelgeschwindigkeit~ drehzahl~ velocidad~ velocità
 CONVERTED convert~ turned umgerechnet umgewandelt wandeln converti~ convertid~ convier~ konvert~ transform~
 NOT no not never without neither kein~ nicht ohne pas sans aucun~ sin senza non sem não nunca
@@ -30,7 +30,8 @@ SCALE scale scaled maßstab~ échelle escala scala
 READ read reads measur~ take taken taking lesen ablesen abgelesen messen gemessen entnehmen entnommen lisons lit lire lues lus mesur~ relev~ leemos leer leíd~ medimos medir medid~ leggiamo leggere lett~ misur~ lemos ler lidas lidos
 ENGLISH the and is of with that
 COMMA der die das und ist mit sind le les des est une avec el los las una con il gli della sono di o os um uma com são que
-""").holds
+""")
+_is, _has = _lists.holds, _lists.has
 
 
 def units_told(words: str, formulas: Sequence[str]) -> bool:
@@ -39,17 +40,17 @@ def units_told(words: str, formulas: Sequence[str]) -> bool:
     if not _OTHER_UNIT.search(small) or any("circ" in each or "°" in each for each in formulas):
         return False
     said = small.split()
-    is_converted = any(_is(word, "CONVERTED") for word in said) and not any(_is(word, "NOT") for word in said)
-    return any(_is(word, "RATE") for word in said) and not is_converted
+    is_converted = _has(said, "CONVERTED") and not _has(said, "NOT")
+    return _has(said, "RATE") and not is_converted
 
 
 def reads_scaled(sentence: str, words: str, behind: str) -> bool:
     """Whether a sentence is of a drawing at a scale that is not 1:1, from which it, or the next one, reads its numbers."""
     said = words.lower().split()
-    if not any(_is(word, "SCALE") for word in said):
+    if not _has(said, "SCALE"):
         return False
     is_scaled = any(found[1] != found[2] for found in _RATIO.finditer(sentence))
-    return is_scaled and any(_is(word, "READ") for word in (*said, *behind.lower().split()))
+    return is_scaled and _has((*said, *behind.lower().split()), "READ")
 
 
 def may_be_grouped(formulas: Sequence[str], text: str) -> bool:

@@ -10,7 +10,7 @@ from armproof.verification.document.word_lists import WordLists
 MAY_TELL_ORIGIN = re.compile(  # what no such sentence lacks, in small letters
     r"origin|ursprung|nullpunkt|origen|zero of the|zéro des|coord|koord|shoulder|épaule|schulter|hombro|spalla|ombro|base|basis|foot|\\bpied|fuß"
 )
-_is = WordLists("""
+_lists = WordLists("""
 ORIGIN origin zero origine ursprung nullpunkt origen origem
 OF_BASE of the coordinate~ coordinates system base world frame axes 0 des de du la le l' coordonnées repère der des koordinaten koordinatensystems basis las los coordenadas del sistema delle coordinate da das
 LIES lies sits stands placed located taken chosen put at in trouve situé située pris prise choisi choisie placé placée liegt gelegt gewählt sitzt está sitúa toma elige trova posta preso scelta fica
@@ -28,7 +28,8 @@ ELSEWHERE tool~ tip hand gripper~ elbow~ wrist~ end-effector corner~ outil main 
 SHOULDER base shoulder foot épaule pied socle schulter basis sockel fuß hombro pie spalla piede ombro pé
 OF_ARM of the arm robot du de la l' bras robot des der roboters arms del brazo della dell'
 HAS has is est ist es è é stands lies sits se a trouve hat steht liegt tiene está ha si tem fica
-""").holds  # fmt: skip
+""")  # fmt: skip
+_is, _has = _lists.holds, _lists.has
 _OTHER_FRAME = re.compile(r"\{?[1-9n]\}?|\\\{[1-9n]\\\}|[OFR]_\{?[1-9n]\}?")
 _TUPLE = re.compile(r"\s*\\?(?:left)?\(\s*[^(),;]+(?:[,;]\s*[^(),;]+)+\\?(?:right)?\)(?:\^\{?(?:T|\\top)\}?)?\s*")
 _NOUGHT = re.compile(r"\s*\\?(?:left)?\(\s*0(?:\s*[,;]\s*0)*\s*\\?(?:right)?\)")
@@ -58,12 +59,12 @@ def _is_origin_at(said: Sequence[str], place: int) -> bool:
     while at < len(said) and _is(said[at], "OF_BASE") and not _is(said[at], "LIES"):
         at += 1
     behind = _clause(said[at:])
-    if said[place] in ("zero", "nullpunkt") and not any(_is(word, "COORDINATES") for word in said[place:at]):
+    if said[place] in ("zero", "nullpunkt") and not _has(said[place:at], "COORDINATES"):
         return False
     lies = next((k for k, word in enumerate(behind[:4]) if _is(word, "LIES")), None)
     if behind and (_is(behind[0], "IS") or lies == 0) and lies is not None:
         return _is_elsewhere(behind[lies + 1 :])
-    return bool(behind) and _is(behind[0], "IS") and any(_is(word, "ELSEWHERE") for word in behind[1:5])
+    return bool(behind) and _is(behind[0], "IS") and _has(behind[1:5], "ELSEWHERE")
 
 
 def _is_counted_from(said: Sequence[str], place: int) -> bool:
@@ -71,7 +72,7 @@ def _is_counted_from(said: Sequence[str], place: int) -> bool:
         return False
     behind = _clause(said[place + 1 :])
     counted = next((k for k, word in enumerate(behind[:5]) if _is(word, "COUNTED")), None)
-    if counted is None or not any(_is(word, "FROM") for word in behind[counted + 1 : counted + 3]):
+    if counted is None or not _has(behind[counted + 1 : counted + 3], "FROM"):
         return False
     return _is_elsewhere(behind[counted + 2 :])
 

@@ -18,7 +18,7 @@ _CLOCKWISE = re.compile(
     r"(?<!\S)(?P<counter>counter-?clockwise|anti-?clockwise|counter clockwise|(?:gegen den|entgegen dem) uhrzeigersinn|(?:inverse|contraire) (?:à celui |du sens |au sens |de celui )?(?:des aiguilles|horaire)|trigonométrique|anti-?horaire|antihorario|contrario (?:a|al de) las agujas|antiorario|anti-horário|contrário a\w* (?:dos )?ponteiros)"
     r"|(?<!\S)(?:clockwise|(?:im )?uhrzeigersinn|horaire|(?:des )?aiguilles|(?:las )?agujas|horario|orario|lancette|horário|ponteiros)(?!\w)"
 )
-_is = WordLists("""
+_lists = WordLists("""
 ELBOW elbow~ knee coude~ ellbogen~ ellenbogen~ codo gomito cotovelo
 FOREARM forearm avant-bras unterarm~ antebrazo avambraccio antebraço
 LEFT left gauche links linke~ izquierd~ sinistr~ esquerd~
@@ -38,7 +38,8 @@ IS are is was were be been nothing
 COUNTED positive~ positiv~ counted measured gezählt gemessen compté~ mesuré~ contad~ medid~ misurat~
 NOT not never no nicht nie kein~ pas jamais nunca non mai não
 PRONOUN it he she il elle er es sie lo ele ela esso
-""").holds
+""")
+_is, _has = _lists.holds, _lists.has
 _BEGINS = 3  # words of a sentence within which its pronoun stands
 
 
@@ -46,26 +47,26 @@ def told_side(words: str) -> str | None:
     """Return the sign of θ_2 that a sentence tells by the side of the elbow or the turn of the forearm, UNCLEAR where it may be either; None of another sentence."""
     small = words.lower()
     said = small.split()
-    if any(_is(word, "WRITTEN") for word in said):
+    if _has(said, "WRITTEN"):
         return None
-    if any(_is(word, "ELBOW") for word in said) and (side := _sides(said)):
+    if _has(said, "ELBOW") and (side := _sides(said)):
         return _of_line(said, side)
-    is_choice = any(_is(word, "CHOICE") for word in said)
+    is_choice = _has(said, "CHOICE")
     if not is_choice:
         return None
     clockwise = _CLOCKWISE.search(small)
-    if clockwise is not None and any(_is(word, "FOREARM") for word in said):
+    if clockwise is not None and _has(said, "FOREARM"):
         return _of_turn(said, clockwise)
     backs = (at for at, word in enumerate(said) if _is(word, "BACK") and at and _is(said[at - 1], "OWN"))
-    is_behind = any(_is(word, "BEHIND") for word in said) and any(_is(word, "ARM") for word in said)
+    is_behind = _has(said, "BEHIND") and _has(said, "ARM")
     return UNCLEAR if is_behind or next(backs, None) is not None else None
 
 
 def goes_on_with_side(words: str, before: str) -> bool:
     """Whether a sentence says on which side "it" is, of which the sentence before has an elbow."""
     said = words.lower().split()
-    is_of_it = any(_is(word, "PRONOUN") for word in said[:_BEGINS])
-    return is_of_it and bool(_sides(said)) and any(_is(word, "ELBOW") for word in before.lower().split())
+    is_of_it = _has(said[:_BEGINS], "PRONOUN")
+    return is_of_it and bool(_sides(said)) and _has(before.lower().split(), "ELBOW")
 
 
 def _sides(said: Sequence[str]) -> list[int]:
@@ -74,10 +75,8 @@ def _sides(said: Sequence[str]) -> list[int]:
         at
         for at, word in enumerate(said)
         if (_is(word, "LEFT") or _is(word, "RIGHT"))
-        and not any(_is(each, "NO_SIDE") for each in said[at + 1 : at + 2])
-        and not (
-            word == "left" and any(_is(each, "IS") for each in said[at - 1 : at]) and said[at + 1 : at + 2] != ["of"]
-        )
+        and not _has(said[at + 1 : at + 2], "NO_SIDE")
+        and not (word == "left" and _has(said[at - 1 : at], "IS") and said[at + 1 : at + 2] != ["of"])
         and not (word == "droite" and said[at - 1 : at] in (["la"], ["une"], ["cette"]))
         and not (word.startswith("recht") and said[at - 1 : at] == ["im"])
     ]
@@ -88,7 +87,7 @@ def _of_line(said: Sequence[str], sides: Sequence[int]) -> str:
     elbow = next(at for at, word in enumerate(said) if _is(word, "ELBOW"))
     line = next((at for at, word in enumerate(said) if at > sides[0] and _is(word, "LINE")), None)
     ends = [word for word in said[line:] if _is(word, "BASE") or _is(word, "TOOL")] if line is not None else []
-    is_plain = len(sides) == 1 and elbow < sides[0] and not any(_is(word, "NOT") for word in said)
+    is_plain = len(sides) == 1 and elbow < sides[0] and not _has(said, "NOT")
     if not is_plain or [_is(word, "BASE") for word in ends] != [True, False]:
         return UNCLEAR
     return LEFT_OF_LINE if _is(said[sides[0]], "LEFT") else RIGHT_OF_LINE
@@ -96,9 +95,9 @@ def _of_line(said: Sequence[str], sides: Sequence[int]) -> str:
 
 def _of_turn(said: Sequence[str], clockwise: re.Match[str]) -> str | None:
     """Return the sign of θ_2 where the forearm is turned so against the upper arm; None where a sentence says how angles are counted."""
-    if any(_is(word, "COUNTED") for word in said):
+    if _has(said, "COUNTED"):
         return None
-    is_plain = any(_is(word, "AGAINST") for word in said) and not any(_is(word, "NOT") for word in said)
+    is_plain = _has(said, "AGAINST") and not _has(said, "NOT")
     if not is_plain:
         return UNCLEAR
     return RIGHT_OF_LINE if clockwise["counter"] else LEFT_OF_LINE

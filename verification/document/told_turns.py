@@ -13,7 +13,7 @@ from armproof.verification.document.word_lists import WordLists
 
 OTHER_TURN = "other turn"
 
-_is = WordLists("""
+_lists = WordLists("""
 ANGLE angle orientation direction inclination bearing attitude heading inclinaison winkel orientierung richtung neigung ángulo orientación dirección angolo orientamento direzione ângulo orientação direção
 TURNS turns turn turning rotates gyro spins open opens tourne tournent pivote s'ouvre dreht drehen gira giran girano ruota ruotano
 OF_SPEED angular angulaire winkelgeschwindigkeit drehgeschwindigkeit angolare
@@ -31,7 +31,8 @@ BETWEEN between entre zwischen tra fra
 LINK link links bar bars forearm arm segment segments barre barres bras avant-bras glied glieds glieder glieder eslabón braccio elo
 ABOUT about around autour um alrededor attorno intorno
 UP_AXIS vertical~ y-axis senkrecht~ lotrecht~ y-achse verticale
-""").holds  # fmt: skip
+""")  # fmt: skip
+_is, _has = _lists.holds, _lists.has
 _NAME_OF_HAND = re.compile(
     r"\s*(?:\\(?:hat|vec|mathbf)\s*\{?\s*)?(?:x(?:_\{?0\}?)?|O_\{?0\}?x(?:_\{?0\}?)?|\\(?:var)?(?:phi|psi|alpha|gamma|omega|theta)(?:_\{?\w\}?)?)\}?\s*"
 )
@@ -41,10 +42,10 @@ _MOST = 25  # words of a sentence that leads to what it names
 def is_other_turn(said: Sequence[str]) -> bool:
     """Whether a sentence leads to an angle or a rate of turn, with words that are not all of the hand's in the base; formulas as ¤ and their LaTeX."""
     words = [word for word in said if word not in (",", ":", ".", ";")]
-    if not words or len(words) > _MOST or any(_is(word, "OTHER_QUANTITY") for word in words):
+    if not words or len(words) > _MOST or _has(words, "OTHER_QUANTITY"):
         return False
-    is_angle = any(_is(word, "ANGLE") for word in words)
-    is_rate = any(_is(word, "OF_SPEED") for word in words) or any(_is(word, "TURNS") for word in words)
+    is_angle = _has(words, "ANGLE")
+    is_rate = _has(words, "OF_SPEED") or _has(words, "TURNS")
     leads = any(_is(words[-1], kind) for kind in ("LEADS", "ANGLE", "RATE"))
     if not (is_angle or is_rate) or not leads:
         return False
@@ -66,6 +67,6 @@ def _passes(word: str) -> bool:
 def _is_of_lower_link(words: Sequence[str]) -> bool:
     """Whether a direction is counted from a link: "relative to the second link", "with the forearm", and not "between the last link and the base"."""
     place = next((place for place, word in enumerate(words) if _is(word, "FROM")), len(words))
-    between = any(_is(word, "BETWEEN") for word in words)
+    between = _has(words, "BETWEEN")
     links = [word for word in words[0 if between else place :] if _is(word, "LINK")]
     return len(links) > between

@@ -28,7 +28,7 @@ MAY_TELL_VARIABLE = re.compile(  # in small letters: what no sentence lacks that
     r"gear|belt|pulley|parallelogram|pantograph|encoder|motor|transmission|reduc|coupl|linkage|engrenage|courroie|poulie|parallélogramm|codeur|moteur|motrice|getriebe|riemen|zahnr|setzung|drehgeber|engranaje|correa|polea|paralelogram|ingranag|cinghia|pulegg|engrenagem|correia|polia"
     r"|zero|zéro|null|\bnul|= *0|vanish|reference|référence|referenz|referencia|riferimento|home|rest\b|repos|ruhe|reposo|riposo|repouso|length|longueur|länge|longitud|lunghezza|comprimento|\blong\b|pulled|pushed|drawn|retract|extend|slid|sorti|rentr|tiré|auszieh|ausgezog|ausgefahr|eingefahr|eingeschob|extraíd|recogid|estratt|sfilat|rientrat|puxad|recolhid|joint [12]|articulation [12]|gelenk [12]|articulación [12]|giunto [12]"
 )
-_is = WordLists("""
+_lists = WordLists("""
 NOUN angle~ joint~ variable~ coordinate~ rotation~ length~ displacement~ position~ link~ distance~ offset~ articulation~ coordonnée~ longueur~ position déplacement~ corps segment~ maillon~ distance~ winkel~ gelenk~ drehwinkel~ variablen länge~ abstand abstände verschiebung~ glied~ koordinate~ verschub ángulo~ articulación articulaciones variable longitud~ desplazamiento~ eslab~ distancia~ coordenada~ angolo angoli giunt~ variabil~ lunghezz~ spostament~ distanz~ coordinat~ ângulo~ junta~ variáve~ compriment~ deslocament~ distância~ elo elos
 USUAL angulo angulos girado girada giro alrededor rotado articulacion articular eslabon torsion rotacion traslacion posicion var angle~ joint~ articular variable~ coordinate~ generali~ rotation~ rotat~ revolute length~ link~ distance~ offset~ displacement~ extension~ extend~ stroke translation~ prismatic slid~ segment~ bar bars rod rods arm arms member~ limb~ limbs inner outer body bodies twist parameter~ dh denavit~ hartenberg denavit-hartenberg standard classic~ modified craig~ axis axes common normal~ perpendicular turn turns turned turning about around along measured counted reckoned positive~ counterclockwise counter-clockwise anticlockwise anti-clockwise right-hand rule sense way in radian~ rad degree~ metre~ meter~ relative~ respect respectively previous preceding before next neighbouring neighboring adjacent consecutive successive two both constant~ geometric~ known given fixed value~ vector~ column n-vector actual current unknown~ control~ actuat~ time function~ velocit~ speed~ rate~ derivative~ angular linear their corresponding correspond~ generic each every all planar robot~ manipulator~ mechanism~ upper upper-arm forearm lower shoulder~ elbow~ wrist~ waist hand gripper~ tool~ end-effector effector tip end base first second third fourth fifth sixth last frame~ origin~ direction~ makes make made one ones that those which is are with by between from to and of the a an its for at on i-th ith k-th j-th j i k n th number~ written denoted symbol~ notation here also simply usual~ proximal distal internal-variable state~ configuration~ set input~ dimension~ size~ radius reach horizontal~ x-axis z-axis old new base's own  difference~ up whole times prismatic for variable's  second~ per feet foot inch~ millimet~ centimet~ mm cm well as thus we call called name named azimuth yaw pitch roll
  articulaire~ se d'axe articul~ généralis~ rotoïde~ prismatique~ rotation~ longueur~ distance~ décalage~ déplacement~ allongement~ élongation~ extension course translation~ glissière pivot liaison~ segment~ barre~ corps bras avant-bras membre~ solide~ paramètre~ axe axes normale commune autour suivant long mesuré~ compté~ positi~ trigonométrique sens radian~ degré~ mètre~ relati~ rapport précédent~ suivant~ voisin~ consécuti~ successi~ deux constante~ géométrique~ connu~ donné~ fixe valeur~ vecteur~ vitesse~ dérivée~ angulaire~ linéaire~ chaque robot~ manipulateur~ épaule coude poignet pince outil effecteur organe terminal extrémité~ base premi~ deuxième second~ troisième quatrième cinquième sixième dernier~ repère~ origine~ direction fait font le la les l' un une d' de du des et ou par au à aux son sa ses leur leurs qui que est sont entre chacun~ respectivement horizontal~ angle~
@@ -59,7 +59,8 @@ LENGTH length lengths long longueur longueurs longue länge längen lang longitu
 BEND bent bend bends inclined tilted deviates kinked plié pliée fléchi fléchie incliné inclinée gebeugt geknickt abgewinkelt geneigt doblado doblada flexionado inclinado inclinada piegato piegata inclinato inclinata dobrado dobrada fletido fletida
 IS is are be ist sind est sont vaut es vale è é = equals
 CALLED called named numbered labelled labeled appelé appelée appelons nommée heißt genannt nennen llamamos llamada chiamiamo chiamato chamamos chamada call name number
-""").holds  # fmt: skip
+""")  # fmt: skip
+_is, _has = _lists.holds, _lists.has
 _ORDINALS = ("first premier première erste ersten erstes erster primer primera primero primo prima primeiro primeira", "second deuxième seconde zweite zweiten zweites zweiter segundo segunda secondo seconda", "third troisième dritte dritten drittes dritter tercer tercera tercero terzo terza terceiro terceira", "fourth quatrième vierte vierten cuarto quarto", "fifth cinquième fünfte quinto", "sixth sixième sechste sexto sesto")  # fmt: skip
 _NUMBER_OF = {word: number for number, words in enumerate(_ORDINALS, 1) for word in words.split()}
 _PLACES = {  # what a joint or link of a name may be: the numbers, of an arm with a column below its shoulder, too
@@ -100,9 +101,9 @@ def variables_defined(defined: Definition) -> Iterator[str]:
     which = ANY if is_other else ""
     if is_sure and _of_other_joint(phrase, numbers):  # what goes on behind a comma may be said of another letter
         which = ANY if {"¤", "…", ","} & {*defined.text} else OTHER_LINK
-    if not which and is_sure and (any(map(_X_AXIS.fullmatch, formulas)) or any(_is(word, "BASE_AXIS") for word in own)):
+    if not which and is_sure and (any(map(_X_AXIS.fullmatch, formulas)) or _has(own, "BASE_AXIS")):
         which = FROM_BASE
-    if not which and is_sure and any(_is(word, "UPRIGHT") for word in own):
+    if not which and is_sure and _has(own, "UPRIGHT"):
         which = STANDING
     if which:
         yield from (_open(which, each["letter"], defined.text) for each in letters)
@@ -151,7 +152,7 @@ def _is_of_drive(said: Sequence[str]) -> bool:
     """Whether a sentence is of what stands between motors and joints, or of the angles of motors: not of their torques, and none that is denied."""
     drives = [place for place, word in enumerate(said) if _is(word, "DRIVE")]
     denied = any(_is(word, "NOT") for place in drives for word in said[max(0, place - _NEAR) : place])
-    if denied or any(_is(word, "FORCES") for word in said):
+    if denied or _has(said, "FORCES"):
         return False
     if drives:
         return True
@@ -162,26 +163,21 @@ def _is_of_drive(said: Sequence[str]) -> bool:
 def _bent_at_zero(said: Sequence[str], formulas: Sequence[str]) -> str:
     """Return which angles are not those of the arm in a sentence that has it bent, or upright, where they are zero; "" in another one."""
     at = [place for place, word in enumerate(said) if _is(word, "ZERO")]
-    zeros = any(_is(word, "REST") for word in said) or any(_is_of_zero(said, place) for place in at)
+    zeros = _has(said, "REST") or any(_is_of_zero(said, place) for place in at)
     zeros = zeros or any(_is_letter_zero(said, formulas, place) for place in at)
-    if not (zeros or any(map(_IS_ZERO.fullmatch, formulas))) or any(_is(word, "FORCES") for word in said):
+    if not (zeros or any(map(_IS_ZERO.fullmatch, formulas))) or _has(said, "FORCES"):
         return ""
     pairs = [*pairwise(said)]
     is_turned = any((_is(a, "RIGHT") and _is(b, "TURN")) or (_is(b, "RIGHT") and _is(a, "TURN")) for a, b in pairs)
-    is_turned |= any(_is(word, "LOWEST") for word in said) or _is_under_a_place(said)
-    if (
-        is_turned
-        or _is_bent_by(said, formulas)
-        or any(_is(word, "BENT") for word in said)
-        or any(map(_Y_AXIS.fullmatch, formulas))
-    ):
+    is_turned |= _has(said, "LOWEST") or _is_under_a_place(said)
+    if is_turned or _is_bent_by(said, formulas) or _has(said, "BENT") or any(map(_Y_AXIS.fullmatch, formulas)):
         return BENT
-    return RAISED if any(_is(word, "UPRIGHT") for word in said) else ""
+    return RAISED if _has(said, "UPRIGHT") else ""
 
 
 def _is_bent_by(said: Sequence[str], formulas: Sequence[str]) -> bool:
     """Whether an arm is said to be bent by an angle that is neither nought nor half a turn: "bent by $30^\\circ$"."""
-    return any(_is(word, "BEND") for word in said) and any(map(_VALUE.fullmatch, formulas))
+    return _has(said, "BEND") and any(map(_VALUE.fullmatch, formulas))
 
 
 def _is_letter_zero(said: Sequence[str], formulas: Sequence[str], place: int) -> bool:
@@ -196,7 +192,7 @@ def _is_letter_zero(said: Sequence[str], formulas: Sequence[str], place: int) ->
 def _is_of_zero(said: Sequence[str], place: int) -> bool:
     """Whether the zero at a place is that of angles or of a posture: "the zero of $\\theta_2$", "all angles being zero"."""
     near = said[max(0, place - _NEAR) : place + _NEAR]
-    return any(_is(word, "OF_ZERO") for word in near) or said[place + 1 : place + 3] in (
+    return _has(near, "OF_ZERO") or said[place + 1 : place + 3] in (
         ["of", "¤"],
         ["de", "¤"],
         ["von", "¤"],
@@ -218,8 +214,8 @@ def _strokes(said: Sequence[str], formulas: Sequence[str]) -> Iterator[tuple[str
     resting, moving = list[str](), list[str]()
     for clause in _clauses(said):
         own = [found["letter"] for word in clause if word == "¤" if (found := _LETTER.fullmatch(next(letters, "")))]
-        is_out = any(_is(word, "OUT") for word in clause)
-        if len(own) == 1 and is_out is not any(_is(word, "IN") for word in clause):
+        is_out = _has(clause, "OUT")
+        if len(own) == 1 and is_out is not _has(clause, "IN"):
             (moving if is_out else resting).append(own[0])
     if len(resting) == 1:
         yield from ((resting[0], each) for each in moving if each != resting[0])
@@ -241,7 +237,7 @@ def _lengths_of_others(said: Sequence[str], formulas: Sequence[str]) -> Iterator
     for place, latex in zip(at, formulas, strict=False):
         near = [*said[max(0, place - 2) : place], *said[place + 1 : place + 2]]
         found = _LETTER.fullmatch(latex)
-        if found is not None and (found["index"] or "").isdigit() and any(_is(word, "LENGTH") for word in near):
+        if found is not None and (found["index"] or "").isdigit() and _has(near, "LENGTH"):
             clause = said[begin:place]
             if _of_other_joint(clause, {int(found["index"])}):
                 yield found["letter"]
@@ -250,7 +246,7 @@ def _lengths_of_others(said: Sequence[str], formulas: Sequence[str]) -> Iterator
 
 def _numbers_otherwise(said: Sequence[str]) -> bool:
     """Whether joints are numbered from the hand: "the joint at the elbow is called joint 1"."""
-    if not any(_is(word, "CALLED") for word in said):
+    if not _has(said, "CALLED"):
         return False
     joints = ("joint", "link", "articulation", "gelenk", "articulación", "giunto", "junta")
     begin = 0

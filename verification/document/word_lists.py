@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 
 
@@ -31,3 +31,7 @@ class WordLists:
         """Whether a word is of a class, by itself or by a stem that it begins with."""
         whole, stems = self._classes[kind]
         return word in whole or (bool(stems) and word.startswith(stems))
+
+    def has(self, words: Iterable[str], *kinds: str) -> bool:
+        """Whether one of some words is of one of some classes."""
+        return any(self.holds(word, kind) for word in words for kind in kinds)

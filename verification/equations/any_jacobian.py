@@ -250,7 +250,7 @@ def _kind_of(name: n.Name) -> str:
         return JACOBIAN if name.sub in ("", "v", "A", "a", "P", "p", "L") else ""
     if name.base in ("v", "V", "nu", "xi", "e") and name.sub in _OF_TOOL:
         return VELOCITY
-    if name.base in ("F", "f", "w", "W") and name.sub in (*_OF_TOOL, "ext"):
+    if name.base in ("F", "f", "w", "W") and name.sub in _OF_TOOL:
         return FORCE
     if name.base in ("h", "gamma") and name.sub in ("e", "E", "ee"):
         return FORCE

@@ -22,7 +22,7 @@ from armproof.verification.equations.alignment import (
 )
 from armproof.verification.equations.at_stated_values import MANY, is_led_to, is_mostly_right
 from armproof.verification.equations.by_size import BySize
-from armproof.verification.equations.coordinates import coordinates_among, heights_among
+from armproof.verification.equations.coordinates import coordinates_among, height_among
 from armproof.verification.equations.derived_functions import with_coordinates_derived
 from armproof.verification.equations.doubts import Doubts
 from armproof.verification.equations.equality import Equality
@@ -85,8 +85,8 @@ class Conventions:
         for key in filter(self.meanings.usual, keys) if self.names.state.usual else ():
             self.names.state.definitions.pop(key, None)
         self.take_coordinates(chain.members)
-        for key, quantity in heights_among(self.names, chain.members).items():
-            self.names.state.infer_usual(key, quantity)
+        if (height := height_among(self.names, chain.members)) is not None:
+            self.names.state.infer_usual(*height)
         members = (self.spellings.read(each) if _is_spelt(each) else each for each in chain.members)
         read = with_axes_placed(replace(chain, members=tuple(members)), self.names)
         read = with_coordinates_derived(read, self.names) if "f" in n.letters(read) else read

@@ -13,23 +13,20 @@ from armproof.verification.naming.names import Names
 VECTORS = ("origin", "task")
 
 
-def heights_among(names: Names, members: Sequence[n.Node]) -> dict[str, Quantity]:
-    """Return the z_i that stand alone in a chain of scalars, by notation the axis of a frame, whose x_i or y_i was shown to be a coordinate."""
+def height_among(names: Names, members: Sequence[n.Node]) -> tuple[str, Quantity] | None:
+    """Return the one z_i that stands alone in a chain of scalars, by notation the axis of a frame, whose x_i or y_i was shown to be a coordinate, with what it is then."""
     alone = [plain for each in members if (plain := n.plain_name(each)) is not None and plain.base in ("z", "Z")]
     if len(alone) != 1 or any(isinstance(below, n.Matrix) for each in members for below in n.walk(each)):
-        return {}
-    read = ((name.key, _height(names, name)) for name in alone if name.key not in names.quantities)
-    return {key: quantity for key, quantity in read if quantity is not None}
-
-
-def _height(names: Names, name: n.Name) -> Quantity | None:
-    quantity = names.quantity(name)
-    if quantity is None or quantity.kind != "axis":
+        return None
+    (name,) = alone
+    axis = names.quantity(name) if name.key not in names.quantities else None
+    if axis is None or axis.kind != "axis":
         return None
     beside = ("x", "y") if name.base == "z" else ("X", "Y")
     shown = [names.state.inferred.get(replace(name, base=each).key) for each in beside]
-    is_point = any(each is not None and each.kind == "origin" and each.frame == quantity.frame for each in shown)
-    return _coordinate(names, name) if is_point else None
+    is_point = any(each is not None and each.kind == "origin" and each.frame == axis.frame for each in shown)
+    height = _coordinate(names, name) if is_point else None
+    return (name.key, height) if height is not None else None
 
 
 def coordinates_among(names: Names, nodes: Iterable[n.Node], *, beside: bool) -> dict[str, Quantity]:

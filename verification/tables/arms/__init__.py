@@ -9,10 +9,11 @@ from armproof.verification.tables.arms.inference import infer_arm, joints_used
 from armproof.verification.tables.arms.rivals import unless_rivalled
 from armproof.verification.tables.arms.scopes import scopes
 from armproof.verification.tables.arms.settling import Inference, settle_data
-from armproof.verification.tables.arms.support import is_of_no_arm, links_of, links_that_explain
+from armproof.verification.tables.arms.support import OF_TOOL, is_of_no_arm, links_of, links_that_explain
 from armproof.verification.tables.arms.values import entries_by_place, letters_of_numbers, stated_lengths
 
 __all__ = [
+    "OF_TOOL",
     "Inference",
     "difference",
     "entries_by_place",
