@@ -79,7 +79,9 @@ _LISTED = re.compile(
     rf"(?<!\S)(?:table|rows?|lists?|listed|tableau|lignes?|tabelle|zeilen?|tabla|filas?|tabella|righe|tabela|linhas) (?:[^.;:\s]+ )*?(?:(?:from|beginning with|beginning at|starting with|starting at|starting from|begins? with|begins? at|starts? (?:with|at|from)|à partir de|en partant de|commence par|(?:vom|von der)(?= \S+ (?:aus|her) )|ab dem|beginnt (?:mit|beim|bei)(?: dem| der)?|desde|empieza (?:por|con)|a partire da|desde) (?:the |l' |la |le |el |lo )?{_TOOL}"
     r"|1 (?:is|belongs to|holds|est|gehört zum|ist|es|è) (?:the |that of |of |celle de |das |la |l' |della |de )*(?:last|dernière|letzten?|última|ultimo|tool)) "
 )
-_BESIDE_TOOL = re.compile(r"from (?:the )?tool (?:frame|coordinates|pose|position|data)|row 1 (?:is )?not")
+_BESIDE_TOOL = re.compile(
+    r"from (?:the )?tool (?:frame|coordinates|pose|position|data)|row 1 (?:is )?not|\bloops?\b|\bboucles?\b|\bschleifen?\b|\bbucles?\b|\bcicl[oi]\b|\blaços?\b"
+)
 _TABLE = re.compile(r"^[ \t>]*\|[^\n]*(?:α|alpha)|\\begin\{(?:array|tabular)\}[^$]{0,120}(?:α|\\alpha)", re.MULTILINE)
 
 

@@ -75,6 +75,11 @@ def told_names(defined: Iterable[Definition]) -> Iterator[Told]:
                 yield Told(told.name, OTHER, each.text, True) if each.is_anew else replace(told, words=each.text)
 
 
+_ASKING = frozenset(
+    "where how why whether où comment pourquoi wo wohin wie warum ob dónde cómo dove come onde como".split()
+)
+
+
 def definitions(plain: str) -> Iterator[Definition]:
     """Yield the names of a sentence, each group with the words by which it is defined, and with what is said of it."""
     formulas = formulas_of(plain)
@@ -94,6 +99,8 @@ def definitions(plain: str) -> Iterator[Definition]:
     item = _ITEM.match(plain)
     for start, end in _groups(said, names):
         phrase, is_sure = _defined(said, start, end, names, item is not None and not said[:start])
+        if _ASKING.issuperset(phrase):  # "Note where $z_2$ points" defines nothing
+            phrase = []
         listed = [each for place in range(start, end) for each in names.get(place, ())]
         if is_of_path := _is_of_a_path(said[:start]):
             phrase = [*_clause(said[:start]), "¤"]
