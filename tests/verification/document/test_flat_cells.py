@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 from armproof.verification.document import parse_document
-from armproof.verification.document.flat_cells import flat_text, spoken_text
+from armproof.verification.document.flat_cells import as_one_text
 
 CELLS = ["# A\n$$ a = b $$", "# B\nThe brake holds\nthe elbow.\n\n$$ c = d $$", "# C\n\n\n\n\n\n$$ e = f $$"]
 
@@ -32,9 +32,9 @@ def test_displays_keep_their_lines_of_their_cells() -> None:
 
 
 def test_the_cells_stand_one_below_the_other() -> None:
-    text, above = flat_text(_notebook(["a\nb", "c"]))
+    text, above = as_one_text(_notebook(["a\nb", "c"]), ".ipynb")
     assert (text, above) == ("a\nb\n\nc\n", {0: 0, 1: 3})
 
 
 def test_a_percent_file_speaks_on_its_own_lines() -> None:
-    assert spoken_text("# %% [markdown]\n# a\n# b\n\n# %%\nx = 1\n") == "\na\nb\n\n\n\n"
+    assert as_one_text("# %% [markdown]\n# a\n# b\n\n# %%\nx = 1\n", ".py")[0] == "\na\nb\n\n\n\n"

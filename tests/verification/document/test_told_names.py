@@ -63,6 +63,8 @@ def test_a_definition_by_the_usual_words_tells_nothing_new(sentence: str) -> Non
         r"The vector from $O_0$ to $O_1$ is",
         r"$J$ is singular there.",
         r"The hand is the far end of the forearm, at $(x, y)$.",
+        r"Note where $z_2$ points.",
+        r"Regardons comment $\theta_2$ varie.",
     ],
 )
 def test_what_defines_no_name_tells_none(sentence: str) -> None:

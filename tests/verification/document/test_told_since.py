@@ -83,6 +83,8 @@ NOT_TOLD = [
     "The second link is longer.",
     "Note the minus: seen from above, the second joint turns the other way.",
     r"The joint vector is $q = (\alpha, \gamma)$, in this order.",
+    "The last step is a loop over the rows, from the tool to the base.",
+    "Une boucle sur les lignes, à partir de l'outil, multiplie les matrices.",
     r"The rows of $J$ are $(v_x, v_y, v_z, \omega_x, \omega_y, \omega_z)$.",
     "The robot can be mounted on a table.",
     "What changes if the robot hangs from the ceiling?",
