@@ -183,6 +183,8 @@ def _is_prose(text: str) -> bool:
 
 def said_below(text: str, line: int, section: str) -> Iterator[Display]:
     """Yield what the last sentence of a text, formulas and all, says of the display that follows."""
+    if not text.strip():
+        return
     for each in (*_heard_before(leading(text), before_leading(text)), *singularities_told(text)):
         yield Display(line, each, section=section, opening=INLINE)
 

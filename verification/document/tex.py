@@ -151,7 +151,7 @@ _PARAGRAPH = re.compile(  # up to what ends it
     r"\s*(?:(?!\n\s*\n|\$\$|\\\[|\\(?:begin|end)\s*\{|\\(?:item|chapter|(?:sub)*section|paragraph)(?![A-Za-z])).)+",
     re.DOTALL,
 )
-_DISPLAY_END = re.compile(r"\\\]|\$\$|\\end\s*\{(?:%s)\*?\}" % "|".join(ENVIRONMENTS))
+_EDGE = re.compile(r"\\[\[\]]|\$\$|\\(?:begin|end)\s*\{(?:%s)\*?\}" % "|".join(ENVIRONMENTS))  # of a display: where it ends, or begins in vain
 LEVELS = ("chapter", "section", "subsection", "subsubsection", "frametitle", "paragraph")
 EXERCISE_LEVEL = LEVELS.index("section") + 0.5
 FARTHEST = 500  # characters behind the beginning of an exercise
@@ -223,9 +223,7 @@ class _Scanner:
             elif (opened := self._opened(token)) is not None:
                 begin, end, after = opened
                 if token.group() not in ("$", "\\(") or self._is_set_apart(begin, end):
-                    paragraph = _DISPLAY_END.split(self.visible[max(self.start, token.start() - 400) : token.start()])[
-                        -1
-                    ]
+                    paragraph = _EDGE.split(self.visible[max(self.start, token.start() - 400) : token.start()])[-1]
                     paragraph = paragraph.rstrip().rsplit("\n\n")[-1]
                     yield from said_below(with_letters(paragraph), self.line(token.start()), self.section)
                     yield (display := self._display(token, begin, end))
