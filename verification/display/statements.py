@@ -30,7 +30,7 @@ from armproof.verification.display.prepared import (
     with_bare_letters,
     without_its_letters,
 )
-from armproof.verification.document.told_singularities import SINGULAR_ALONE
+from armproof.verification.document.told_singularities import SINGULAR_ALONE, SINGULAR_AMONG, VANISHES
 from armproof.verification.equations.cells_left_out import with_cells
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.given_values import named_sign
@@ -56,6 +56,7 @@ _OF_LETTERS = re.compile(
 _ARC = re.compile(
     r"arc|tan|acos|asin|\^\s*\{?\s*-|(?:cos|sin)[\s{(]*(?:\\left)?[\s({]*-?\d\d", re.IGNORECASE
 )  # where an inverse function may stand, however spelled, or a number of degrees in a cosine
+_ASIDE = re.compile(r"\s*\([^()]*\)\s*")
 _DEGREES = 10  # a whole number from here on is hardly an angle in radians
 
 
@@ -137,6 +138,8 @@ class Statements:
         if any(map(n.is_rank, (member for each in statements if isinstance(each, n.Chain) for member in each.members))):
             statements = [with_rank_first(statement) for statement in statements]
         told = self.names.state.told
+        if told.singular and told.line == line:
+            statements = _without_asides(statements)
         of_singularities = bool(told.singular) and self._are_conditions(statements)
         if of_singularities and told.line == line and (found := self._of_singularities(statements, line)):
             return found
@@ -169,6 +172,8 @@ class Statements:
         first_chain = next((s for s in statements if isinstance(s, n.Chain)), None)
         if first_chain is not None and define:
             self.names.state.subject = first_chain.members[0]
+            if n.is_call(bare(first_chain.members[0]), "det"):
+                self.names.state.has_open_determinant = any(each.verdict not in DECIDED for each in display.outcomes)
         return display.outcomes, display.counterexample
 
     def tried(self, latex: str) -> list[Outcome]:
@@ -207,12 +212,15 @@ class Statements:
     def _of_singularities(
         self, statements: list[n.Statement], line: int
     ) -> tuple[list[Outcome], dict[str, float]] | None:
-        """ "The singularities are θ_2 = 0 or θ_2 = π": det J = 0 there and nowhere else. What leaves some out is open, unless the text says that it does not."""
-        statements = _as_alternatives(statements)
-        vanishes = n.Chain((n.Call("det", (n.Name("J"),), "\\det"), n.Number(Fraction(0))), ("=",))
-        is_all = self.names.state.told.singular == SINGULAR_ALONE
-        wrong = [(kind, (Verdict.REFUTED,)) for kind in ("⇐", "⇒")[: 1 + is_all]]
-        for kind, decided in (("⇔", HOLDS), *wrong):
+        """ "The singularities are θ_2 = 0 or θ_2 = π": det J = 0 there and nowhere else. What leaves some out is open, unless the text says that it does not, or tells of one kind."""
+        statements, told = _as_alternatives(statements), self.names.state.told.singular
+        of_arm = n.Call("det", (n.Name("J"),), "\\det")
+        determinant = self.names.state.subject if told == VANISHES else of_arm
+        if not n.is_call(determinant, "det") or self.names.state.has_open_determinant:
+            return None
+        vanishes = n.Chain((determinant, n.Number(Fraction(0))), ("=",))
+        wrong = [(kind, (Verdict.REFUTED,)) for kind in ("⇐", "⇒")[: 1 + (told == SINGULAR_ALONE)]]
+        for kind, decided in (("⇐" if told == SINGULAR_AMONG else "⇔", HOLDS), *wrong):
             implied = [vanishes, n.Connective(kind, kind), *statements]
             implication = find_implication(implied, 0)
             if implication is None or implication.after < len(implied):
@@ -222,7 +230,7 @@ class Statements:
                 self._take_implication(display, implication)
             is_decided = [each.verdict in decided for each in display.outcomes] == [True]
             if is_decided and not self.claims.circumstances.is_beyond_bounds(display.counterexample):
-                display.outcomes[0].also(say(Kind.OF_SINGULARITIES))
+                display.outcomes[0].also(say(Kind.OF_SINGULARITIES if kind == "⇔" else Kind.OF_SOME_SINGULARITIES))
                 return display.outcomes, display.counterexample
         return None
 
@@ -429,6 +437,12 @@ def _as_alternatives(statements: list[n.Statement]) -> list[n.Statement]:
         return statements
     between = [(n.Connective("or", "or"), each) for each in statements[1:]]
     return [*statements[:1], *(each for pair in between for each in pair)]
+
+
+def _without_asides(statements: list[n.Statement]) -> list[n.Statement]:
+    """Return conditions without what stands beside them in parentheses: θ_2 = 0 (arm stretched) or θ_2 = π."""
+    kept = [each for each in statements if not (isinstance(each, n.Connective) and _ASIDE.fullmatch(each.text))]
+    return kept if sum(isinstance(each, n.Chain) for each in kept) else statements
 
 
 def _angle_without_unit(nodes: list[n.Statement]) -> str:

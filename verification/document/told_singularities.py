@@ -10,48 +10,54 @@ from armproof.verification.document.hearing import FORMULA, STOP
 SINGULAR = r"\text{singular}"  # what is said right before conditions of singularities
 SINGULAR_TOO = r"\text{singular there, too}"  # and that there are others, of which the formulas before it tell
 SINGULAR_ALONE = r"\text{singular there alone}"  # and that there are no others
-TOLD_SINGULAR = (SINGULAR, SINGULAR_TOO, SINGULAR_ALONE)
+SINGULAR_AMONG = r"\text{singular there, and elsewhere}"  # of one kind, or one place of several
+VANISHES = r"\text{zero there}"  # that what stands above is zero there: the arm is singular if that is the determinant
+TOLD_SINGULAR = (SINGULAR, SINGULAR_TOO, SINGULAR_ALONE, SINGULAR_AMONG, VANISHES)
 
 _PLACE = r"(?:configuration|position|posture|pose)s?"
 _ARM = r"(?:arm|leg|bras|jambe|manipulator|robot|mechanism|mécanisme|roboter|brazo|manipulador|braccio|manipolatore|braço|robô)"
 _OF_ARM = rf"(?: (?:of|du|del|de la|des|dello) (?:the |this |a )?(?:planar |two-link )?(?:{_ARM}|Jacobian|jacobienne|jacobiano))?"
 _JACOBIAN = r"(?:Jacobian|jacobienne|jacobiano|jacobiana|Jacobi-?Matrix)"
+_OF_JACOBIAN = re.compile(
+    r"\W*(?:\\(?:mathbf|boldsymbol|bm|mathrm)\W*)?J(?:\W*\((?:q|\\(?:theta|mathbf\{q\}|boldsymbol\{\w+\}))\))?\W*"
+)
 _DETERMINANT = rf"(?:(?:{_JACOBIAN} |jacobi-?)determinante?|déterminant de la (?:matrice )?{_JACOBIAN}|determinant of the {_JACOBIAN}(?: matrix)?)"
 _ALSO = r"(?:also|aussi|auch|también|anche)"
-_NOUGHT = r"(?:vanishes|(?:is|becomes|equals) (?:zero|0)|s['’]annule|est nul|verschwindet|(?:ist|wird) (?:null|0)|se anula|si annulla)"
+_NOUGHT = r"(?:vanishes|(?:is|becomes|equals) (?:zero|0)|s['’]annule|est nul|vaut (?:zéro|0)|verschwindet|(?:ist|wird) (?:null|0)|se anula|si annulla)"
 _ONLY = r"(?:(?:exactly|precisely|only|just|exactement|seulement|uniquement|genau dann|genau|nur|s[oó]lo|exactamente|solo) )"
 _WHEN = (
     r"(?:when(?:ever)?|iff|if|where|lorsque|lorsqu['’]|quand|si|ssi|dès que|wenn|falls|cuando|quando|se)"
     r"(?: and only if| et seulement si| y s[oó]lo si| e solo se)?"
 )
+_WITH = r"(?:with|avec|con|mit|com)"
 _WHERE = rf"(?:{_WHEN}|for|at|in|pour|für|bei|para|en|per)"
 _ARE = (
     r"(?:are given by|is given by|(?:is|are) (?:obtained|reached|met)|est (?:obtenue|atteinte)|sont (?:obtenues|atteintes)|s['’]obtien(?:t|nent)|(?:wird|werden) (?:erreicht|angenommen)|se obtienen?|si ott(?:iene|engono)|are|is|(?:occurs?|arises?|appears?|lies?)|sont données? par|est donnée par|sont|est|(?:se produi(?:t|sent)|appara(?:ît|issent)|a lieu|ont lieu)"
-    r"|sind|liegen|treten auf|ergeben sich|ist|son|es|ocurren?|sono|è)"
+    r"|sind|(?:liegt|liegen) vor|liegen|(?:tritt|treten) auf|ergeben sich|ist|son|es|ocurren?|sono|è)"
 )
 _THEN = r"(?:,? (?:then|thus|therefore|here|hence|donc|alors|also|daher|somit|por tanto|dunque|quindi|portanto),?)?"
 _SINGULAR_WORD = r"(?:singular|singulier|singulière|singulär|singolare)"
 _LOSES = (  # what the arm, J or its determinant do at a singularity
     rf"{_ARM}{_OF_ARM}{_THEN} (?:(?:is|becomes|gets|est|devient|ist|wird|es|è|é)(?: (?:in|at|dans|en))?(?: (?:a|une?))?(?: genau dann)?{_THEN} {_SINGULAR_WORD}(?: {_PLACE})?"
     rf"|est (?:dans|en) (?:une )?{_PLACE} singulière|loses (?:a|one) degree of freedom|perd un degré de liberté|pierde un grado de libertad|perde un grado di libertà|verliert (?:einen|seinen) freiheitsgrad)"
-    rf"|{_JACOBIAN}(?: matrix)?{_THEN} (?:(?:is|becomes) (?:non-?invertible|not invertible|rank[ -]deficient|singular)(?: \(singular\))?|loses rank|(?:ist|wird) singulär|verliert (?:ihren |den )?(?:vollen )?rang|est singulière|es singular|è singolare)"
+    rf"|{_JACOBIAN}(?: matrix)?{_THEN} (?:(?:is|becomes) (?:non-?invertible|not invertible|rank[ -]deficient|singular)(?: \(singular\))?|loses (?:its )?(?:full )?rank|(?:ist|wird) singulär|verliert (?:ihren |den )?(?:vollen )?rang|est singulière|es singular|è singolare)"
     rf"|{_DETERMINANT}{_THEN} {_NOUGHT}"
     rf"|(?:ist|wird|es|è|é) (?:der |die |das |el |il |o )?{_ARM}{_THEN} {_SINGULAR_WORD}|(?:es|è|é) {_SINGULAR_WORD} (?:el |il |o )?{_ARM}"
 )
 _NOUN = (
-    rf"(?:(?:singularit(?:y|ies)|singularités?|singularidad(?:es)?|singularità|singularität(?:en)?|singular {_PLACE}|{_PLACE} singulières?"
-    r"|configuraciones singulares|posiciones singulares)"
+    rf"(?:(?:singularit(?:y|ies)|singularités?|singularidad(?:es)?|singolarità|singularität(?:en)?|singular {_PLACE}|{_PLACE} singulières?"
+    r"|configuraci(?:ón|ones) singular(?:es)?|posici(?:ón|ones) singular(?:es)?|configurazion[ei] singolar[ei]|configuraç(?:ão|ões) singular(?:es)?|singuläre[nr]? (?:stellung|konfiguration|lage|position|pose|gelenkstellung)(?:en)?)"
     rf"{_OF_ARM})"
 )
-_THERE_IS = r"(?:there (?:is|are)|il y a|on a|hay|we have|one has|es gibt|c['’]è|ci sono)"
-_THOSE = r"(?:those|the ones|celles|ceux|las|aquellas|diejenigen|quelle) (?:with|where|in which|at which|for which|when|avec|où|pour lesquelles|con|donde|en las que|mit|bei denen|in denen|in cui)"
+_THERE_IS = r"(?:there (?:is|are)|il y a|on a|hay|we have|one has|es gibt|c['’]è|ci sono|si ha|si hanno|se tienen?|existen?|on obtient|one finds|we find|we get)"
+_THOSE = r"(?:those|that|the ones?|celles?|ceux|la|las|aquellas?|diejenigen?|die|quell[ae]) (?:with|where|in which|at which|for which|when|avec|où|pour lesquelles|con|donde|en las? que|en la cual|mit|(?:bei|in) (?:denen|der)|in cui)"
 # what follows the place in words, "when it is stretched": a word that begins another clause is none of it
 _NO_MORE = (
     r"(?:and|but|while|whereas|so|thus|hence|then|which|that|we|let|take|consider|choose|suppose|assume|say|like|as|such|example|instance|unless|because|since|for|when|if|where|with respect"
     r"|et|mais|tandis|alors|donc|qui|que|soit|prenons|comme|exemple|car|quand|lorsque|où"
     r"|und|aber|während|also|wir|etwa|wie|beispiel|weil|denn"
     r"|y|pero|mientras|entonces|como|ejemplo|porque|e|ma|mentre|come|esempio"
-    r"|neglect\w*|ignor\w*|lock\w*|fixed|frozen|removed|small|equal|néglig\w*|bloqu\w*|égaux|égales|vernachlässig\w*|gesperrt|gleich|desprec\w*|fij\w*|iguales"
+    r"|respect|rapport|respecto|rispetto|bezug|neglect\w*|ignor\w*|lock\w*|fixed|frozen|removed|small|equal|néglig\w*|bloqu\w*|égaux|égales|vernachlässig\w*|gesperrt|gleich|desprec\w*|fij\w*|iguales"
     r"|best|worst|radius|rayon|largest|smallest|farthest|nearest|maximal|minimal|near|close|almost|nearly|par|proche|presque|fast|nahe|casi|cerca|quasi|vicino)"
 )
 _IN_WORDS = rf"(?:,? (?!{_NO_MORE}\b)(?:[^\W\d_][\w'’-]*)){{1,12}}?"
@@ -72,7 +78,7 @@ def _says(where: str) -> str:
 
 
 _SINGULARITIES = re.compile(
-    rf"\b(?:{_says(_WHEN)}{_IN_WORDS}|{_says(_WHERE)}|{_NOUN}{_THEN}(?:\s*:(?=\s*\Z)| {_ARE}(?: therefore| thus| donc| daher)?)){_LEADS_ON}",
+    rf"\b(?:(?:{_says(_WHEN)}|(?:{_LOSES}),? {_WITH}|{_NOUN}\s*:){_IN_WORDS}|{_says(_WHERE)}|{_NOUN}{_THEN}(?:\s*:(?=\s*\Z)| {_ARE}(?: therefore| thus| donc| daher)?)){_LEADS_ON}",
     re.IGNORECASE,
 )
 _HAPPENS = re.compile(
@@ -95,7 +101,7 @@ _ALONE = re.compile(
 )
 _ONE_WAY = re.compile(r"(?<!if and )\bonly if\b|(?<!si et )\bseulement si\b|(?<!si y )\bs[oó]lo si\b", re.IGNORECASE)
 _DENIED = re.compile(
-    r"\b(?:no|not|non|without|avoid\w*|away|except|unless|sans|hors|évit\w*|sauf|pas|sin|no hay|never|nor|neither|cannot|\w+n['’]t|hardly|nobody|jamais|aucune?|nunca|jamás|nie|niemals|kein\w*|nicht|far from|loin de|wrong\w*|false\w*|fals[oa]|falsch|faux)\b",
+    r"\b(?:no|not|non|without|avoid\w*|away|except|unless|sans|hors|évit\w*|sauf|pas|sin|no hay|never|nor|neither|cannot|\w+n['’]t|hardly|nobody|jamais|aucune?|nunca|jamás|nie|niemals|kein\w*|nicht|far from|loin de|representation\w*|représentation\w*|algorithmic|constraint|euler|wrong\w*|false\w*|fals[oa]|falsch|faux)\b",
     re.IGNORECASE,
 )
 _OF_ONE_KIND = re.compile(  # of which there are others
@@ -105,22 +111,39 @@ _OF_ONE_KIND = re.compile(  # of which there are others
 _HEAD = re.compile(rf"\b(?:{_LOSES}|{_NOUN})", re.IGNORECASE)
 _TOO = re.compile(rf"\b{_ALSO}\b", re.IGNORECASE)
 _BESIDE = re.compile(r"\s*\([^()]*\)")
-_ASIDE = re.compile(r",? (?:for|pour|para|für|with|avec|con|mit) ¤,")  # "The singularities, for $d_3 > 0$, are"
+_ASIDE = re.compile(  # "The singularities, for $d_3 > 0$, are", "The arm is singular, whatever $\\theta_1$ is, for"
+    r",? (?:for|pour|para|für|with|avec|con|mit) ¤,"
+    r"|,? (?:whatever|regardless of|independently of|for (?:any|all|every)|quels? que soi(?:t|ent)|quelles? que soi(?:t|ent)|unabhängig von|para cualquier|sea cual sea|qualunque sia|per ogni) (?:(?:the )?(?:value|values|valeur|valeurs) (?:of|de) )?¤(?:(?:,| and| et| und| y| e) ¤)*(?: (?:is|are|may be|takes?))?,?",
+    re.IGNORECASE,
+)
+_EMPHASIS = re.compile(r"\\(?:emph|textbf|textit|underline|paragraph\*?)\s*\{([^{}]*)\}")
+_LABEL = re.compile(  # a title, or a label: "Elbow singularity:", "Singularities."
+    rf"(?:the |la |le |les |las |il |die )?(?:\w+ )?{_NOUN}(?: (?:of|du|de la|der|del) \w+)?\s*[.:]?", re.IGNORECASE
+)
+_IT_IS_NOUGHT = re.compile(  # "It vanishes for", "Le déterminant s'annule si": of what stands above
+    r"(?:and |et |und |y |e )?(?:it|this|which|this expression|il|elle|ceci|celui-ci|cette expression|er|sie|esso|(?P<determinant>(?:this|the|ce|le|diese?|el|este|il|questo|o) d[eé]terminante?))"
+    rf"(?: \(?¤\)?)?{_THEN} (?:(?:clearly|obviously|clairement|evidentemente) )?{_NOUGHT},? {_ONLY}?{_WHERE}{_LEADS_ON}",
+    re.IGNORECASE,
+)
 
 
 def singularities_told(text: str) -> Iterator[str]:
     """Yield what the last sentence of a text says of the conditions behind it, if it does: SINGULAR, SINGULAR_TOO or SINGULAR_ALONE."""
-    *before, last = STOP.split(" ".join(text.split()))
-    sentence, is_alone = _NO_OTHER.subn("", _plain(last))
+    *before, last = STOP.split(_plain(" ".join(text.split())).strip(" *_"))
+    sentence, is_alone = _NO_OTHER.subn("", last.strip())
     if _DENIED.search(sentence) or _ONE_WAY.search(sentence):
         return
-    if not (is_of_singularities(sentence) or (before and _goes_on(sentence, _plain(before[-1])))):
-        return
-    if _tells_others(sentence):
-        yield SINGULAR_TOO
-    else:
+    is_label = _LABEL.fullmatch(sentence.strip(" *_")) is not None
+    if not is_label and (it := _IT_IS_NOUGHT.fullmatch(sentence)) and (not before or it["determinant"]):
+        yield VANISHES
+    elif is_label or is_of_singularities(sentence) or (before and _goes_on(sentence, before[-1])):
         is_alone = bool(is_alone or _ALONE.search(sentence))
-        yield SINGULAR_ALONE if is_alone and not _OF_ONE_KIND.search(sentence) else SINGULAR
+        if _tells_others(sentence):
+            yield SINGULAR_TOO
+        elif _OF_ONE_KIND.search(sentence):
+            yield SINGULAR_AMONG
+        else:
+            yield SINGULAR_ALONE if is_alone else SINGULAR
 
 
 def is_of_singularities(sentence: str) -> bool:
@@ -150,5 +173,7 @@ def _goes_on(sentence: str, before: str) -> bool:
 
 
 def _plain(sentence: str) -> str:
-    """Return a sentence without what stands beside it in parentheses or between commas, its formulas as ¤."""
-    return _ASIDE.sub("", _BESIDE.sub("", FORMULA.sub("¤", sentence)))
+    """Return a text without emphasis and what stands beside it in parentheses or between commas, its formulas as ¤, J as what it is."""
+    text = FORMULA.sub(lambda found: "Jacobian" if _OF_JACOBIAN.fullmatch(found.group()) else "¤", sentence)
+    text = re.sub(r"(?<![\w*])[*_]{1,3}(?=\w)|(?<=[\w.:])[*_]{1,3}(?![\w*])", "", _EMPHASIS.sub(r"\1", text))
+    return _ASIDE.sub("", _BESIDE.sub("", text))

@@ -194,6 +194,7 @@ zyz
 bars
 """
 FRENCH = """
+abord jusqu
 meuvent pistolet pinceau soudure a abaissé abonner abord abordant aborder abordons abordé aboutissons abrégée abréviation abscisse absolue accessible accolade accomplie accorde
 accouplement accrocher accueil accélère accélération achevant achever achevons achevé achève acier acoustique acquérir actionneur actionneurs activant
 activer activité activé actualité actuellement adapter adaptons adapté addition adjoignant adjointe admet admettent adopte affecte affichage affines
@@ -335,6 +336,7 @@ voulez vouloir voulons voulue voyage voyez voyons vrai vraie vrillé vu vue vues
 prolongement prolonge tibia
 """
 GERMAN = """
+er falls sehr sollen uhrzeigersinn vor
 auszug misst mißt höchstens mindestens ab abbaut abbildung abend abends aber abermals abgabetermin abgeben abgeleitet abgeschlossen abgleichen ablauf ablegen ablegt ablegung ableiten
 ablesen abmessungen abnahme absatz abschließen abschnitt absolut abstand abstände abstützung abszisse absätze abtastung achse achsen acht achte achten
 addieren addition agenda akku aktiviert aktualisiert aktuator aktuell alle allem allen aller alles allgemein allmählich alphabet als also aluminium am
@@ -456,6 +458,7 @@ zweig zweige zweigliedrig zweimal zweite zwischen zwölf zyklus zylinder zählen
 verlängerung oberarms unterarms
 """
 SPANISH = """
+dan eso unas unos valen
 angulo angulos numero posicion rotacion traslacion articulacion eslabon a abajo abarca abarcó abduccion abducción abierta abordar aborde abordo abordó abra abramos abran abre abren abriendo abril abrimos abrir abriremos
 abrirá abrió abro abscisa absorbiendo abstracta acaba acabado acabamos acaban acabar acabe acabemos acaben acabo acabó accesible acceso acciones
 acción aceleración acerca acero acimut acompaña acoplada acostumbra acotado activa activen actividad activo activó actuador actúa actúan acumulada
@@ -588,6 +591,7 @@ zona zonas ángulo ánimo árbol árboles área áreas él émbolo éramos ésa 
 prolongación prolonga
 """
 ITALIAN = """
+danno dà seguono
 a abbia abbiamo abbiano abbracci abituale accanto accelerazione accendere accessibile acciaio accoppiamento accorciare accuratamente ad addizione
 adesso adiacente adottata adotterà adotti adotto adottò afferrato affinché affronta agenda aggiunge agisce agosto aiuta aiutano aiutare aiutato
 aiuterà aiuti aiutiamo aiutino aiuto al alberi albero alcuna alcune alcuni alfabeto algebrica alimentare alla allegato allineati allora alluminio
@@ -692,6 +696,7 @@ volentieri volevasi volta volte volumi voluto vorrà vuole zampa zampe zeri zero
 prolungamento prolungato quota
 """
 PORTUGUESE = """
+até dá dão há isto seu
 anti-horário horário a abaixo aberta abordar abordem abordou abra abram abrange abre abrem abreviaturas abril abrimos abrindo abrir abriremos abrirá abriu abro acabado
 acabando acabar acabe acabem acabo acabou aceleração acenda acender acendimento acendo acerca acesso acessível acha achamos achando achar acima
 acionar acione acionou acoplada acrescentou ademais adiante adicionando adição adota adotado adotam adotando adotar adotem adotou afasta agarrar

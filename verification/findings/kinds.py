@@ -334,6 +334,7 @@ class Kind(MessageKind):
     HOLDS_AS_TOLD = "holds_as_told", "it holds at the values that the text before gives, and not everywhere: state them in the display, with \\Rightarrow"
     DERIVATIVES_OF_POINT = "derivatives_of_point", "the derivatives by `{letters}` of the point that the document gives"
     OF_SINGULARITIES = "of_singularities", "read as $\\det J = 0$ there and nowhere else, as the text before says"
+    OF_SOME_SINGULARITIES = "of_some_singularities", "read as $\\det J = 0$ there, as the text before says"
     UNDER_RATES = "under_rates", "under the rates, or at the velocity, that the text before or a column of numbers gives"
     HOLDS_AS_BEHIND = "holds_as_behind", "it holds at the values that stand behind it, and not everywhere: join them with \\text{{for}}"
     DETERMINANT_MEANT = "determinant_meant", "${name}$ is a Jacobian, a matrix, and this is a number: write \\det {name} where its determinant is meant"

@@ -225,6 +225,7 @@ class DocumentState:
         section: the heading under which the display stands that is being checked.
         exercise: that of the exercise to which it belongs.
         apart: how many exercises that mostly have an arm of their own have begun.
+        has_open_determinant: whether the last determinant that is given is not decided.
         subject: the first member of the last display: one that begins with a relation goes on about it.
         definitions: what names mean.
         inferred: names whose meaning the other side of an equation told.
@@ -276,6 +277,7 @@ class DocumentState:
     section: str = ""
     exercise: str = ""
     apart: int = 0
+    has_open_determinant: bool = False
     subject: n.Node | None = None
     definitions: dict[str, Definition] = field(default_factory=dict)
     inferred: dict[str, Quantity] = field(default_factory=dict)

@@ -19,11 +19,31 @@ TOLD = (
     "Il braccio è singolare per",
     "Por tanto, el brazo pierde un grado de libertad cuando está estirado o plegado:",
     "Le bras est singulier lorsque le déterminant s'annule, c'est-à-dire pour",
+    "El robot es singular con el brazo estirado o plegado,",
+    "Si hanno singolarità quando il braccio è disteso o ripiegato:",
+    r"The arm is therefore singular, whatever $\theta_1$ is, for",
+    "Singuläre Stellungen liegen vor bei",
+    "Les singularités : le coude tendu ou replié,",
+    "$J$ loses rank at",
+    "**Singularities.**",
+    "The arm is singular \\emph{if}",
+)
+OF_THE_DETERMINANT = (
+    "It vanishes for",
+    "Il s'annule pour",
+    "which is zero when",
+    "This is simple. The determinant vanishes when",
+)
+OF_ANOTHER = (
+    "The first row of $J$ is not needed here. It vanishes for",
+    "Representation singularity:",
+    "The arm is singular with respect to the base frame, and we take",
 )
 EXHAUSTIVE = (
     "The arm is singular if and only if the elbow is straight:",
     "The singular positions are therefore those where the links are aligned,",
     "Il y a donc singularité si et seulement si",
+    "so that the only singular configurations are those where the links are aligned:",
     "The arm loses a degree of freedom when the determinant vanishes. This happens for these elbow angles and no other, namely",
 )
 SUPPOSED = (
@@ -46,6 +66,28 @@ def test_what_is_told_to_be_singular_is_decided(sentence: str) -> None:
     assert _verdict(sentence, r"\sin\theta_2 = 0") is Verdict.PROVED
     for wrong in (r"\cos\theta_2 = 0", r"\theta_1 = 0"):
         assert _verdict(sentence, wrong) in (Verdict.REFUTED, Verdict.UNCHECKED)
+
+
+@pytest.mark.parametrize("sentence", OF_THE_DETERMINANT)
+def test_it_is_the_determinant_that_stands_above(sentence: str) -> None:
+    for above, right in ((r"\det J = l_1 l_2 s_2", True), (r"x = l_1 c_1 + l_2 c_{12}", False)):
+        text = f"$$ {above} $$\n\n{sentence}"
+        assert _verdict(text, r"\theta_2 = 0, \pi") is (Verdict.PROVED if right else Verdict.UNCHECKED)
+        assert _verdict(text, r"\theta_2 = \pm\frac{\pi}{2}") is (Verdict.REFUTED if right else Verdict.UNCHECKED)
+
+
+@pytest.mark.parametrize("sentence", OF_ANOTHER)
+def test_what_is_of_another_is_left_open(sentence: str) -> None:
+    for latex in (r"\theta_2 = 0, \pi", r"\theta_2 = \pm\frac{\pi}{2}"):
+        assert _verdict(f"$$ \\det J = l_1 l_2 s_2 $$\n\n{sentence}", latex) is Verdict.UNCHECKED
+
+
+@pytest.mark.parametrize(
+    "sentence", ["*Elbow singularity*:", "The elbow singularity is met when the arm is stretched:"]
+)
+def test_of_one_kind_there_may_be_others(sentence: str) -> None:
+    assert _verdict(sentence, r"c_3 = 0", "spatial_rrr") is Verdict.PROVED
+    assert _verdict(sentence, r"c_1 = 0", "spatial_rrr") is Verdict.REFUTED
 
 
 @pytest.mark.parametrize("sentence", DENIED)
@@ -77,7 +119,7 @@ def test_what_is_supposed_or_of_another_is_not_refuted(sentence: str) -> None:
     assert _verdict(sentence, r"\theta_2 = \pi / 2") is Verdict.UNCHECKED
 
 
-def _verdict(sentence: str, latex: str) -> Verdict:
-    text = f"---\narm: planar_2r\n---\n# Arm\n{sentence}\n\n$$ {latex} $$\n"
-    [record] = check_document(parse_document(Path("arm.md"), text)).equations
+def _verdict(sentence: str, latex: str, arm: str = "planar_2r") -> Verdict:
+    text = f"---\narm: {arm}\n---\n# Arm\n{sentence}\n\n$$ {latex} $$\n"
+    *_, record = check_document(parse_document(Path("arm.md"), text)).equations
     return record.verdict

@@ -51,6 +51,7 @@ CHANGES: dict[str, Callable[[DocumentState], object]] = {
     "branches": lambda state: state.branches.update({"theta_1": OnABranch(3, "", frozenset({1}))}),
     "section": lambda state: setattr(state, "section", "A title"),
     "exercise": lambda state: setattr(state, "exercise", "Exercise 1"),
+    "has_open_determinant": lambda state: setattr(state, "has_open_determinant", True),
     "apart": lambda state: setattr(state, "apart", 1),
     "own_shorthands": lambda state: setattr(state, "own_shorthands", frozenset({("cos", 2)})),
     "other_sizes": lambda state: state.other_sizes.update(J=say(Kind.NO_EQUATION)),
