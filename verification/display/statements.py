@@ -22,6 +22,7 @@ from armproof.verification.conditions.implications import Implications, Judgemen
 from armproof.verification.conditions.tied_signs import with_signed
 from armproof.verification.conditions.wording import is_alternative, is_concluded, tell_words_that_change
 from armproof.verification.display.claims import Claims
+from armproof.verification.display.other_solutions import as_other_solution
 from armproof.verification.display.prepared import (
     asked,
     beside_arcs,
@@ -57,6 +58,7 @@ _ARC = re.compile(
     r"arc|tan|acos|asin|\^\s*\{?\s*-|(?:cos|sin)[\s{(]*(?:\\left)?[\s({]*-?\d\d", re.IGNORECASE
 )  # where an inverse function may stand, however spelled, or a number of degrees in a cosine
 _ASIDE = re.compile(r"\s*\([^()]*\)\s*")
+_OF_OTHER = re.compile(r"'|\\prime|\^\s*\{\s*\(")  # a name with primes, or with a number in parentheses
 _DEGREES = 10  # a whole number from here on is hardly an angle in radians
 
 
@@ -150,6 +152,8 @@ class Statements:
             self.ring.budget.check()
             self._take_next(display)
         self._heed_behind(display)
+        if _OF_OTHER.search(latex):
+            display.outcomes = as_other_solution(statements, display.outcomes, self.checker)
         if sum(n.has_branches(each) for each in statements) > 1:
             display.outcomes = unless_signs_clash(display.outcomes, self.checker.route.holds_everywhere)
         if display.is_connected:

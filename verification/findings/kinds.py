@@ -335,6 +335,8 @@ class Kind(MessageKind):
     DERIVATIVES_OF_POINT = "derivatives_of_point", "the derivatives by `{letters}` of the point that the document gives"
     OF_SINGULARITIES = "of_singularities", "read as $\\det J = 0$ there and nowhere else, as the text before says"
     OF_SOME_SINGULARITIES = "of_some_singularities", "read as $\\det J = 0$ there, as the text before says"
+    OTHER_SOLUTION_OF_POSE = "other_solution_of_pose", "read as another solution: there the tool has the same position and orientation"
+    OTHER_SOLUTION_OF_POSITION = "other_solution_of_position", "read as another solution: there the tool has the same position"
     UNDER_RATES = "under_rates", "under the rates, or at the velocity, that the text before or a column of numbers gives"
     HOLDS_AS_BEHIND = "holds_as_behind", "it holds at the values that stand behind it, and not everywhere: join them with \\text{{for}}"
     DETERMINANT_MEANT = "determinant_meant", "${name}$ is a Jacobian, a matrix, and this is a number: write \\det {name} where its determinant is meant"
