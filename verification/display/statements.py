@@ -31,7 +31,12 @@ from armproof.verification.display.prepared import (
     with_bare_letters,
     without_its_letters,
 )
-from armproof.verification.document.told_singularities import SINGULAR_ALONE, SINGULAR_AMONG, VANISHES
+from armproof.verification.document.told_singularities import (
+    SINGULAR_ALONE,
+    SINGULAR_AMONG,
+    VANISHES,
+    singularities_told,
+)
 from armproof.verification.equations.cells_left_out import with_cells
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.given_values import named_sign
@@ -143,7 +148,13 @@ class Statements:
         if told.singular and told.line == line:
             statements = _without_asides(statements)
         of_singularities = bool(told.singular) and self._are_conditions(statements)
-        if of_singularities and told.line == line and (found := self._of_singularities(statements, line)):
+        if (
+            of_singularities
+            and told.line == line
+            and (found := self._of_singularities(statements, told.singular, line))
+        ):
+            return found
+        if found := self._of_labelled_singularities(statements, line):
             return found
         display = _Display(statements, line, define, latex)
         if define and len(statements) > 1:
@@ -213,11 +224,24 @@ class Statements:
             return replace(statement, members=(subject, *statement.members[1:]))
         return statement
 
-    def _of_singularities(
+    def _of_labelled_singularities(
         self, statements: list[n.Statement], line: int
     ) -> tuple[list[Outcome], dict[str, float]] | None:
+        """Decide a display of conditions that begins with words: "Singularities: θ_2 = 0 or θ_2 = π"."""
+        label, *conditions = statements or [None]
+        told = [*singularities_told(label.text)] if isinstance(label, n.Connective) else []
+        arrow = next((at for at, each in enumerate(conditions) if _is_arrow(each)), len(conditions))
+        if not told or not self._are_conditions(conditions[:arrow]):
+            return None
+        found = self._of_singularities(conditions[:arrow], told[-1], line)
+        is_whole = arrow == len(conditions) or (found is not None and found[0][0].verdict is Verdict.REFUTED)
+        return found if is_whole else None
+
+    def _of_singularities(
+        self, statements: list[n.Statement], told: str, line: int
+    ) -> tuple[list[Outcome], dict[str, float]] | None:
         """ "The singularities are θ_2 = 0 or θ_2 = π": det J = 0 there and nowhere else. What leaves some out is open, unless the text says that it does not, or tells of one kind."""
-        statements, told = _as_alternatives(statements), self.names.state.told.singular
+        statements = _as_alternatives(statements)
         of_arm = n.Call("det", (n.Name("J"),), "\\det")
         determinant = self.names.state.subject if told == VANISHES else of_arm
         if not n.is_call(determinant, "det") or self.names.state.has_open_determinant:
@@ -441,6 +465,10 @@ def _as_alternatives(statements: list[n.Statement]) -> list[n.Statement]:
         return statements
     between = [(n.Connective("or", "or"), each) for each in statements[1:]]
     return [*statements[:1], *(each for pair in between for each in pair)]
+
+
+def _is_arrow(statement: n.Statement) -> bool:
+    return isinstance(statement, n.Connective) and statement.kind not in ("or", "and")
 
 
 def _without_asides(statements: list[n.Statement]) -> list[n.Statement]:

@@ -90,6 +90,26 @@ def test_of_one_kind_there_may_be_others(sentence: str) -> None:
     assert _verdict(sentence, r"c_1 = 0", "spatial_rrr") is Verdict.REFUTED
 
 
+@pytest.mark.parametrize(
+    ("latex", "verdict"),
+    [
+        (r"\text{Singularities: } \theta_2 = 0 \text{ or } \theta_2 = \pi", Verdict.PROVED),
+        (r"\text{Singularités : } \theta_2 = \pm\frac{\pi}{2}", Verdict.REFUTED),
+        (r"\text{Singularités : } C_2 = 0 \iff \theta_2 = \pm 90^\circ", Verdict.REFUTED),
+        (r"\text{Singularités : } S_2 = 0 \iff \theta_2 = \pm 90^\circ", Verdict.UNCHECKED),
+        (r"\text{No singularity: } \theta_2 = \frac{\pi}{2}", Verdict.UNCHECKED),
+    ],
+)
+def test_a_display_may_say_itself_that_it_is_of_singularities(latex: str, verdict: Verdict) -> None:
+    assert _verdict("We get", latex) is verdict
+
+
+def test_what_stands_in_parentheses_beside_a_condition_is_no_part_of_it() -> None:
+    for right, verdict in ((r"\pi", Verdict.PROVED), (r"\frac{\pi}{2}", Verdict.REFUTED)):
+        latex = rf"\theta_2 = 0 \quad\text{{(arm stretched)}}\quad\text{{or}}\quad \theta_2 = {right}"
+        assert _verdict("Hence the singular configurations are", latex) is verdict
+
+
 @pytest.mark.parametrize("sentence", DENIED)
 def test_what_is_denied_is_not(sentence: str) -> None:
     for latex in (r"\sin\theta_2 = 0", r"\cos\theta_2 = 0"):
