@@ -18,6 +18,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import VARIANTS
 from armproof.verification.latex.nodes import call_key
 from armproof.verification.latex.reader import MAX_LENGTH, Reader, key_as_latex
+from armproof.verification.latex.solids import first_solid
 from armproof.verification.latex.tokens import PRE_SCRIPTS, Spelling, canonical_script
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.latex.vocabulary import FUNCTIONS, LETTERS
@@ -157,7 +158,7 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
         dressed_letters(texts), starred_names(texts), _of_two_velocities(texts),
         frozenset(f"{letter}_{axis}" for letter, axis in _LOAD.findall(said)) | _moments(texts),
         frozenset(_columns(displays)), frozenset(_as_read(each, apart) for each in rates_in(displays)), bool(of_theta) and of_q == _QUATERNION,
-        *_told_scalars(document.scalars, said),
+        *_told_scalars(document.scalars, said), first_solid((*texts, *(each for *_, each in document.figures))),
     )  # fmt: skip
 
 

@@ -1,0 +1,296 @@
+r"""The arm of a figure that a document tells by vectors: \overrightarrow{OA} = l_1 \vec x_1, θ_1 = (\vec x_0, \vec x_1).
+
+Solids bear numbers, and each turns on the one before it by an angle between axes; a vector whose size moves slides.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+from itertools import islice, product
+from typing import Any
+
+from armproof.verification.document import Document
+from armproof.verification.errors import ReadError
+from armproof.verification.latex import nodes as n
+from armproof.verification.latex.solids import ARROWS
+from armproof.verification.naming.moving import rates_in
+from armproof.verification.naming.names import Names
+from armproof.verification.tables.arms.candidate import Candidate, renamed, symbol_of
+from armproof.verification.tables.arms.moves import Moves
+
+SOURCE = "figure"
+MOST = 4  # ways in which the axes may lie that are weighed
+_AXES = dict(zip("xyzijk", "xyzxyz", strict=True))
+_ARROWS = tuple(f"\\{arrow}" for arrow in ARROWS)
+_OF_TIME = re.compile(r"\(\s*t\s*\)")
+_NOTHING = {"a": "0", "alpha": "0", "d": "0", "theta": "0"}
+
+
+@dataclass(frozen=True)
+class _Turn:
+    """A turn of one solid on another by an angle, which axes tell; about one of the others."""
+
+    start: str
+    end: str
+    angle: str
+    told: frozenset[str]
+
+    @property
+    def about(self) -> tuple[str, ...]:
+        """The axes about which it may be, the likelier first."""
+        return tuple(axis for axis in "zyx" if axis not in self.told)
+
+
+@dataclass(frozen=True)
+class _Vector:
+    """A vector between two points of a figure: its terms are letters along axes of solids."""
+
+    start: str
+    end: str
+    terms: tuple[tuple[str, str, str], ...]  # size, axis, solid
+    place: tuple[int | None, int]
+    is_shown: bool  # in a display
+
+
+@dataclass
+class _Chain:
+    """A chain that is built from the base, and which of its frames bear names."""
+
+    moves: Moves = field(default_factory=Moves)
+    solids: dict[str, int] = field(default_factory=dict)  # solid → frame, by its row
+    points: dict[str, int] = field(default_factory=dict)
+    solid: str = "0"
+
+    @property
+    def here(self) -> int:
+        return len(self.moves.rows)
+
+    def mark(self, point: str) -> None:
+        """Let a point be where the chain has come, and the frame of its solid, unless that has a point of its number."""
+        self.points[point] = self.here
+        if f"O_{self.solid}" not in self.points or point == f"O_{self.solid}":
+            self.solids[self.solid] = self.here
+
+    def turn(self, turn: _Turn, axis: str) -> None:
+        """Turn on to the next solid about an axis, both ways of which the same frame has."""
+        before: dict[str, list[tuple[str, str]]] = {
+            "z": [], "y": [("alpha", "-pi/2")], "x": [("theta", "pi/2"), ("alpha", "pi/2")]
+        }  # fmt: skip
+        point = next((each for each, at in self.points.items() if at == self.here), "")
+        self.solid = turn.end
+        self._begin()
+        for column, value in before[axis]:
+            self.moves.add(column, value)
+        self.moves.add("theta", symbol_of(turn.angle), symbol_of(turn.angle))
+        for column, value in reversed(before[axis]):
+            self.moves.add(column, value.removeprefix("-") if value.startswith("-") else f"-{value}")
+        self.solids[self.solid] = self.here
+        if point == f"O_{turn.end}":
+            self.points[point] = self.here
+
+    def shift(self, size: str, axis: str, moves: bool) -> None:
+        """Go along an axis of the solid; what moves leads on to the next solid, whose axes lie as its do."""
+        sign = "-" if size.startswith("-") else ""
+        value = sign + symbol_of(size.removeprefix("-"))
+        joint = symbol_of(size.removeprefix("-")) if moves else ""
+        self._begin()
+        if axis == "z":
+            self.moves.add("d", value, joint)
+        elif axis == "x" and not moves:
+            self.moves.add("a", value)
+        else:
+            self.moves.slide(axis, value, joint)
+        if moves:
+            self.solid = str(int(self.solid) + 1)
+        if f"O_{self.solid}" not in self.points:
+            self.solids[self.solid] = self.here
+
+    def _begin(self) -> None:
+        """Begin a row of its own behind a frame that has a name."""
+        named = {*self.points.values(), *(at for solid, at in self.solids.items() if solid != self.solid)}
+        if self.here in named and self.here:
+            self.moves.rows.append(dict(_NOTHING))
+            self.moves.joints.append("")
+
+    @property
+    def frames(self) -> tuple[str, ...]:
+        """The names of all frames: solids by their numbers, O_3 beyond them by its own."""
+        names = {at: solid for solid, at in self.solids.items()}
+        for point, at in self.points.items():
+            index = point.removeprefix("O_")
+            if at not in names and index != point and index not in self.solids:
+                names[at] = index
+        return tuple("0" if k == 0 else names.get(k, f"f{k}") for k in range(self.here + 1))
+
+
+def figure_arms(document: Document, names: Names) -> list[Candidate]:
+    """Return the arms that the vectors of a document's figure may be of, nothing where they make no chain."""
+    turns, vectors = [], []
+    for place, latex, is_shown in _formulas(document):
+        with suppress(ReadError, RecursionError):
+            for statement in names.reader.read(_OF_TIME.sub(" ", latex)):
+                if isinstance(statement, n.Chain):
+                    turns += _turns(statement)
+                    vectors += _vectors(statement, place, is_shown)
+    order = _in_order(turns)
+    path = _path(vectors)
+    if not order or not path:
+        return []
+    ways = islice(product(*(turn.about for turn in order)), MOST * MOST)
+    found = (_candidate(order, axes, path, document) for axes in ways)
+    return list({repr((each.rows, each.joints)): each for each in found if each is not None}.values())[:MOST]
+
+
+def _formulas(document: Document) -> Iterator[tuple[tuple[int | None, int], str, bool]]:
+    yield from (((cell, line), latex, False) for cell, line, latex in document.figures)
+    for each in document.displays:
+        if each.closed and not (each.erratum or each.denied or each.supposed) and "\\" in each.latex:
+            yield each.place, each.latex, True
+
+
+def _turns(chain: n.Chain) -> Iterator[_Turn]:
+    """Yield the turn that an angle is of: θ_1 = (x_0, x_1) = (y_0, y_1)."""
+    pairs = [pair for member in chain.members if (pair := _between(member)) is not None]
+    angles = [member for member in map(n.bare, chain.members) if isinstance(member, n.Name) and not member.dots]
+    if not pairs or len(angles) != 1 or set(chain.relations) != {"="}:
+        return
+    (start, end, _), *_ = pairs
+    if len(pairs) + 1 == len(chain.members) and all(pair[:2] == (start, end) for pair in pairs):
+        yield _Turn(start, end, angles[0].key, frozenset(axis for *_, axis in pairs))
+
+
+def _between(node: n.Node) -> tuple[str, str, str] | None:
+    """Return the solids and the axis of (x_0, x_1), None of anything else."""
+    inner = n.ungrouped(node)
+    if not isinstance(inner, n.Sequence) or len(inner.items) != 2:
+        return None
+    one, other = (_axis(item) for item in inner.items)
+    if one is None or other is None or one[0] != other[0] or one[1] == other[1]:
+        return None
+    return one[1], other[1], one[0]
+
+
+def _axis(node: n.Node) -> tuple[str, str] | None:
+    name = n.bare(node)
+    is_axis = isinstance(name, n.Name) and name.base in _AXES and name.text.startswith(_ARROWS)
+    if not (is_axis and isinstance(name, n.Name) and name.sub.isdigit() and not name.dots):
+        return None
+    return _AXES[name.base], name.sub
+
+
+def _vectors(chain: n.Chain, place: tuple[int | None, int], is_shown: bool) -> Iterator[_Vector]:
+    """Yield the vector between two points that a chain gives by letters along axes."""
+    if set(chain.relations) != {"="}:
+        return
+    points = next((pair for member in chain.members if (pair := _points(member)) is not None), None)
+    terms = next((found for member in chain.members if (found := _terms(member))), ())
+    if points is not None and terms:
+        yield _Vector(*points, terms, place, is_shown)
+
+
+def _points(node: n.Node) -> tuple[str, str] | None:
+    """Return the points between which a vector leads: OA, O_1O_2."""
+    inner = n.bare(node)
+    if isinstance(inner, n.Name) and re.fullmatch("[A-Z]{2}", inner.base) and inner == n.Name(inner.base):
+        return inner.base[0], inner.base[1]
+    while isinstance(inner, n.Group):
+        inner = inner.inner
+    pair = inner.factors if isinstance(inner, n.Product) and inner.operators == ("",) else ()
+    one, other = pair if len(pair) == 2 else (None, None)
+    if not (isinstance(one, n.Name) and isinstance(other, n.Name) and one.base == other.base == "O"):
+        return None
+    return tuple(f"O_{each.sub}" if each.sub else "O" for each in (one, other))  # type: ignore[return-value]
+
+
+def _terms(node: n.Node) -> tuple[tuple[str, str, str], ...]:
+    """Return the sizes along axes of which a vector is the sum, nothing of another formula."""
+    inner = n.bare(node)
+    found = []
+    for sign, term in inner.terms if isinstance(inner, n.Sum) else (("+", inner),):
+        factors = n.bare(term).factors if isinstance(n.bare(term), n.Product) else ()  # type: ignore[union-attr]
+        if len(factors) != 2 or sign not in ("+", "-"):
+            return ()
+        size, axis = n.bare(factors[0]), _axis(factors[1])
+        if axis is None or not isinstance(size, n.Name) or size.dots or size.primes:
+            return ()
+        found.append((("-" if sign == "-" else "") + size.key, *axis))
+    return tuple(found)
+
+
+def _in_order(turns: Sequence[_Turn]) -> list[_Turn]:
+    """Return the turns in their order from the base on, each once; nothing where one solid turns in two ways."""
+    merged: dict[tuple[str, str], _Turn] = {}
+    for turn in turns:
+        before = merged.get((turn.start, turn.end))
+        if before is not None and before.angle != turn.angle:
+            return []
+        told = turn.told | (before.told if before is not None else frozenset())
+        merged[turn.start, turn.end] = _Turn(turn.start, turn.end, turn.angle, told)
+    found = sorted(merged.values(), key=lambda turn: turn.start)
+    ways = [(turn.start, turn.end) for turn in found]
+    forward = all(start < end for start, end in ways)
+    is_chain = len({start for start, _ in ways}) == len({end for _, end in ways}) == len(ways)
+    return found if forward and is_chain and found and found[0].start == "0" else []
+
+
+def _path(vectors: Sequence[_Vector]) -> list[_Vector]:
+    """Return the vectors from the first point on, of two to one point the one that the text tells; nothing where it tells one twice otherwise."""
+    steps: dict[tuple[str, str], _Vector] = {}
+    for each in sorted(vectors, key=lambda vector: vector.is_shown):
+        before = steps.setdefault((each.start, each.end), each)
+        if before.terms != each.terms and not each.is_shown:
+            return []
+    ends = {end for _, end in steps}
+    starts = [start for start, _ in steps if start not in ends]
+    if len(set(starts)) != 1:
+        return []
+    found: list[_Vector] = []
+    at, seen = starts[0], {starts[0]}
+    while next_steps := [step for (start, end), step in steps.items() if start == at and end not in seen]:
+        found.append(min(next_steps, key=lambda step: (step.is_shown, len(step.terms))))
+        at = found[-1].end
+        seen.add(at)
+    return found
+
+
+def _candidate(
+    turns: Sequence[_Turn], axes: Sequence[str], path: Sequence[_Vector], document: Document
+) -> Candidate | None:
+    """Return the arm of a chain; None where a vector lies along a solid that no turn leads to."""
+    chain, left = _Chain(), [*zip(turns, axes, strict=True)]
+    moving = rates_in(document.displays)
+    angles = {turn.angle for turn in turns}
+    chain.points[path[0].start] = 0
+    chain.solids["0"] = 0
+    for vector in path:
+        for size, axis, solid in vector.terms:
+            while chain.solid < solid and left and left[0][0].start <= chain.solid:
+                chain.turn(*left.pop(0))
+            letter = size.removeprefix("-")
+            if solid > chain.solid or letter in angles or (letter in moving and size != letter):
+                return None
+            if solid < chain.solid and (axis != "z" or any(about != "z" for about in axes)):
+                return None  # it lies along an axis that has turned since
+            chain.shift(size, axis, letter in moving)
+        chain.mark(vector.end)
+    for turn, axis in left:
+        if turn.start > chain.solid:
+            return None
+        chain.turn(turn, axis)
+    frames = chain.frames
+    quantities: dict[str, Any] = {
+        point: {"origin": frames[at]}
+        for point, at in chain.points.items()
+        if point not in ("O", f"O_{frames[at]}") or (at and point == "O")
+    }
+    lines = tuple(dict.fromkeys(each.place for each in path if each.is_shown))
+    cell, line = path[0].place
+    letters = [n.Name(*key.partition("_")[::2]) for turn in turns for key in (turn.angle,)]
+    plain = frames == tuple(map(str, range(len(frames))))
+    return Candidate(
+        SOURCE, line, cell, tuple(chain.moves.rows), tuple(chain.moves.joints), renamed(letters), ("classic",),
+        more_lines=lines, frames=() if plain and "" not in chain.moves.joints else frames, quantities=quantities,
+    )  # fmt: skip
