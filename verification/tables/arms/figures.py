@@ -15,8 +15,9 @@ from typing import Any
 from armproof.verification.document import Document
 from armproof.verification.errors import ReadError
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.reader import key_as_latex
 from armproof.verification.latex.solids import ARROWS
-from armproof.verification.naming.moving import rates_in
+from armproof.verification.naming.moving import index_of, rates_in
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.arms.candidate import Candidate, renamed, symbol_of
 from armproof.verification.tables.arms.moves import Moves
@@ -25,6 +26,7 @@ SOURCE = "figure"
 MOST = 4  # ways in which the axes may lie that are weighed
 _AXES = dict(zip("xyzijk", "xyzxyz", strict=True))
 _ARROWS = tuple(f"\\{arrow}" for arrow in ARROWS)
+_ANGLE = re.compile(r"(?:theta|phi|psi|alpha|beta|gamma|q)(?:_\d)?")
 _OF_TIME = re.compile(r"\(\s*t\s*\)")
 _NOTHING = {"a": "0", "alpha": "0", "d": "0", "theta": "0"}
 
@@ -60,7 +62,7 @@ class _Chain:
     """A chain that is built from the base, and which of its frames bear names."""
 
     moves: Moves = field(default_factory=Moves)
-    solids: dict[str, int] = field(default_factory=dict)  # solid → frame, by its row
+    solids: dict[str, int] = field(default_factory=lambda: {"0": 0})  # solid → frame, by its row
     points: dict[str, int] = field(default_factory=dict)
     solid: str = "0"
 
@@ -71,8 +73,7 @@ class _Chain:
     def mark(self, point: str) -> None:
         """Let a point be where the chain has come, and the frame of its solid, unless that has a point of its number."""
         self.points[point] = self.here
-        if f"O_{self.solid}" not in self.points or point == f"O_{self.solid}":
-            self.solids[self.solid] = self.here
+        self._place_solid(point == f"O_{self.solid}")
 
     def turn(self, turn: _Turn, axis: str) -> None:
         """Turn on to the next solid about an axis, both ways of which the same frame has."""
@@ -91,21 +92,23 @@ class _Chain:
         if point == f"O_{turn.end}":
             self.points[point] = self.here
 
-    def shift(self, size: str, axis: str, moves: bool) -> None:
-        """Go along an axis of the solid; what moves leads on to the next solid, whose axes lie as its do."""
+    def shift(self, size: str, axis: str, slider: str) -> None:
+        """Go along an axis of the solid; what moves leads on to another solid, whose axes lie as its do."""
         sign = "-" if size.startswith("-") else ""
         value = sign + symbol_of(size.removeprefix("-"))
-        joint = symbol_of(size.removeprefix("-")) if moves else ""
+        joint = value if slider else ""
+        self.solid = slider or self.solid
         self._begin()
         if axis == "z":
             self.moves.add("d", value, joint)
-        elif axis == "x" and not moves:
+        elif axis == "x" and not slider:
             self.moves.add("a", value)
         else:
             self.moves.slide(axis, value, joint)
-        if moves:
-            self.solid = str(int(self.solid) + 1)
-        if f"O_{self.solid}" not in self.points:
+        self._place_solid()
+
+    def _place_solid(self, is_its_point: bool = False) -> None:
+        if self.solid != "0" and (is_its_point or f"O_{self.solid}" not in self.points):
             self.solids[self.solid] = self.here
 
     def _begin(self) -> None:
@@ -125,6 +128,23 @@ class _Chain:
                 names[at] = index
         return tuple("0" if k == 0 else names.get(k, f"f{k}") for k in range(self.here + 1))
 
+    def candidate(self, path: Sequence[_Vector], angles: Sequence[str]) -> Candidate:
+        """Return the arm, with the points that bear letters at its frames."""
+        frames = self.frames
+        quantities: dict[str, Any] = {
+            point: {"origin": frames[at]}
+            for point, at in self.points.items()
+            if point != f"O_{frames[at]}" and (at or point != "O")
+        }
+        shown = tuple(dict.fromkeys(each.place for each in path if each.is_shown))
+        cell, line = path[0].place
+        plain = "" not in self.moves.joints and frames == tuple(map(str, range(len(frames))))
+        letters = [n.Name(*angle.partition("_")[::2]) for angle in angles]
+        return Candidate(
+            SOURCE, line, cell, tuple(self.moves.rows), tuple(self.moves.joints), renamed(letters), ("classic",),
+            more_lines=shown, frames=() if plain else frames, quantities=quantities,
+        )  # fmt: skip
+
 
 def figure_arms(document: Document, names: Names) -> list[Candidate]:
     """Return the arms that the vectors of a document's figure may be of, nothing where they make no chain."""
@@ -135,12 +155,12 @@ def figure_arms(document: Document, names: Names) -> list[Candidate]:
                 if isinstance(statement, n.Chain):
                     turns += _turns(statement)
                     vectors += _vectors(statement, place, is_shown)
-    order = _in_order(turns)
-    path = _path(vectors)
+    path, moving = _path(vectors), {names.reader.key_of(key_as_latex(each)) for each in rates_in(document.displays)}
+    order = _in_order([*turns, *_untold(turns, path, moving, document)])
     if not order or not path:
         return []
     ways = islice(product(*(turn.about for turn in order)), MOST * MOST)
-    found = (_candidate(order, axes, path, document) for axes in ways)
+    found = (_candidate(order, axes, path, moving) for axes in ways)
     return list({repr((each.rows, each.joints)): each for each in found if each is not None}.values())[:MOST]
 
 
@@ -236,6 +256,23 @@ def _in_order(turns: Sequence[_Turn]) -> list[_Turn]:
     return found if forward and is_chain and found and found[0].start == "0" else []
 
 
+def _untold(turns: Sequence[_Turn], path: Sequence[_Vector], moving: set[str], document: Document) -> list[_Turn]:
+    """Return the turns that a picture alone tells: to each solid without one by the angle that moves, if these are as many."""
+    used = {solid for vector in path for *_, solid in vector.terms}
+    ends = [str(k) for k in range(1, int(max(used, default="0")) + 1) if str(k) not in {turn.end for turn in turns}]
+    written = " ".join((*(each for *_, each in document.figures), *(each.latex for each in document.displays)))
+    angles = {each for each in moving if _ANGLE.fullmatch(each)} - {turn.angle for turn in turns}
+    order = sorted(angles, key=lambda angle: (index_of(angle), _first_place(angle.partition("_")[0], written)))
+    if len(order) != len(ends):
+        return []
+    return [_Turn(str(int(end) - 1), end, angle, frozenset()) for end, angle in zip(ends, order, strict=True)]
+
+
+def _first_place(letter: str, written: str) -> int:
+    found = re.search(rf"\\(?:var)?{letter}(?![A-Za-z])|(?<![A-Za-z\\]){letter}(?![A-Za-z])", written)
+    return found.start() if found is not None else len(written)
+
+
 def _path(vectors: Sequence[_Vector]) -> list[_Vector]:
     """Return the vectors from the first point on, of two to one point the one that the text tells; nothing where it tells one twice otherwise."""
     steps: dict[tuple[str, str], _Vector] = {}
@@ -257,40 +294,34 @@ def _path(vectors: Sequence[_Vector]) -> list[_Vector]:
 
 
 def _candidate(
-    turns: Sequence[_Turn], axes: Sequence[str], path: Sequence[_Vector], document: Document
+    turns: Sequence[_Turn], axes: Sequence[str], path: Sequence[_Vector], moving: set[str]
 ) -> Candidate | None:
     """Return the arm of a chain; None where a vector lies along a solid that no turn leads to."""
     chain, left = _Chain(), [*zip(turns, axes, strict=True)]
-    moving = rates_in(document.displays)
     angles = {turn.angle for turn in turns}
+    slides = [size for vector in path for size, *_ in vector.terms if size.removeprefix("-") in moving]
+    if angles & {*slides} or any(size.startswith("-") for size in slides):
+        return None
+    free = _of_slides(turns, len(slides))
     chain.points[path[0].start] = 0
-    chain.solids["0"] = 0
     for vector in path:
         for size, axis, solid in vector.terms:
-            while chain.solid < solid and left and left[0][0].start <= chain.solid:
+            needed = str(int(free[0]) - 1) if size in slides else solid
+            while chain.solid < needed and left and left[0][0].start == chain.solid:
                 chain.turn(*left.pop(0))
-            letter = size.removeprefix("-")
-            if solid > chain.solid or letter in angles or (letter in moving and size != letter):
-                return None
-            if solid < chain.solid and (axis != "z" or any(about != "z" for about in axes)):
-                return None  # it lies along an axis that has turned since
-            chain.shift(size, axis, letter in moving)
+            between = [about for turn, about in zip(turns, axes, strict=True) if solid <= turn.start < chain.solid]
+            if solid > chain.solid or any(about != axis for about in between) or chain.solid < needed:
+                return None  # it lies along an axis that has turned since, or that nothing leads to
+            chain.shift(size, axis, free.pop(0) if size in slides else "")
         chain.mark(vector.end)
     for turn, axis in left:
-        if turn.start > chain.solid:
+        if turn.start != chain.solid:
             return None
         chain.turn(turn, axis)
-    frames = chain.frames
-    quantities: dict[str, Any] = {
-        point: {"origin": frames[at]}
-        for point, at in chain.points.items()
-        if point not in ("O", f"O_{frames[at]}") or (at and point == "O")
-    }
-    lines = tuple(dict.fromkeys(each.place for each in path if each.is_shown))
-    cell, line = path[0].place
-    letters = [n.Name(*key.partition("_")[::2]) for turn in turns for key in (turn.angle,)]
-    plain = frames == tuple(map(str, range(len(frames))))
-    return Candidate(
-        SOURCE, line, cell, tuple(chain.moves.rows), tuple(chain.moves.joints), renamed(letters), ("classic",),
-        more_lines=lines, frames=() if plain and "" not in chain.moves.joints else frames, quantities=quantities,
-    )  # fmt: skip
+    return chain.candidate(path, [turn.angle for turn in turns])
+
+
+def _of_slides(turns: Sequence[_Turn], count: int) -> list[str]:
+    """Return the numbers of the solids that slide: those that turns leave."""
+    turned = {turn.end for turn in turns}
+    return [str(k) for k in range(1, len(turns) + count + 1) if str(k) not in turned][:count]

@@ -125,7 +125,7 @@ def _of_figure(document: Document) -> Inference | None:
     except ArmproofError:
         return None
     best = readings[0] if readings else None
-    if best is None or best.held < _FEWEST or best.held <= best.failed or any(_is_rival(each, best) for each in readings[1:]):
+    if best is None or best.held < max(_FEWEST, best.failed) or any(_is_rival(each, best) for each in readings[1:]):
         return None
     return _taken(document, found, best, False)
 
