@@ -22,8 +22,9 @@ _SOLIDS = re.compile(rf"\s*{_SOLID}\s*/\s*{_SOLID}\s*")
 _OF_POINT = re.compile(
     rf"\s*([A-Z])(?:\s*_\s*\{{?\s*(\w)\s*\}}?)?\s*(?:(?:,|\\in(?![A-Za-z])|\\[,;!]|\s)+{_SOLID}\s*/\s*{_SOLID}|/\s*{_SOLID})\s*"
 )
+_VECTORS = r"[Va]|\\Omega|\\omega|\\Gamma"
 _VECTOR = re.compile(
-    rf"(?P<head>{_ARROW}\s*(?:\{{\s*(?:V|\\Omega|\\omega|\\Gamma)\s*\}}|(?:V|\\Omega|\\omega|\\Gamma)(?![A-Za-z])))\s*"
+    rf"(?P<head>{_ARROW}\s*(?:\{{\s*(?:{_VECTORS})\s*\}}|(?:{_VECTORS})(?![A-Za-z])))\s*"
     r"(?:(?:\\left|\\[bB]ig+l?)?\s*\((?P<in>(?:[^()]|\([^()]*\))*?)(?:\\right|\\[bB]ig+r?)?\s*\)|_\s*\{(?P<below>(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\})"
 )
 _NUMBERED = re.compile(  # as they are written once they are plain
@@ -31,6 +32,12 @@ _NUMBERED = re.compile(  # as they are written once they are plain
 )
 _AXIS = rf"{_ARROW}\s*\{{?\s*[xyzijk]\s*\}}?\s*_\s*\{{?\s*(\d)\s*\}}?"
 _BETWEEN_AXES = re.compile(rf"\(\s*{_AXIS}\s*,(?:\s|\\[,;!])*{_AXIS}\s*(?:\\right\s*)?\)")  # (\vec x_0, \vec x_1)
+_POINT = r"\(?\s*(?P<{}>[A-Z](?:_\{{?\w\}}?)?)\s*(?:,[^{{}}]*(?:\{{[^{{}}]*\}}[^{{}}]*)*)?\)?"
+_TORSOR = re.compile(  # \{V_{2/0}\} = \{\begin{matrix} … \end{matrix}\}_B, one vector above the other
+    r"(?P<name>(?:\\left\s*)?\\\{\s*\\(?:mathcal|mathscr|mathbb|cal)(?![A-Za-z])\s*\{?\s*V\s*\}?\s*(?:_\s*\{(?P<below>[^{}]*(?:\{[^{}]*\}[^{}]*)*)\}|\((?P<in>[^()]*)\))"
+    r"\s*(?:\\right\s*)?\\\}(?:_\s*\{?\s*(?P<own>[A-Z](?:_\w)?)\s*\}?)?)(?P<equal>\s*&?\s*=\s*&?\s*)(?P<open>(?:\\left\s*)?\\\{\s*)?(?P<matrix>\\begin\s*\{(?P<kind>B?matrix|array)\}"
+    rf"[^&]*?\\end\s*\{{(?P=kind)\}})(?P<close>\s*(?:\\right\s*)?\\\}})?(?P<point>\s*_\s*(?:\{{{_POINT.format('braced')}\}}|(?P<bare>[A-Z](?![A-Za-z]))))"
+)
 _OF_BASE = r"_\s*(?:\{\s*(?:/|t\s*,)?\s*(?:\(?\\?(?:mathcal|mathrm|text)?\s*\{?\s*[RB]\s*\}?\s*_?\s*\{?\s*0\s*\}?\)?|0)\s*\}|0|R_0)"
 _QUOTIENT = r"\\d?frac\s*\{(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*\}\s*\{(?:[^{}]|\{[^{}]*\})*(?<![A-Za-ce-z])t\s*\}"
 _SEEN_FROM_BASE = re.compile(
@@ -45,7 +52,7 @@ def with_solids(text: str) -> str:
         return text
     text = _IN_ARROW.sub(_out_of_arrow, text)
     if "/" in text:
-        text = _VECTOR.sub(_indexed, text)
+        text = _TORSOR.sub(_stacked, _VECTOR.sub(_indexed, text))
     return _SEEN_FROM_BASE.sub(_rate, text) if "frac" in text else text
 
 
@@ -63,7 +70,7 @@ def _out_of_arrow(found: re.Match[str]) -> str:
 def _indexed(found: re.Match[str]) -> str:
     """Return V_{B,2/0} for V(B, 2/0); what names no solids stays as it is."""
     arguments = found["in"] if found["in"] is not None else found["below"]
-    letter = re.search(r"V|\\(?:Omega|omega|Gamma)", found["head"])
+    letter = re.search(rf"(?:{_VECTORS})(?=[\s}}]*$)", found["head"])
     assert letter is not None
     pattern = _SOLIDS if letter[0] in ("\\Omega", "\\omega") else _OF_POINT
     told = pattern.fullmatch(arguments)
@@ -77,6 +84,22 @@ def _indexed(found: re.Match[str]) -> str:
     whole = len(found.group())
     spelt = (f"{found['head']}_{{{index}}}", f"{letter[0]}_{{{index}}}")
     return next((each.ljust(whole) for each in spelt if len(each) <= whole), found.group())
+
+
+def _stacked(found: re.Match[str]) -> str:
+    """Return V_{t,B,2/0} = the matrix of a torsor that is written with its point."""
+    told = _SOLIDS.fullmatch(found["in"] if found["in"] is not None else found["below"])
+    is_fenced = bool(found["open"]) and bool(found["close"])
+    if told is None or (found["kind"] != "Bmatrix" and not is_fenced) or bool(found["open"]) != bool(found["close"]):
+        return found.group()
+    point = re.sub(r"[{}\s]", "", found["bare"] or found["braced"])
+    if found["own"] and found["own"] != point:
+        return found.group()
+    name = f"V_{{t,{point},{told[1]}/{told[2]}}}"
+    if len(name) > len(found["name"]):
+        return found.group()
+    blank = [" " * len(found[group] or "") for group in ("open", "close", "point")]
+    return f"{name.ljust(len(found['name']))}{found['equal']}{blank[0]}{found['matrix']}{blank[1]}{blank[2]}"
 
 
 def _rate(found: re.Match[str]) -> str:

@@ -12,7 +12,7 @@ from armproof.verification.latex.solids import ARROWS
 
 _AXES = {**dict(zip("xyz", "xyz", strict=True)), **dict(zip("ijk", "xyz", strict=True))}
 _ARROWS = tuple(f"\\{arrow}" for arrow in ARROWS)
-_OF_POINT = re.compile(r"(?:(?P<point>[A-Z](?:_\w)?),)?(?P<solid>\d)/(?P<seen>\d)")
+_OF_POINT = re.compile(r"(?P<torsor>t,)?(?:(?P<point>[A-Z](?:_\w)?),)?(?P<solid>\d)/(?P<seen>\d)")
 _OF_PLACE = re.compile(r"(?P<point>[A-Z](?:_\w)?)/(?P<seen>\d)")
 _TWO_POINTS = re.compile(r"[A-Z]{2}")
 _TWO_ORIGINS = re.compile(r"(\d)to(\d)")
@@ -46,6 +46,8 @@ def _velocity(name: n.Name, arm: Arm, points: Mapping[str, Quantity]) -> Quantit
     if point is None or solid is None or solid not in arm.frames or told["seen"] not in arm.frames:
         return None
     rows = (1, 2, 3) if name.base == "V" else (4, 5, 6)
+    if told.re is _OF_POINT and told["torsor"]:
+        rows = (4, 5, 6, 1, 2, 3)
     return Quantity("solid_velocity", solid, arm.frames[0], rows=rows, start=told["seen"], point=point)
 
 

@@ -125,7 +125,8 @@ def _of_figure(document: Document) -> Inference | None:
     except ArmproofError:
         return None
     best = readings[0] if readings else None
-    if best is None or best.held < max(_FEWEST, best.failed) or any(_is_rival(each, best) for each in readings[1:]):
+    others = [each for each in readings if best is not None and each.front["arm"] != best.front["arm"]]
+    if best is None or best.held < max(_FEWEST, best.failed) or any(each.held >= best.held for each in others):
         return None
     return _taken(document, found, best, False)
 
