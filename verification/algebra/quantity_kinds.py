@@ -202,9 +202,7 @@ class SolidVelocity(Velocity):
 
     def whole(self, quantity: Quantity, algebra: OfArm) -> Matrix:
         place = algebra.pose(quantity.point or quantity.frame, quantity.reference).block(range(3), [3])
-        own, other = (
-            self._at(frame, place, quantity.reference, algebra) for frame in (quantity.frame, quantity.start)
-        )
+        own, other = (self._at(frame, place, quantity.reference, algebra) for frame in (quantity.frame, quantity.start))
         return column([one - two for one, two in zip(own.cells, other.cells, strict=True)])
 
     def _at(self, frame: str, place: Matrix, reference: str, algebra: OfArm) -> Matrix:

@@ -38,6 +38,7 @@ _TORSOR = re.compile(  # \{V_{2/0}\} = \{\begin{matrix} … \end{matrix}\}_B, on
     r"\s*(?:\\right\s*)?\\\}(?:_\s*\{?\s*(?P<own>[A-Z](?:_\w)?)\s*\}?)?)(?P<equal>\s*&?\s*=\s*&?\s*)(?P<open>(?:\\left\s*)?\\\{\s*)?(?P<matrix>\\begin\s*\{(?P<kind>B?matrix|array)\}"
     rf"[^&]*?\\end\s*\{{(?P=kind)\}})(?P<close>\s*(?:\\right\s*)?\\\}})?(?P<point>\s*_\s*(?:\{{{_POINT.format('braced')}\}}|(?P<bare>[A-Z](?![A-Za-z]))))"
 )
+_PRINTED = re.compile(r"\\end\s*\{(?:B?matrix|array)\}")
 _OF_BASE = r"_\s*(?:\{\s*(?:/|t\s*,)?\s*(?:\(?\\?(?:mathcal|mathrm|text)?\s*\{?\s*[RB]\s*\}?\s*_?\s*\{?\s*0\s*\}?\)?|0)\s*\}|0|R_0)"
 _QUOTIENT = r"\\d?frac\s*\{(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*\}\s*\{(?:[^{}]|\{[^{}]*\})*(?<![A-Za-ce-z])t\s*\}"
 _SEEN_FROM_BASE = re.compile(
@@ -52,7 +53,10 @@ def with_solids(text: str) -> str:
         return text
     text = _IN_ARROW.sub(_out_of_arrow, text)
     if "/" in text:
-        text = _TORSOR.sub(_stacked, _VECTOR.sub(_indexed, text))
+        text = _VECTOR.sub(_indexed, text)
+        text = (
+            _TORSOR.sub(_stacked, text) if len(_PRINTED.findall(text)) == 1 else text
+        )  # of two, at two points perhaps
     return _SEEN_FROM_BASE.sub(_rate, text) if "frac" in text else text
 
 

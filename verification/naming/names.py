@@ -262,7 +262,7 @@ class Names:
     def _of_solid(self, name: n.Name) -> Quantity | None:
         """Return what a name means where the document numbers solids from that of the arm's first frame on."""
         solid = self.reader.spelling.first_solid
-        if self.arm is None or not solid or solid != self.arm.frames[0]:
+        if self.arm is None or self.is_of_formulas or not solid or solid != self.arm.frames[0]:
             return None
         return solid_quantity(name, self.arm, self.quantities)
 

@@ -53,7 +53,7 @@ def _velocity(name: n.Name, arm: Arm, points: Mapping[str, Quantity]) -> Quantit
 
 def _place(letter: str, arm: Arm, points: Mapping[str, Quantity]) -> str | None:
     """Return the frame at whose origin a point is: as the document says, that of O_2 else, and of O the first."""
-    found = points.get(letter)
+    found = points.get(letter if letter.startswith("O") else f"O_{letter}")
     if found is not None:
         whole = found.kind == "origin" and found.rows is None and found.reference == arm.frames[0]
         return found.frame if whole else None

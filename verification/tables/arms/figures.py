@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import islice, product
 from typing import Any
 
@@ -27,6 +27,7 @@ MOST = 4  # ways in which the axes may lie that are weighed
 _AXES = dict(zip("xyzijk", "xyzxyz", strict=True))
 _ARROWS = tuple(f"\\{arrow}" for arrow in ARROWS)
 _ANGLE = re.compile(r"(?:theta|phi|psi|alpha|beta|gamma|q)(?:_\d)?")
+_OFFSETS = (" + pi/2", " - pi/2")
 _OF_TIME = re.compile(r"\(\s*t\s*\)")
 _NOTHING = {"a": "0", "alpha": "0", "d": "0", "theta": "0"}
 
@@ -39,6 +40,7 @@ class _Turn:
     end: str
     angle: str
     told: frozenset[str]
+    offset: str = ""  # of its zero, where a picture alone tells that
 
     @property
     def about(self) -> tuple[str, ...]:
@@ -85,7 +87,7 @@ class _Chain:
         self._begin()
         for column, value in before[axis]:
             self.moves.add(column, value)
-        self.moves.add("theta", symbol_of(turn.angle), symbol_of(turn.angle))
+        self.moves.add("theta", symbol_of(turn.angle) + turn.offset, symbol_of(turn.angle))
         for column, value in reversed(before[axis]):
             self.moves.add(column, value.removeprefix("-") if value.startswith("-") else f"-{value}")
         self.solids[self.solid] = self.here
@@ -132,7 +134,7 @@ class _Chain:
         """Return the arm, with the points that bear letters at its frames."""
         frames = self.frames
         quantities: dict[str, Any] = {
-            point: {"origin": frames[at]}
+            point if point.startswith("O") else f"O_{point}": {"origin": frames[at]}
             for point, at in self.points.items()
             if point != f"O_{frames[at]}" and (at or point != "O")
         }
@@ -146,22 +148,47 @@ class _Chain:
         )  # fmt: skip
 
 
-def figure_arms(document: Document, names: Names) -> list[Candidate]:
-    """Return the arms that the vectors of a document's figure may be of, nothing where they make no chain."""
+def figure_arms(document: Document, names: Names) -> tuple[list[Candidate], list[Candidate]]:
+    """Return the arms that the vectors of a document's figure may be of, and those with the zero of an angle elsewhere that no formula tells.
+
+    Nothing where they make no chain, or where an angle is one between other axes.
+    """
     turns, vectors = [], []
     for place, latex, is_shown in _formulas(document):
         with suppress(ReadError, RecursionError):
             for statement in names.reader.read(_OF_TIME.sub(" ", latex)):
-                if isinstance(statement, n.Chain):
-                    turns += _turns(statement)
-                    vectors += _vectors(statement, place, is_shown)
+                if not isinstance(statement, n.Chain):
+                    continue
+                found = [*_turns(statement)]
+                if not found and any(map(_is_pair, n.walk(statement))):
+                    return [], []
+                turns += found
+                vectors += _vectors(statement, place, is_shown)
     path, moving = _path(vectors), {names.reader.key_of(key_as_latex(each)) for each in rates_in(document.displays)}
-    order = _in_order([*turns, *_untold(turns, path, moving, document)])
+    guessed = _untold(turns, path, moving, document)
+    order = _in_order([*turns, *guessed])
     if not order or not path:
-        return []
-    ways = islice(product(*(turn.about for turn in order)), MOST * MOST)
-    found = (_candidate(order, axes, path, moving) for axes in ways)
+        return [], []
+    zeros = [
+        [replace(turn, offset=offset) if turn == other else turn for turn in order]
+        for other in guessed
+        for offset in _OFFSETS
+    ]
+    return _arms(order, path, moving), [each for ways in zeros for each in _arms(ways, path, moving)[:2]]
+
+
+def _arms(turns: Sequence[_Turn], path: Sequence[_Vector], moving: set[str]) -> list[Candidate]:
+    ways = islice(product(*(turn.about for turn in turns)), MOST * MOST)
+    found = (_candidate(turns, axes, path, moving) for axes in ways)
     return list({repr((each.rows, each.joints)): each for each in found if each is not None}.values())[:MOST]
+
+
+def _is_pair(node: n.Node) -> bool:
+    """Whether a node is the angle between axes of two solids."""
+    inner = n.ungrouped(node)
+    axes = [_axis(item) for item in inner.items] if isinstance(inner, n.Sequence) and len(inner.items) == 2 else []
+    solids = {axis[1] for axis in axes if axis is not None}
+    return len(solids) == 2
 
 
 def _formulas(document: Document) -> Iterator[tuple[tuple[int | None, int], str, bool]]:

@@ -118,13 +118,14 @@ def _of_figure(document: Document) -> Inference | None:
     """Return the document with the arm of its figure's vectors, where two of its equations hold for that, and more than do not."""
     if not (document.figures or any("\\vec" in each.latex or "arrow" in each.latex for each in document.displays)):
         return None
-    found = figure_arms(document, plain_names(document))
-    fronts = [front for each in found for front in _fronts(document, each)]
+    found, elsewhere = figure_arms(document, plain_names(document))
+    fronts = [front for each in (*found, *elsewhere) for front in _fronts(document, each)]
+    own = [front for each in found for front in _fronts(document, each)]
     try:
-        readings = weigh(document, fronts, source=found[0].source, to_the_end=True) if fronts else []
+        readings = weigh(document, fronts, source=found[0].source, to_the_end=True) if found else []
     except ArmproofError:
         return None
-    best = readings[0] if readings else None
+    best = next((each for each in readings if each.front in own), None)
     others = [each for each in readings if best is not None and each.front["arm"] != best.front["arm"]]
     if best is None or best.held < max(_FEWEST, best.failed) or any(each.held >= best.held for each in others):
         return None
