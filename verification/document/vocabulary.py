@@ -324,7 +324,7 @@ unies unira uniront unis unissant unissent unissons unitaire unité unités univ
 valable valant valent valeur valoir valons variable varie vas vaudra vaudront vaut vecteur vectoriel veille venant vendredi venez venir venons
 ventouse venu venue venus verra verre verrez verrons verrouillé vers versant vert verte vertes verticalement verts veulent veut vibrant vibre vibrent
 vibrer vibré vides vidéo vidéos viennent viens vient vingt violet virgule virtuel vis vise visible visionner visite vissage visse visser visseur
-visseurs vissé vissée vissés visé visée vite vitesse vocabulaire voici voie voient voilà voir voire voit volontiers volume vont vos votre voudrons
+taux visseurs vissé vissée vissés visé visée vite vitesse vocabulaire voici voie voient voilà voir voire voit volontiers volume vont vos votre voudrons
 voulez vouloir voulons voulue voyage voyez voyons vrai vraie vrillé vu vue vues vus vérification vérin vérins week-end y zone zoome zoomer zoomez zéro
 à à-dire çà écart écarts échange échantillonnage échelle échéance école écoles écoutant écoute écoutons écouté écran écrire écrit écriture écrivez
 écrivons écrou écrous édition éduquer éduqué égal égalant égale également égaler égales égalité égaux élaboré élargir élastique électrique élevant
