@@ -312,7 +312,7 @@ souple souris sous souscrit soustraction souvent soyez soyons spatiale sphère s
 strictement structure stylo subdivise substituant successivement sues suffisant suffit suit suite suites suivant suivent suivez suivi suivie suivis
 suivons suivra suivre suivrons sujet sujets superposés support supposant supra supérieur sur surface surjective surligner surtout surveiller svp
 symbole symétrique synchronisée système séance sécants séjourné sélectionné séparant sépare séparons séparément séquence série séries t-elle t-il ta
-table tableau tablette tableur tabulé taille tandis tangage tangente tant tantôt tard tas tchat te technique tel telle telles tels temporel temps
+table tableau tablette tableur tabulé taille tandis tangage tangente tant tantôt tard tas taux tchat te technique tel telle telles tels temporel temps
 tenant tendant tende tender tendez tendons tendu tendue tenez tenons tenseur tension tenu terme termes terminal tes testez texte thermique thèse
 théorie théorème tiendra tiennent tient tiers tige tiges tirant tire tirent tirer tirera tireront tiret tirez tirons tiré tirée tirées tirés titre toi
 tombe ton torche tore torse torseur torseurs torsion total totale totalité touchant touche touchons touché toujours tour tourelle tournant tourne
@@ -324,7 +324,7 @@ unies unira uniront unis unissant unissent unissons unitaire unité unités univ
 valable valant valent valeur valoir valons variable varie vas vaudra vaudront vaut vecteur vectoriel veille venant vendredi venez venir venons
 ventouse venu venue venus verra verre verrez verrons verrouillé vers versant vert verte vertes verticalement verts veulent veut vibrant vibre vibrent
 vibrer vibré vides vidéo vidéos viennent viens vient vingt violet virgule virtuel vis vise visible visionner visite vissage visse visser visseur
-taux visseurs vissé vissée vissés visé visée vite vitesse vocabulaire voici voie voient voilà voir voire voit volontiers volume vont vos votre voudrons
+visseurs vissé vissée vissés visé visée vite vitesse vocabulaire voici voie voient voilà voir voire voit volontiers volume vont vos votre voudrons
 voulez vouloir voulons voulue voyage voyez voyons vrai vraie vrillé vu vue vues vus vérification vérin vérins week-end y zone zoome zoomer zoomez zéro
 à à-dire çà écart écarts échange échantillonnage échelle échéance école écoles écoutant écoute écoutons écouté écran écrire écrit écriture écrivez
 écrivons écrou écrous édition éduquer éduqué égal égalant égale également égaler égales égalité égaux élaboré élargir élastique électrique élevant

@@ -96,17 +96,15 @@ class _Chain:
 
     def shift(self, size: str, axis: str, slider: str) -> None:
         """Go along an axis of the solid; what moves leads on to another solid, whose axes lie as its do."""
-        sign = "-" if size.startswith("-") else ""
-        value = sign + symbol_of(size.removeprefix("-"))
-        joint = value if slider else ""
+        sign, letter = "-" if size.startswith("-") else "", symbol_of(size.removeprefix("-"))
         self.solid = slider or self.solid
         self._begin()
-        if axis == "z":
-            self.moves.add("d", value, joint)
-        elif axis == "x" and not slider:
-            self.moves.add("a", value)
+        if slider and (sign or axis != "z"):
+            self.moves.slide(f"{sign}{axis}", letter, letter)
+        elif axis == "y":
+            self.moves.slide("y", sign + letter, "")
         else:
-            self.moves.slide(axis, value, joint)
+            self.moves.add("d" if axis == "z" else "a", sign + letter, letter if slider else "")
         self._place_solid()
 
     def _place_solid(self, is_its_point: bool = False) -> None:
@@ -327,7 +325,7 @@ def _candidate(
     chain, left = _Chain(), [*zip(turns, axes, strict=True)]
     angles = {turn.angle for turn in turns}
     slides = [size for vector in path for size, *_ in vector.terms if size.removeprefix("-") in moving]
-    if angles & {*slides} or any(size.startswith("-") for size in slides):
+    if angles & {size.removeprefix("-") for size in slides}:
         return None
     free = _of_slides(turns, len(slides))
     chain.points[path[0].start] = 0
@@ -339,6 +337,8 @@ def _candidate(
             between = [about for turn, about in zip(turns, axes, strict=True) if solid <= turn.start < chain.solid]
             if solid > chain.solid or any(about != axis for about in between) or chain.solid < needed:
                 return None  # it lies along an axis that has turned since, or that nothing leads to
+            if size in slides and size.startswith("-") and axis != "z":
+                return None
             chain.shift(size, axis, free.pop(0) if size in slides else "")
         chain.mark(vector.end)
     for turn, axis in left:
