@@ -337,7 +337,7 @@ class TakenArm:
     """An arm of a document, and what it was taken from.
 
     Attributes:
-        source: "front matter", "table", "matrices", "closed form" or "description".
+        source: "front matter", "table", "matrices", "closed form", "description" or "figure".
         line, cell: where that stands: the key of the front matter, the table, the first link matrix.
         convention: classic, modified, or empty where the arm is none of a DH table.
         transforms: which index of a transform's name is the reference, upper or lower.

@@ -15,7 +15,8 @@ class Quantity:
         frame: of which it is; of a joint its symbol, of a link matrix the convention.
         reference: the frame in which it is expressed.
         along: which axis of the frame an axis is.
-        start: the frame from which a difference leads.
+        start: the frame from which a difference leads, or from which the velocity of a solid is seen.
+        point: the frame whose origin a velocity of a solid is of; "" for that of the solid.
         scalar: whether one entry is meant.
         homogeneous: whether a column has a fourth row.
     """
@@ -29,3 +30,4 @@ class Quantity:
     start: str = "0"
     scalar: bool = False
     homogeneous: bool = False
+    point: str = ""

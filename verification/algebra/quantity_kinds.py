@@ -197,6 +197,33 @@ class SpatialVelocity(Velocity):
         return column(_at_origin(super().whole(quantity, algebra).cells, place))
 
 
+class SolidVelocity(Velocity):
+    """The velocity of a point of the solid of a frame as it is seen from that of another, and the rate at which it turns there, 6×1."""
+
+    def whole(self, quantity: Quantity, algebra: OfArm) -> Matrix:
+        place = algebra.pose(quantity.point or quantity.frame, quantity.reference).block(range(3), [3])
+        own, other = (self._at(frame, place, quantity.reference, algebra) for frame in (quantity.frame, quantity.start))
+        return column([one - two for one, two in zip(own.cells, other.cells, strict=True)])
+
+    def _at(self, frame: str, place: Matrix, reference: str, algebra: OfArm) -> Matrix:
+        twist = super().whole(Quantity("velocity", frame, reference), algebra)
+        origin = algebra.pose(frame, reference).block(range(3), [3])
+        lever = column([to - since for to, since in zip(origin.cells, place.cells, strict=True)])
+        return column(_at_origin(twist.cells, lever))
+
+    def tell(self, quantity: Quantity) -> Sentence:
+        angular = quantity.rows is not None and min(quantity.rows) > 3
+        point, solid, seen = quantity.point or quantity.frame, quantity.frame, quantity.start
+        if angular:
+            return Sentence("angular velocity of link {solid} seen from link {seen}", solid=solid, seen=seen)
+        return Sentence(
+            "velocity of the origin of frame {point} as a point of link {solid}, seen from link {seen}",
+            point=point,
+            solid=solid,
+            seen=seen,
+        )
+
+
 class Angle(QuantityKind):
     """The sum of the joints' angles of a planar arm up to the frame, each with the sign of its axis: J's last row holds it."""
 
@@ -309,6 +336,7 @@ KINDS = {
         JointVector("vector", "the joint variables"),
         Velocity("velocity", "velocity of frame {frame}", _options("in rows component"), 6),
         SpatialVelocity("spatial_velocity", "spatial twist of frame {frame}", _options("in rows"), 6),
+        SolidVelocity("solid_velocity", "velocity of link {frame} seen from link {start}", _options("in rows component"), 6),
         Angle("angle", "angle of frame {frame} about z"),
         Task("task", "x, y and angle of frame {frame}", _options("in rows")),
         Determinant("determinant", "determinant of {rows}the Jacobian of frame {frame}", _options("in rows"), 6),

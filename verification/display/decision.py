@@ -180,11 +180,17 @@ class Decision:
         """Whether a matrix that moves is printed without any joint, and not by one slip: p_2 = (l_2, l_1) is that of some configuration."""
         if outcome.verdict is not Verdict.REFUTED or outcome.there or outcome.pair is None or self.is_closed:
             return False
-        if outcome.pair.is_scalar or is_near(outcome.pair):
+        if outcome.pair.is_scalar or is_near(outcome.pair) or self._is_along_axes(outcome):
             return False
         true, printed = (symbols_in(side.cells) for side in (outcome.pair.true, outcome.pair.printed))
         joints, given = {*self.given.joints}, self.given.values_of_all(self.names.state.told.standing).keys()
         return bool(printed) and printed.isdisjoint(joints) and not true.isdisjoint(joints - given)
+
+    def _is_along_axes(self, outcome: Outcome) -> bool:
+        """Whether what is printed is a vector along axes of frames, which move though no joint stands in it."""
+        names = n.names(outcome.printed.node) if outcome.printed is not None else ()
+        found = map(self.names.quantity, names)
+        return any(each is not None and each.kind == "axis" for each in found)
 
     def _decided(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         outcomes = self.checker.check(chain, equation, line, define)

@@ -75,6 +75,7 @@ from armproof.verification.document.tex import ENVIRONMENTS, read_tex
 from armproof.verification.document.told_chains import MAY_TELL_CHAIN, told_parts
 from armproof.verification.document.told_convention import MAY_TELL, conventions_below, told_convention
 from armproof.verification.document.told_ends import MAY_TELL_END, told_ends
+from armproof.verification.document.told_figures import MAY_TELL_FIGURE, told_formulas
 from armproof.verification.document.told_names import MAY_TELL_NAMES
 from armproof.verification.document.told_notation import MAY_NOTE
 from armproof.verification.document.told_origins import MAY_TELL_ORIGIN
@@ -155,6 +156,8 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     document = replace(document, named=named_arms(text), planar=planar, headings=headings, convention=convention)
     ends = tuple(_told_ends(flat)) if MAY_TELL_END.search(small) else ()
     document = replace(document, scalars=frozenset(scalars), ends=ends)
+    if MAY_TELL_FIGURE.search(flat):
+        document = replace(document, figures=tuple(_told_figures(text, suffix)))
     if MAY_TELL_CHAIN.search(small):
         document = replace(document, told=tuple(_told_parts(document, text, suffix)))
     return with_accepts(document, text.replace("\r\n", "\n"), suffix) if MARK in text else document
@@ -179,14 +182,25 @@ def _told_ends(text: str) -> Iterator[tuple[int, str]]:
     yield from ((line, each) for line, sentence in sentences_with_lines(text) for each in told_ends(sentence))
 
 
+def _told_figures(text: str, suffix: str) -> Iterator[tuple[int | None, int, str]]:
+    """Yield the formulas of vectors in the sentences of a text, each with its cell and line."""
+    for own, first, cell in _texts(text, suffix):
+        for line, sentence in sentences_with_lines(own):
+            yield from ((cell, line + first - 1, each) for each in told_formulas(sentence))
+
+
+def _texts(text: str, suffix: str) -> list[tuple[str, int, int | None]]:
+    """Return the texts of a document, with their first lines and cells."""
+    cells = {".ipynb": notebook_cells, ".py": percent_cells}.get(suffix)
+    if cells is None:
+        return [(text, 1, None)]
+    return [(each.text, each.line, k) for k, each in enumerate(cells(text)) if each.kind == "markdown"]
+
+
 def _told_parts(document: Document, text: str, suffix: str) -> Iterator[ToldPart]:
     """Yield what the sentences of a text tell of an arm's build, each with the place of the display behind it."""
-    cells = {".ipynb": notebook_cells, ".py": percent_cells}.get(suffix)
-    texts = (
-        [(each.text, each.line, k) for k, each in enumerate(cells(text)) if each.kind == "markdown"] if cells else []
-    )
     places = sorted((each.cell or 0, each.line) for each in document.displays if not each.file)
-    for own, first, cell in texts if cells else [(text, 1, None)]:
+    for own, first, cell in _texts(text, suffix):
         for line, sentence in sentences_with_lines(own) if places else ():
             if "$" in sentence or "\\(" in sentence:
                 at = (cell or 0, line + first - 1)

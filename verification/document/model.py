@@ -171,6 +171,9 @@ class Document:
     convention: str = ""  # that of a DH table which its text names, "classic" or "modified"
     ends: tuple[tuple[int, str], ...] = ()  # where its text puts the tool in a frame, with their lines: "3\te\t0\t0"
     told: tuple[ToldPart, ...] = ()  # what its sentences tell of an arm's build, in their order
+    figures: tuple[
+        tuple[int | None, int, str], ...
+    ] = ()  # the formulas of vectors in its text, with their cells and lines
     scalars: frozenset[str] = frozenset()  # the letters that its text calls a size or a moment: "size L", "moment M"
 
     def writes(self, key: str, *besides: tuple[int | None, int]) -> bool:

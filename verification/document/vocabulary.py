@@ -313,7 +313,7 @@ souple souris sous souscrit soustraction souvent soyez soyons spatiale sphère s
 strictement structure stylo subdivise substituant successivement sues suffisant suffit suit suite suites suivant suivent suivez suivi suivie suivis
 suivons suivra suivre suivrons sujet sujets superposés support supposant supra supérieur sur surface surjective surligner surtout surveiller svp
 symbole symétrique synchronisée système séance sécants séjourné sélectionné séparant sépare séparons séparément séquence série séries t-elle t-il ta
-table tableau tablette tableur tabulé taille tandis tangage tangente tant tantôt tard tas tchat te technique tel telle telles tels temporel temps
+table tableau tablette tableur tabulé taille tandis tangage tangente tant tantôt tard tas taux tchat te technique tel telle telles tels temporel temps
 tenant tendant tende tender tendez tendons tendu tendue tenez tenons tenseur tension tenu terme termes terminal tes testez texte thermique thèse
 théorie théorème tiendra tiennent tient tiers tige tiges tirant tire tirent tirer tirera tireront tiret tirez tirons tiré tirée tirées tirés titre toi
 tombe ton torche tore torse torseur torseurs torsion total totale totalité touchant touche touchons touché toujours tour tourelle tournant tourne

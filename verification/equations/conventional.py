@@ -14,6 +14,8 @@ from operator import is_
 from armproof.verification.algebra.matrix import Matrix, is_zero
 from armproof.verification.algebra.protocol import OutsideAlgebra
 from armproof.verification.algebra.quantity import Quantity
+from armproof.verification.equations.accelerations import LETTERS as ACCELERATIONS
+from armproof.verification.equations.accelerations import with_accelerations
 from armproof.verification.equations.alignment import (
     Pair,
     agree_exactly,
@@ -89,6 +91,7 @@ class Conventions:
             self.names.state.infer_usual(*height)
         members = (self.spellings.read(each) if _is_spelt(each) else each for each in chain.members)
         read = with_axes_placed(replace(chain, members=tuple(members)), self.names)
+        read = with_accelerations(read, self.names, self.members.exact) if n.letters(read) & ACCELERATIONS else read
         read = with_coordinates_derived(read, self.names) if "f" in n.letters(read) else read
         return with_joint_rates(seen_from_frame(read), self.names) if n.letters(read) & SPEAKS_OF_RATES else read
 

@@ -311,12 +311,15 @@ def _is_beside_zeros(outcome: Outcome) -> bool:
 
 
 def _is_turned(pair: Pair) -> bool:
-    """Whether a Jacobian of six rows is printed with those of ω above those of v, or the other way round, and is right so."""
-    printed = pair.printed
-    if printed.shape != pair.true.shape or len(printed.rows) != len(WHOLE):
+    """Whether a Jacobian is printed with the rows of ω above those of v, or the other way round, and is right so."""
+    printed, rows = pair.printed, pair.true_rows or tuple(range(len(pair.true.rows)))
+    if printed.shape != pair.true.shape or len(rows) != len(printed.rows):
         return False
-    turned = printed.block([row - 1 for row in OMEGA_ABOVE], range(printed.shape[1]))
-    return equal_matrices(pair.true, turned)
+    angular = sum(row >= len(LINEAR_ROWS) for row in rows)
+    if not 0 < angular < len(rows) or (pair.true_rows is None and len(rows) != len(WHOLE)):
+        return False
+    order = [*range(angular, len(rows)), *range(angular)]
+    return equal_matrices(pair.true, printed.block(order, range(printed.shape[1])))
 
 
 def _rows_of_plane(chain: n.Chain) -> tuple[int, ...] | None:

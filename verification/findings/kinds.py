@@ -16,7 +16,7 @@ from armproof.models.errors import MessageKind
 WORDS = frozenset(
     [
         "closed form",
-        *"table matrices description classic modified left right linear angular revolute prismatic fixed low high proved confirmed degrees radians millimetres kilometres large small".split(),
+        *"table matrices description figure classic modified left right linear angular revolute prismatic fixed low high proved confirmed degrees radians millimetres kilometres large small".split(),
     ]
 )
 

@@ -35,6 +35,9 @@ _SPELT_WORD = re.compile(r"(?=[A-Za-z]*[aeiouy])(?=[A-Za-z]*[^aeiouyA-Z])[A-Za-z
 _WORD = re.compile(r"\s*\\(?:text[a-z]*|mathrm|mathit|mathsf|operatorname)\s*\{\s*[A-Za-z]{2,}\s*\}\s*")
 _SIZE = re.compile(r"\(?\dx[1-9n]\)?")
 _MASS_CENTRE = r"(?:[cCgGmM]|cm|CM|com|COM)_?,?\d"
+_AT_POINT = re.compile(
+    r"\\end\s*\{(?:(?:[bpvV]?matrix|array)\}\s*(?:\\right\s*)?\\\}|Bmatrix\})\s*_\s*(?:\{[^{}]*\}|\w)\Z"
+)
 _NO_SIZE = re.compile(r"\(?(?:0x\d+|\d+x0)\)?")  # no matrix is 0×1
 _NOTED_SIZE = re.compile(r"\(?(?:\dx[1-9nm]|[nm]x[1-9nm])\)?")
 _NOTED_BASE = re.compile(r"[(/]?(?:[RFOKS]_?)?(?:0|b|B|w|W|base|world)\)?|\(?x,?y,?z\)?")
@@ -100,6 +103,8 @@ class NameReader:
         if isinstance(node, n.Power) and isinstance(node.base, n.Call) and node.base.function == "norm":
             return replace(node, base=self.noted(node.base, note, span), span=span)
         if _NO_SIZE.fullmatch(note):
+            return n.Name("words", note, text=self.text[slice(*span)], span=span)
+        if _AT_POINT.search(self.text, *span):  # a torsor in braces, and its point
             return n.Name("words", note, text=self.text[slice(*span)], span=span)
         is_printed = isinstance(n.ungrouped(node), n.Matrix) or isinstance(node, n.Sequence)
         is_zero = isinstance(node, n.Matrix) and node.environment == "zeros"

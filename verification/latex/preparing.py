@@ -10,6 +10,7 @@ import re
 
 from armproof.verification.latex import greek
 from armproof.verification.latex.congruences import with_multiples
+from armproof.verification.latex.solids import with_solids
 
 _ARGUMENT = r"\s*\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}"
 _COMMAND = r"\s*(?:\{\s*\\[A-Za-z]+\s*\}|\\[A-Za-z]+)"
@@ -89,7 +90,7 @@ def prepared(text: str) -> str:
     text = _FULL_STOP.sub(lambda found: ".".ljust(len(found.group())), text)
     text = _REMARK.sub(_said_beside, _OF_PANDOC.sub(_scripts, text)) if "(" in text or "~" in text else text
     text = _without_boxes(text) if _BOX.search(text) or _BARS.search(text) else text
-    return with_multiples(_SILENT.sub(_plain, _AT_THE_END.sub(_for, text)))
+    return with_multiples(with_solids(_SILENT.sub(_plain, _AT_THE_END.sub(_for, text))))
 
 
 def _for(found: re.Match[str]) -> str:

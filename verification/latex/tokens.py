@@ -19,6 +19,7 @@ from lark.lexer import Lexer
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex.greek import LONG, one_of
+from armproof.verification.latex.solids import ARROWS
 from armproof.verification.latex.units import PER_CENT, UNIT, UNKNOWN, mark_of, read_unit
 from armproof.verification.latex.vocabulary import (
     ACCENTS,
@@ -135,6 +136,7 @@ _POWER_OF_UNIT = re.compile(r"\s*\^\s*(?:\{\s*-?\d\s*\}|\d)")
 _OF_FORCE = re.compile(  # N and N·m, and no letter N before another factor
     r"\s*\{\s*N\s*(?:(?:\{?\\cdot(?![A-Za-z])\s*\}?|\\,|[.~])?\s*m\s*)?\}(?!\s*(?:[A-Za-z(\d_^]|\\(?:sin|cos|theta|frac|dot)))"
 )
+_LETTER_BEHIND = re.compile(r"\s+([xyzijkuvw])(?![A-Za-z])")
 _STYLED_WORD = re.compile(r"\s*\{\s*([^\W\d_][^{}\\$]*?)\s*\}")
 _FENCES = {
     ".": ".", r"\{": "{", r"\lbrace": "{", r"\}": "{", r"\rbrace": "{",
@@ -229,6 +231,7 @@ class Spelling:
     of_quaternion: bool = False  # whether q_1 is the component of a quaternion, beside q_0
     scalars: frozenset[str] = frozenset()  # the keys of letters that its text calls a length, a weight or a moment: L
     moments: frozenset[str] = frozenset()  # those that it calls a moment
+    first_solid: str = ""  # the smallest of the numbers that it gives solids, V_{B,2/0}: that of the base
 
     def joint_signs(self, digits: str) -> tuple[int, ...]:
         """Return the signs of the angles that the digits of c_{34} add: as the document says, else all are positive."""
@@ -573,6 +576,8 @@ class _Scanner:
             return [], unit.end()
         self.accent = self._accent(name, end)
         word = _STYLED_WORD.match(self.text, end)
+        if name in ARROWS and (letter := _LETTER_BEHIND.match(self.text, end)) is not None:
+            return self._letter(letter[1], start, letter.end())  # \\vec x_1 keeps its arrow
         if word is None:
             words = (_OPENS if name in WORD_STYLES else _OPENS_SPACED).match(self.text, end)
             return self._sentence(start, self.text.index("{", end)) if words else ([], end)

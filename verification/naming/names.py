@@ -21,6 +21,7 @@ from armproof.verification.latex.greek import NUMBERS, one_of
 from armproof.verification.latex.reader import Reader
 from armproof.verification.naming.conventions import AXES, conventional
 from armproof.verification.naming.quantities import implied_quantity, numbered_frames, tells_frame, transform_pair
+from armproof.verification.naming.solids import solid_quantity
 from armproof.verification.naming.state import Definition, DocumentState, undecided
 
 FREE_IN_GENERAL = re.compile(r"[a-z]|%s" % one_of(NUMBERS))
@@ -247,6 +248,8 @@ class Names:
             return self.quantities[name.key]
         if self.arm is None or name.key in self.state.definitions:
             return None
+        if (of_solid := self._of_solid(name)) is not None:
+            return of_solid
         found = self.state.inferred.get(name.key) or implied_quantity(name, self.arm, self.transforms)
         if found is not None and not self.may_be(name, found):
             return None
@@ -255,6 +258,13 @@ class Names:
             return found
         read = replace(found, rows=shown.rows) if shown.rows != (1, 2, 3, 4, 5, 6) else found
         return read if shown.columns is None else replace(read, columns=shown.columns)
+
+    def _of_solid(self, name: n.Name) -> Quantity | None:
+        """Return what a name means where the document numbers solids from that of the arm's first frame on."""
+        solid = self.reader.spelling.first_solid
+        if self.arm is None or self.is_of_formulas or not solid or solid != self.arm.frames[0]:
+            return None
+        return solid_quantity(name, self.arm, self.quantities)
 
     def may_be(self, name: n.Name, quantity: Quantity) -> bool:
         """Whether a name can be that quantity: the tool of an arm of which only a part is known is none of its frames.

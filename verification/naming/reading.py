@@ -18,6 +18,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import VARIANTS
 from armproof.verification.latex.nodes import call_key
 from armproof.verification.latex.reader import MAX_LENGTH, Reader, key_as_latex
+from armproof.verification.latex.solids import first_solid
 from armproof.verification.latex.tokens import PRE_SCRIPTS, Spelling, canonical_script
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.latex.vocabulary import FUNCTIONS, LETTERS
@@ -58,6 +59,9 @@ _SCRIPT_OF_MASSES = {
 }  # fmt: skip
 
 
+_WITH_COMMA = re.compile(  # = 0,4 and \\times 0,3; i = 0,1 lists two
+    r"(?:(?<![ijkn\s])\s*=|[+]|\\times|\\cdot|\\d?frac\s*\{)\s*(0,\d+)(?![\d,;]|\s*[,;]\s*(?:\d|\\[lcd]?dots))"
+)
 _OWN_LETTER = re.compile(
     r"(?:^|[,;]|\\\\|quad|\\begin\{(?!\w*matrix)\w+\*?\})\s*([cCsS])\s*&?\s*:?="
 )  # S = sin(θ_1 + θ_2)
@@ -146,7 +150,7 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
     of_theta, of_q, of_cosine = (set(re.findall(rf"{letter}\s*_\s*\{{?\s*(\d)", said)) for letter in letters)
     both = of_theta and of_q
     variables = ("told" if _TOLD.search(re.sub(r"[\s{}&]", "", said)) else "both") if both else ""
-    comma = document.front.get("lang") == "fr" or re.search(r"\d\{,\}\d", text) is not None
+    comma = document.front.get("lang") == "fr" or re.search(r"\d\{,\}\d", text) is not None or _has_commas(said)
     angle = "q" if of_q & of_cosine and not of_theta else "theta"
     sums = tuple(dict(_own_sums(texts)).items())
     own = frozenset(letter for each in texts for letter in _OWN_LETTER.findall(each))
@@ -157,8 +161,13 @@ def spelling_of(document: Document, words: frozenset[str]) -> Spelling:
         dressed_letters(texts), starred_names(texts), _of_two_velocities(texts),
         frozenset(f"{letter}_{axis}" for letter, axis in _LOAD.findall(said)) | _moments(texts),
         frozenset(_columns(displays)), frozenset(_as_read(each, apart) for each in rates_in(displays)), bool(of_theta) and of_q == _QUATERNION,
-        *_told_scalars(document.scalars, said),
+        *_told_scalars(document.scalars, said), first_solid((*texts, *(each for *_, each in document.figures))),
     )  # fmt: skip
+
+
+def _has_commas(said: str) -> bool:
+    """Whether a text writes decimals with a comma: several of them between signs, where nothing is listed, and none with a point."""
+    return len({*_WITH_COMMA.findall(said)}) > 1 and not re.search(r"\d\.\d", said)
 
 
 def _told_scalars(told: Iterable[str], said: str) -> tuple[frozenset[str], frozenset[str]]:

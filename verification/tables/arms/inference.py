@@ -21,6 +21,7 @@ from armproof.verification.tables.arms.closed_forms import candidates_of_closed_
 from armproof.verification.tables.arms.code_letters import in_letters_of
 from armproof.verification.tables.arms.descriptions import described_arms
 from armproof.verification.tables.arms.ends import with_ends
+from armproof.verification.tables.arms.figures import figure_arms
 from armproof.verification.tables.arms.general_link import shown_convention
 from armproof.verification.tables.arms.last_turn import with_last_turn
 from armproof.verification.tables.arms.laws import candidate_of_law, with_point_of_law
@@ -64,6 +65,8 @@ def _inferred(document: Document) -> Inference:
     of_table = _of_tables(document)
     if of_table.arm is not None or of_table.is_disputed:  # the matrices are the equations that may be wrong
         return of_table
+    if (of_figure := _of_figure(document)) is not None:
+        return of_figure
     if (of_screws := candidate_of_screws(document, plain_names(document))) is not None:
         return _settle(document, [of_screws])
     try:
@@ -109,6 +112,24 @@ def _of_formulas(document: Document, names: Names) -> list[Candidate]:
 def is_described(document: Document) -> bool:
     """Whether a document's text tells of an arm of which its equations hold."""
     return _of_words(document, ()) is not None
+
+
+def _of_figure(document: Document) -> Inference | None:
+    """Return the document with the arm of its figure's vectors, where two of its equations hold for that, and more than do not."""
+    if not (document.figures or any("\\vec" in each.latex or "arrow" in each.latex for each in document.displays)):
+        return None
+    found, elsewhere = figure_arms(document, plain_names(document))
+    fronts = [front for each in (*found, *elsewhere) for front in _fronts(document, each)]
+    own = [front for each in found for front in _fronts(document, each)]
+    try:
+        readings = weigh(document, fronts, source=found[0].source, to_the_end=True) if found else []
+    except ArmproofError:
+        return None
+    best = next((each for each in readings if each.front in own), None)
+    others = [each for each in readings if best is not None and each.front["arm"] != best.front["arm"]]
+    if best is None or best.held < max(_FEWEST, best.failed) or any(each.held >= best.held for each in others):
+        return None
+    return _taken(document, found, best, False)
 
 
 def _of_words(document: Document, of_formulas: Sequence[Candidate]) -> Inference | None:

@@ -59,7 +59,7 @@ def scopes(document: Document) -> tuple[Document, ...]:
         return tuple(_named(document))
     if "arm" in document.front:
         return (document,)
-    starts = list(_starts(document))
+    starts = list(_starts(document)) or list(_of_figures(document))
     parts = (
         (_between(document, *edges) for edges in pairwise([(-1, 0), *starts, (10**9, 0)])) if starts else (document,)
     )
@@ -400,6 +400,12 @@ def _exercises(document: Document) -> Iterator[Place]:
             yield _place(part)
 
 
+def _of_figures(document: Document) -> Iterator[Place]:
+    """Yield where each exercise but the first begins, where one tells its figure by vectors: that is of no other's arm."""
+    begins = [*_exercises(document)]
+    yield from begins[1:] if document.figures else ()
+
+
 def _start(document: Document, before: _Source, source: _Source) -> Place:
     """Return the beginning of the section of a source, or its own place where the source before is in that section too."""
     parts: list[Display | Table] = [*document.displays, *document.tables]
@@ -417,4 +423,10 @@ def _between(document: Document, begin: Place, end: Place) -> Document:
     tables = tuple(table for table in document.tables if begin <= _place(table) < end)
     in_code = tuple(table for table in document.in_code if begin <= _place(table) < end)
     told = tuple(each for each in document.told if begin <= each.before < end)
-    return replace(document, displays=displays, tables=tables, in_code=in_code, told=told)
+    places = [*map(_place, document.displays), (10**9, 0)]
+    behind = (
+        (min(at for at in places if at >= (cell or 0, line)), (cell, line, latex))
+        for cell, line, latex in document.figures
+    )
+    figures = tuple(each for at, each in behind if begin <= at < end)
+    return replace(document, displays=displays, tables=tables, in_code=in_code, told=told, figures=figures)

@@ -44,6 +44,8 @@ def links_of(outcome: Outcome, members: Members, source: str = "", told_by: str 
         return frozenset()
     one, other = outcome.true.node, outcome.printed.node
     told, others = _quantities(one, members), _quantities(other, members)
+    if source == "figure":  # which tells all axes: a vector along them tells of these
+        return _links([*told, *others], members, source)
     if source in OF_TOOL:  # q_3 = h - z tells of z
         told, others = [*told, *_rates(one, members)], [*others, *_rates(other, members)]
         is_of_one = not (told and others) or outcome.verdict is Verdict.REFUTED
