@@ -48,7 +48,12 @@ from armproof.verification.document.told_names import (
     told_names,
 )
 from armproof.verification.document.told_notation import MAY_NOTE, notations_told
-from armproof.verification.document.told_origins import MAY_TELL_ORIGIN, is_from_elsewhere
+from armproof.verification.document.told_origins import (
+    LETTER_OF_HEIGHT,
+    MAY_TELL_ORIGIN,
+    is_from_elsewhere,
+    shift_of_base,
+)
 from armproof.verification.document.told_since import Since, told_since
 from armproof.verification.document.told_tasks import told_tasks
 from armproof.verification.document.told_variables import MAY_TELL_VARIABLE, variables_defined, variables_told
@@ -121,8 +126,6 @@ _IS_SIGNED = re.compile(  # d_2 is positive on one side and negative on the othe
 _MOST_BEFORE = 2  # sentences that name what one is of
 _MOST_AGAIN = 50  # times that a name is said to be something, of which the next one below another heading counts
 _ROW_OF_TABLE = re.compile(r"^[ \t]*\|.*$", re.MULTILINE)  # of a table, which is no sentence
-_SHIFTS = re.compile(r"\bby \Z|height \Z")
-_HEIGHT = re.compile(r"(?:[a-zHDL]|\\ell)(?:\s*_\s*(?:\{\s*\w+\s*\}|\w))?")
 _OF_ROW = re.compile(r"([adrlL])\s*_?\s*\{?\s*(\d)\s*\}?")
 _TELLS_LANGUAGE = 8000  # characters of a text
 _NOUGHT = re.compile(r"\(\s*0(?:\s*[,;]\s*0)*\s*\)")
@@ -385,21 +388,12 @@ def _of_places(line: int, plain: str, words: str, formulas: Sequence[str], text:
     if _IS_SIGNED.search(words):
         alone = tuple(f"{SIGNED} {each.strip()}" for each in formulas if _LETTER.fullmatch(each.strip()))
         yield Meaning(line, alone)
-    by = _shift(words, formulas)
+    by = shift_of_base(words, formulas)
     is_elsewhere = says("OTHER_ORIGIN", words) and not _is_in_a_row(by, text)
-    if is_elsewhere and _HEIGHT.fullmatch(by):
+    if is_elsewhere and LETTER_OF_HEIGHT.fullmatch(by):
         yield Meaning(line, (f"{BASE_AT} {by}",))
     elif is_elsewhere or _has_base_elsewhere(words.lower(), formulas):
         yield Meaning(line, is_origin=True)
-
-
-def _shift(words: str, formulas: Sequence[str]) -> str:
-    """Return the letter by which a shoulder is shifted, or of the height at which it stands: "shifted by d2 along it"; "" where none is said."""
-    found = hears("OTHER_ORIGIN", words)
-    if found is None or "¤" in found.group() or not _SHIFTS.search(found.group()):
-        return ""
-    behind = words[found.end() :].split()[:1]
-    return (formulas[words.count("¤", 0, found.end())] if behind == ["¤"] else "".join(behind)).strip()
 
 
 def _is_in_a_row(by: str, text: str) -> bool:

@@ -85,7 +85,7 @@ def told_parts(sentence: str, place: tuple[int | None, int], before: tuple[int, 
     begin, last = 0, ""
     for k in (k for k, (_, letters) in enumerate(said) if letters):
         end = _end(said, k)
-        clause = [word for word, _ in said[begin:end]]
+        clause = [word for word, _ in said[begin : _before_and(said, k, end)]]
         left = [word for word, _ in reversed(said[max(begin, k - _FAR) : k])]
         right = [word for word, _ in said[k + 1 : end]][:_FAR]
         begin = end if end < len(said) and not said[end][1] else k + 1
@@ -105,6 +105,12 @@ def _end(said: Sequence[Word], k: int) -> int:
     if not _is(behind, "MEASURED"):
         return end
     return next((j for j in range(end + 1, len(said)) if said[j][0] in _ENDS | _AND or said[j][1]), len(said))
+
+
+def _before_and(said: Sequence[Word], k: int, end: int) -> int:
+    """Return where the words end that go with a letter: behind "and" stands what is said of the next, "along $y$ by $d_2$ and downwards by $d_3$"."""
+    is_next = end < len(said) and bool(said[end][1])
+    return next((j for j in range(k + 1, end) if said[j][0] in _AND), end) if is_next else end
 
 
 def _goes_on(letter: str, left: Sequence[str]) -> bool:

@@ -77,25 +77,39 @@ def _inferred(document: Document) -> Inference:
         each.lengths & rates_in(document.displays) for each in found
     ):  # a slide along x is no row of DH
         forms = _of_formulas(document, plain_names(document))
-        if not found and of_table.problem is None and (described := _of_words(document, forms)) is not None:
-            return described
+        if not found and of_table.problem is None:
+            told = _of_words(document, forms) or _of_code(document, forms)
+            if told is not None:
+                return told
         found = forms or found
     found = found or (candidate_of_rotations(document, plain_names(document)) if of_table.problem is None else [])
     settled = _settle(document, found) if found else of_table
     if settled.arm is None and found and found[0].source == "matrices" and (own := _of_words(document, ())) is not None:
         return own
-    if settled.arm is None and not found and of_table.problem is None:
-        settled = _of_code(document)
     return settled if settled.arm is not None else of_table
 
 
-def _of_code(document: Document) -> Inference:
-    """Return the document with the arm of the tables in its code that another display shows to be meant, where they are of one arm."""
+def _of_code(document: Document, of_formulas: Sequence[Candidate]) -> Inference | None:
+    """Return the document with the arm of the tables in its code that another display shows to be meant, where they are of one arm; None where the formulas pin one of which more holds."""
     made = [arms_of(document, in_letters_of(document, table)) for table in document.in_code]
     found = [each for each in made if not isinstance(each, Finding)]
     if not found or any(each[0].is_other_than(found[0][0]) for each in found):
-        return Inference(document)
-    return _settle(document, [replace(each, is_alone=True) for each in found[0]])
+        return None
+    if of_formulas and not _holds_as_much(document, found[0], of_formulas):
+        return None
+    settled = _settle(document, [replace(each, is_alone=True) for each in found[0]])
+    return settled if settled.arm is not None else None
+
+
+def _holds_as_much(document: Document, told: Sequence[Candidate], others: Sequence[Candidate]) -> bool:
+    """Whether of a document's equations two hold for an arm that it tells of, and no fewer than for others."""
+    fronts = [[front for each in arms for front in _fronts(document, each)] for arms in (told, others)]
+    try:
+        readings = weigh(document, [*fronts[0], *fronts[1]], to_the_end=True)
+    except ArmproofError:
+        return False
+    best = [max((each.held for each in readings if each.front in own), default=0) for own in fronts]
+    return best[0] >= max(best[1], _FEWEST)
 
 
 def _of_formulas(document: Document, names: Names) -> list[Candidate]:
@@ -114,7 +128,7 @@ def is_described(document: Document) -> bool:
 def _of_words(document: Document, of_formulas: Sequence[Candidate]) -> Inference | None:
     """Return the document with the arm that its text tells of, where two of its equations hold for that, and more than do not, or they do with one direction turned round.
 
-    What as much holds of, an arm of its formulas or the same with a direction turned round, is its rival.
+    What as much holds of, an arm of its formulas or the same with a direction turned round, is its rival; None where the formulas pin one of which more holds.
     """
     told, turned = described_arms(document, plain_names(document)) if document.told else ([], [])
     used, moving = joints_used(document.displays), rates_in(document.displays)
@@ -123,12 +137,13 @@ def _of_words(document: Document, of_formulas: Sequence[Candidate]) -> Inference
         return None
     fronts = [front for each in (*found, *turned, *of_formulas) for front in _fronts(document, each)]
     own = [front for each in found for front in _fronts(document, each)]
+    pinned = [front for each in of_formulas for front in _fronts(document, each)]
     try:
         readings = weigh(document, fronts, source=found[0].source, to_the_end=True)
     except ArmproofError:
         return None
     best = next((each for each in readings if each.front in own), None)
-    if best is None or best.held < _FEWEST:
+    if best is None or best.held < _FEWEST or any(each.held > best.held for each in readings if each.front in pinned):
         return None
     turned_fronts = [front for each in turned for front in _fronts(document, each)]
     is_turned = any(
