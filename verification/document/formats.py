@@ -72,7 +72,7 @@ from armproof.verification.document.strange import is_in_known_language
 from armproof.verification.document.struck_out import MAY_STRIKE, with_struck_out
 from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
-from armproof.verification.document.told_chains import MAY_TELL_CHAIN, told_parts
+from armproof.verification.document.told_chains import MAY_TELL_CHAIN, MAY_TELL_SIZE, told_parts
 from armproof.verification.document.told_convention import MAY_TELL, conventions_below, told_convention
 from armproof.verification.document.told_ends import MAY_TELL_END, told_ends
 from armproof.verification.document.told_names import MAY_TELL_NAMES
@@ -188,7 +188,7 @@ def _told_parts(document: Document, text: str, suffix: str) -> Iterator[ToldPart
     places = sorted((each.cell or 0, each.line) for each in document.displays if not each.file)
     for own, first, cell in texts if cells else [(text, 1, None)]:
         for line, sentence in sentences_with_lines(own) if places else ():
-            if "$" in sentence or "\\(" in sentence:
+            if "$" in sentence or "\\(" in sentence or MAY_TELL_SIZE.search(sentence):
                 at = (cell or 0, line + first - 1)
                 behind = next((place for place in places if place > at), places[-1])
                 yield from told_parts(sentence, (cell, at[1]), behind)

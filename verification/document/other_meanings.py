@@ -105,6 +105,10 @@ _BESIDE = re.compile(  # "¤, the absolute angles", and no "the angles being abs
     r"¤ , (?:(?:the|an|les|l'|un|die|der|los|las|el|gli|le|i|os|as) )?(?=absol|angle|winkel|ángul|angol|ângul)(?:(?!being|are|is|étant|sont|est|sind|ist|siendo|son|essendo|sendo)[^\s¤,:;]+ )*\Z",
     re.IGNORECASE,
 )
+_OF_BOTH = re.compile(  # "Relative and absolute angles", of which a heading says nothing
+    r"\brelativ\w* (?:and|or|versus|vs|to|et|ou|und|oder|y|e|o) (?:\S+ )?absol|\babsol\w* (?:and|or|versus|vs|to|et|ou|und|oder|y|e|o) (?:\S+ )?relativ",
+    re.IGNORECASE,
+)
 _IS = re.compile(r"(?:is|ist|est|es|è|beträgt|vale|equals|thus|then|also|somit|damit|donc|simply|[,:\\ ])*¤ ")
 _ANGLE = re.compile(r"\\(?!hat|vec)[a-z]+(?:_\{?\w\}?)?|(?:q|t)_\{?\d\}?")  # α, θ_1, q_2
 _TELLS = re.compile(  # what a sentence begins with that is of the display beside it
@@ -314,7 +318,7 @@ def _meanings(text: str) -> Iterator[Meaning]:
             continue
         plain = with_axes(" ".join(sentence.split()))
         words, formulas = _OF_EULER.sub("these", words_of(plain)), formulas_of(plain)
-        if letters := tuple(_letters(words, formulas)):
+        if letters := () if _leads_to_sums(text, begins) else tuple(_letters(words, formulas)):
             is_here = says_what_would_be(words)
             yield Meaning(line, letters, reach=_paragraph(text, begins, found.end()) if is_here else None)
         renamed, is_of_section = letters_anew(words_of(before) + words, [*formulas_of(before), *formulas])
@@ -329,6 +333,15 @@ def _meanings(text: str) -> Iterator[Meaning]:
         reach = _reach(line, text) if each.is_of_section else None
         yield from (Meaning(line, (told,), reach=reach) for told in variables_defined(each))
     yield from _of_names([(line, told) for line, each in defined for told in told_names([each])], text)
+
+
+def _leads_to_sums(text: str, begins: int) -> bool:
+    r"""Whether a sentence that begins there leads with "the absolute angles" to a display in which these are sums, \phi_2 = \theta_1 + \theta_2: the joints' are relative."""
+    shown = _SHOWN.search(text, begins)
+    if shown is None or "absol" not in " ".join(text[begins : shown.start()].lower().split()[-3:]):
+        return False
+    sides = re.sub(r"&|\\[,;: ]", " ", shown.group()).replace("\\\\", ",").split(",")
+    return any(_OF_A_SUM.match(each) and not re.search(r"(?:\\theta|(?<![A-Za-z\\])q)[^=]*=", each) for each in sides)
 
 
 def _holds_formula(sentence: str) -> bool:
@@ -436,7 +449,8 @@ def _of_headings(text: str) -> Iterator[Meaning]:
         defined = [*definitions(said)]
         named = [each.as_meant() for each in told_names(defined)]
         variables = [*variables_told(words, formulas), *(told for each in defined for told in variables_defined(each))]
-        if letters := (*_letters(words, formulas), *equal, *named, *variables):
+        own = () if _OF_BOTH.search(words) else _letters(words, formulas)
+        if letters := (*own, *equal, *named, *variables):
             yield Meaning(line, letters, reach=_reach(line, text))
 
 

@@ -41,6 +41,8 @@ ELEVATION elevation pitch élévation hausse erhebung höhenwinkel elevación el
 LEVEL horizontal~ orizzontale ground floor waagerecht~ waagrecht~ sol suelo suolo x-axis boden
 OFFSET offset offsets shifted décalé décalée décalage déport déporté versetzt versatz desplazado desfasado spostato sfalsato deslocado lateral~ seitlich~ latéral~
 TOOL tip end effector end-effector gripper hand tool extrémité bout outil pince effecteur spitze ende greifer werkzeug~ endeffektor armspitze extremo efector pinza herramienta estremità estremo punta utensile terminale extremidade ponta garra
+ABOVE above over au-dessus über oberhalb encima sobre sopra acima
+UNIT m metre metres meter meters mètre mètres metro metros metri cm mm millimetres millimeters centimetres centimeters
 FIRST first premier première ersten primer primero primo prima primeiro primeira elbow coude ellbogen codo gomito cotovelo
 SECOND second seconde deuxième zweiten segundo segunda secondo seconda
 MEASURED measured counted mesuré mesurée compté comptée gemessen gezählt medido contado misurato contato positive positif
@@ -60,6 +62,10 @@ _is, _has = _lists.holds, _lists.has
 _GREEK = r"\\(?:var)?(?:theta|vartheta|phi|psi|alpha|beta|gamma)"
 _ANGLE = re.compile(rf"{_GREEK}(?:\s*_\s*(?:\{{\s*\w+\s*\}}|\w))?'?")
 _ANY = re.compile(r"(?:[A-Za-z]|\\(?:ell|rho|delta|lambda))(?:\s*_\s*(?:\{\s*\w+\s*\}|\w))?'?")
+_SIZE = re.compile(
+    r"(\d+(?:[.,]\d+)?)(?:\\[,;: ]|[\s~{}]|\\(?:mathrm|text|rm|unit|si))*([mc]?m)?[\s}]*"
+)  # 0.4 m, 250\,\mathrm{mm}
+MAY_TELL_SIZE = re.compile(r"\d(?:\s|~|\\[,;: ]|\$|\\(?:mathrm|text)\{)*(?:[mc]?m\b|met|mèt|mill|cent)")
 _NEVER = re.compile(r"[xyzXYZOPTJMEABCFWSVGIijkmgnptv](?:\s*_.*)?")  # points, axes, matrices, masses
 _AXIS = re.compile(
     r"(?:\\(?:vec|hat|mathbf|boldsymbol|overrightarrow)\s*\{?\s*)?(?:O_?0?)?([xyz])\}?(?:\s*_\s*\{?\s*0\s*\}?)?"
@@ -126,14 +132,17 @@ def _words(sentence: str) -> list[Word]:
         return []
     numbers = iter(formulas)
     found: list[Word] = []
-    for word in said:
-        if word != "¤":
+    for place, word in enumerate(said):
+        if place and _is(word, "UNIT") and _SIZE.fullmatch(said[place - 1].replace("¤", "0")) and found[-1][1]:
+            continue
+        formula = next(numbers) if word == "¤" else word
+        size = _size(formula, (*said[place + 1 :], "")[0])
+        if word != "¤" and not size:
             found.append((word, ()))
             continue
-        formula = next(numbers)
         local = _LOCAL_AXIS.fullmatch(formula.strip())
         axis, plane = _AXIS.fullmatch(formula.strip()), _PLANE.fullmatch(formula)
-        letters = () if axis or plane or local else tuple(_letters(formula))
+        letters = () if axis or plane or local else (size,) if size else tuple(_letters(formula))
         if axis:
             found.append((f"{axis[1]}-axis", ()))
         elif local:
@@ -147,6 +156,15 @@ def _words(sentence: str) -> list[Word]:
         else:
             found.append(("" if letters else "¤", letters))
     return found
+
+
+def _size(formula: str, behind: str) -> str:
+    """Return the length that a number with a unit is, "0.4 m", or "" for anything else; its unit stands in the formula or is the word behind."""
+    found = _SIZE.fullmatch(formula.strip())
+    unit = (found[2] or (behind if _is(behind, "UNIT") else "")) if found is not None else ""
+    if found is None or not unit:
+        return ""
+    return f"{found[1].replace(',', '.')} {'mm' if unit.startswith('mi') else 'cm' if unit.startswith('ce') else 'm' if unit.startswith(('me', 'mè')) else unit}"
 
 
 def _planes(said: Sequence[Word]) -> Iterator[str]:
@@ -186,7 +204,7 @@ def _kind(letter: str, left: Sequence[str], right: Sequence[str]) -> str:
     is_q = letter.startswith("q")
     before = next((kind for word in left if (kind := _called(word, is_q))), "")
     behind = next((kind for word in right if (kind := _called(word, is_q))), "")
-    kind = before or behind
+    kind = before or behind or (HEIGHT if _is_above(right) else "")
     lead = [*takewhile(lambda word: word != ",", left)]
     if _has(lead, "OFFSET"):
         return OFFSET
@@ -198,6 +216,13 @@ def _kind(letter: str, left: Sequence[str], right: Sequence[str]) -> str:
     if any(_is(word, each) for word in near for each in ("SLIDES", "RISES", "FALLS")):
         return SLIDE
     return kind
+
+
+def _is_above(right: Sequence[str]) -> bool:
+    """Whether a length is one above the floor."""
+    return (
+        bool(right) and _is(right[0], "ABOVE") and any(_is(each, "LEVEL") or _is(each, "BASE") for each in right[1:4])
+    )
 
 
 def _is_axis(word: str) -> bool:

@@ -137,13 +137,16 @@ def _of_words(document: Document, of_formulas: Sequence[Candidate]) -> Inference
         return None
     fronts = [front for each in (*found, *turned, *of_formulas) for front in _fronts(document, each)]
     own = [front for each in found for front in _fronts(document, each)]
-    pinned = [front for each in of_formulas for front in _fronts(document, each)]
     try:
         readings = weigh(document, fronts, source=found[0].source, to_the_end=True)
     except ArmproofError:
         return None
     best = next((each for each in readings if each.front in own), None)
-    if best is None or best.held < _FEWEST or any(each.held > best.held for each in readings if each.front in pinned):
+    if best is None or best.held < _FEWEST:
+        return None
+    if _is_pinned_with_more(
+        document, best, [each for each in found if best.front in _fronts(document, each)], of_formulas, readings
+    ):
         return None
     turned_fronts = [front for each in turned for front in _fronts(document, each)]
     is_turned = any(
@@ -155,6 +158,21 @@ def _of_words(document: Document, of_formulas: Sequence[Candidate]) -> Inference
     taken = _taken(document, found, best, False)
     assert taken.arm is not None
     return replace(taken, arm=replace(taken.arm, rivals=tuple(each.front for each in others.values())[:_MOST_RIVALS]))
+
+
+def _is_pinned_with_more(
+    document: Document,
+    best: Reading,
+    told: Sequence[Candidate],
+    of_formulas: Sequence[Candidate],
+    readings: Sequence[Reading],
+) -> bool:
+    """Whether the formulas pin the arm that the text tells of with lengths of which it tells nothing, such as where its base stands, and more holds so than in any way that the text may be meant."""
+    more = [each for each in of_formulas if any(map(each.holds_more_than, told))]
+    fronts = [front for each in more for front in _fronts(document, each)]
+    held = [each.held for each in readings if each.front in fronts]
+    others = [each.held for each in readings if each.front not in fronts]
+    return bool(held) and max(held) > max(best.held, *others)
 
 
 def _is_rival(one: Reading, best: Reading) -> bool:
