@@ -15,6 +15,7 @@ from armproof.verification.document.arm_in_words import MAY_NAME, planar_arms
 from armproof.verification.document.arms_called import CALLED
 from armproof.verification.document.cells import notebook_cells, percent_cells
 from armproof.verification.document.code_tables import amended_in_code, code_tables
+from armproof.verification.document.code_urdf import code_robots
 from armproof.verification.document.denials import (
     denied_in,
     denies_above,
@@ -155,7 +156,7 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     document = replace(document, named=named_arms(text), planar=planar, headings=headings, convention=convention)
     ends = tuple(_told_ends(flat)) if MAY_TELL_END.search(small) else ()
     document = replace(document, scalars=frozenset(scalars), ends=ends)
-    if MAY_TELL_CHAIN.search(small):
+    if MAY_TELL_CHAIN.search(small) or MAY_TELL_SIZE.search(small):
         document = replace(document, told=tuple(_told_parts(document, text, suffix)))
     return with_accepts(document, text.replace("\r\n", "\n"), suffix) if MARK in text else document
 
@@ -265,7 +266,8 @@ def _with_what_is_said(document: Document) -> Document:
     if amended:
         told = tuple(each if each.erratum else replace(each, meant=(*each.meant, amended[0])) for each in told)
     in_code = tuple(code_tables(code)) if code and not amended else ()
-    return replace(document, displays=told, called=tuple(_called(document)), in_code=in_code)
+    robots = tuple(code_robots(code))
+    return replace(document, displays=told, called=tuple(_called(document)), in_code=in_code, robots=robots)
 
 
 def _with_what_is_above(display: Display, latex: str) -> Display:

@@ -20,7 +20,7 @@ MAY_TELL_CHAIN = re.compile(  # in small letters: what no text lacks that tells 
 TURN, SLIDE, LENGTH, HEIGHT, DISTANCE, OFFSET = "turn", "slide", "length", "height", "distance", "offset"
 END, PLANE = "end", "plane"  # the name of the tool's point; the axes between which the arm moves
 UPRIGHT, LIFTS = "upright", "lifts"  # the axis of a turn, and what that moves
-ABSOLUTE, RELATIVE = "absolute", "relative"  # from where an angle counts
+ABSOLUTE, RELATIVE, FROM_VERTICAL = "absolute", "relative", "from vertical"  # from where an angle counts
 XZ, YZ = "xz", "yz"
 UP, DOWN, ALONG_X, ALONG_Y, OUTWARDS = "up", "down", "x", "y", "outwards"  # where what slides goes
 
@@ -45,6 +45,7 @@ ABOVE above over au-dessus über oberhalb encima sobre sopra acima
 UNIT m metre metres meter meters mètre mètres metro metros metri cm mm millimetres millimeters centimetres centimeters
 FIRST first premier première ersten primer primero primo prima primeiro primeira elbow coude ellbogen codo gomito cotovelo
 SECOND second seconde deuxième zweiten segundo segunda secondo seconda
+FROM from depuis von vom desde dal dalla da
 MEASURED measured counted mesuré mesurée compté comptée gemessen gezählt medido contado misurato contato positive positif
 PLANE plane plan ebene plano piano
 AXIS axis axes achsen assi ejes axe d' achse eje asse eixo along parallel parallèle parallele paralelo
@@ -269,6 +270,11 @@ def _marks(kind: str, clause: Sequence[str], right: Sequence[str]) -> Iterator[s
             yield UPRIGHT
         if has & {"RISES", "ELEVATION"}:
             yield LIFTS
+        if any(
+            _is(word, "FROM") and any(_is(each, "VERTICAL") for each in clause[k + 1 : k + 4])
+            for k, word in enumerate(clause)
+        ) and not has & {"ABOUT", "RELATIVE"}:
+            yield FROM_VERTICAL
         if has & {"LEVEL", "SAME"} and not has & {"RELATIVE", "ABOUT"}:
             yield ABSOLUTE
         if has & {"RELATIVE", "PREVIOUS"} and "LEVEL" not in has:

@@ -20,6 +20,7 @@ from armproof.verification.document.told_chains import (
     DISTANCE,
     DOWN,
     END,
+    FROM_VERTICAL,
     HEIGHT,
     LENGTH,
     LIFTS,
@@ -88,8 +89,8 @@ class _Build:
         """Yield the chains that these can be of."""
         for plane in self._planes():
             for ways in self._ways():
-                for places in self._places(plane):
-                    yield from self._with_offsets(plane, self._steps(plane, ways, places))
+                for places, is_towards_x in product(self._places(plane), self._senses()):
+                    yield from self._with_offsets(plane, self._steps(plane, ways, places, is_towards_x))
 
     def _with_offsets(self, plane: str, steps: list[Step]) -> Iterator[list[Step]]:
         """Yield the chain with what is shifted aside at its end, or in the turned plane before that stands up, to either side."""
@@ -105,6 +106,10 @@ class _Build:
     @property
     def _turns(self) -> list[_Part]:
         return [each for each in self.joints if each.kind == TURN]
+
+    def _senses(self) -> tuple[bool, ...]:
+        """Return the ways in which what stands up may lean: towards x, or away from it."""
+        return (True, False) if any(map(_is_from_vertical, self._turns)) else (True,)
 
     def _planes(self) -> list[str]:
         turns = self._turns
@@ -149,7 +154,9 @@ class _Build:
                 **{turn.key: [each] for turn, each in zip(turns, self.lengths[1:], strict=True)},
             }
 
-    def _steps(self, plane: str, ways: dict[str, str], places: dict[str, list[_Part]]) -> list[Step]:
+    def _steps(
+        self, plane: str, ways: dict[str, str], places: dict[str, list[_Part]], is_towards_x: bool
+    ) -> list[Step]:
         """Return the steps of a chain; what stands up goes first, where its height counts in the base."""
         heights: list[Step] = [("d", f"-{each.key}" if DOWN in each.marks else each.key, "") for each in self.heights]
         if plane == _RAISED:
@@ -160,6 +167,9 @@ class _Build:
         for k, joint in enumerate(self.joints):
             turns = joint.kind == TURN
             stands = (plane == _UPRIGHT and (turns or ways[joint.key] == "x")) or (plane == _TURNED and turns and k > 0)
+            if _is_from_vertical(joint) and not is_up and (stands or plane == _FLAT):
+                found += _standing(joint, plane == _FLAT, is_towards_x)
+                is_up = True
             if stands and not is_up:
                 found.append(("alpha", "-pi/2" if self._leads_down() else "pi/2", ""))
                 is_up = True
@@ -178,6 +188,19 @@ class _Build:
         if is_in_plane:
             return ("y", key, key) if way == "up" else ("y", f"-{key}", key) if way == "down" else ("x", key, key)
         return {"up": ("d", key, key), "down": ("-z", key, key), "x": ("x", key, key), "y": ("y", key, key)}[way]
+
+
+def _is_from_vertical(part: _Part) -> bool:
+    return FROM_VERTICAL in part.marks and UPRIGHT not in part.marks
+
+
+def _standing(joint: _Part, is_flat: bool, is_towards_x: bool) -> list[Step]:
+    """Return the steps to a frame whose x points up, or down, at the zero of an angle from the vertical, and whose y lies along the base's x, or against it; y is up in a flat plane."""
+    is_down = DOWN in joint.marks
+    turn = "-pi/2" if is_towards_x else "pi/2"
+    if is_flat:
+        return [*([("alpha", "pi", "")] if is_down != is_towards_x else []), ("theta", turn, "")]
+    return [("alpha", "-pi/2" if is_down != is_towards_x else "pi/2", ""), ("theta", turn, "")]
 
 
 def _along(lengths: Sequence[_Part]) -> list[Step]:
@@ -234,7 +257,7 @@ def _build(document: Document, names: Names) -> _Build | None:
         joints.sort(key=lambda each: _index(each.key))
     turns = [each for each in joints if each.kind == TURN]
     in_plane = turns[1:] if turns and UPRIGHT in turns[0].marks else turns
-    if any(ABSOLUTE in each.marks and RELATIVE not in each.marks for each in in_plane[1:]):
+    if any(each.marks & {ABSOLUTE, FROM_VERTICAL} and RELATIVE not in each.marks for each in in_plane[1:]):
         return None
     if len(in_plane) - 1 > sum(each.kind == LENGTH for each in parts) + sum(each.kind == SLIDE for each in joints):
         return None  # the text does not tell all

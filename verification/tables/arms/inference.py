@@ -30,6 +30,7 @@ from armproof.verification.tables.arms.matrices import (
     poses_that_are_links,
 )
 from armproof.verification.tables.arms.other_case import in_other_case
+from armproof.verification.tables.arms.robots import candidate_of_robot
 from armproof.verification.tables.arms.rows import candidates
 from armproof.verification.tables.arms.screws import candidate_of_screws
 from armproof.verification.tables.arms.settling import Inference
@@ -90,9 +91,11 @@ def _inferred(document: Document) -> Inference:
 
 
 def _of_code(document: Document, of_formulas: Sequence[Candidate]) -> Inference | None:
-    """Return the document with the arm of the tables in its code that another display shows to be meant, where they are of one arm; None where the formulas pin one of which more holds."""
+    """Return the document with the arm of the tables or the URDF in its code that another display shows to be meant, where they are of one arm; None where the formulas pin one of which more holds."""
     made = [arms_of(document, in_letters_of(document, table)) for table in document.in_code]
     found = [each for each in made if not isinstance(each, Finding)]
+    built = candidate_of_robot(document) if not found else None
+    found = [[built]] if built is not None else found
     if not found or any(each[0].is_other_than(found[0][0]) for each in found):
         return None
     if of_formulas and not _holds_as_much(document, found[0], of_formulas):
