@@ -15,7 +15,7 @@ from armproof.verification.document.model import ToldPart
 from armproof.verification.document.word_lists import WordLists
 
 MAY_TELL_CHAIN = re.compile(  # in small letters: what no text lacks that tells of a length, a slide or a height of an arm
-    r"length|links?\b|slid|extend|telescop|rises|raise|height|distance|longueur|gliss|coulisse|translat|allong|hauteur|länge|läng|schieb|höhe|abstand|longitud|desliza|altura|distancia|lunghezz|scorr|altezz|distanz|compriment|desliza"
+    r"length|links?\b|segment|\bbars?\b|\brods?\b|\bbarres?\b|glied|eslab|bracci|slid|extend|telescop|rises|raise|height|distance|longueur|gliss|coulisse|translat|allong|hauteur|länge|läng|schieb|höhe|abstand|longitud|desliza|altura|distancia|lunghezz|scorr|altezz|distanz|compriment|desliza"
 )
 TURN, SLIDE, LENGTH, HEIGHT, DISTANCE, OFFSET = "turn", "slide", "length", "height", "distance", "offset"
 END, PLANE = "end", "plane"  # the name of the tool's point; the axes between which the arm moves
