@@ -283,19 +283,19 @@ class OtherMeanings:
         return {self.names.reader.key_of(latex)} & of_arm
 
     def _standing_up(self) -> set[str]:
-        """Return the joints whose angle is one from the vertical: about a horizontal axis, and at 0 what they move stands above it."""
+        """Return the joints whose angle is one from the vertical: about a horizontal axis, and at 0 the link that they move stands above it; in the plane of x and y it lies along y."""
         arm, exact = self.names.arm, self.checker.exact
         if arm is None:
             return set()
         base, found = arm.frames[0], set[str]()
-        whole = exact.jacobian(arm.frames[-1], base)
+        wholes = [exact.jacobian(frame, base) for frame in arm.frames[1:]]
         for joint in arm.joints:
             if joint.kind != "revolute":
                 continue
-            moves = [row[joint.index - 1] for row in whole.rows]
-            at_zero = [substitute(each, {joint.symbol: exact.ring.rational(0)}) for each in moves]
-            is_level = moves[5].is_zero()
-            if is_level and at_zero[2].is_zero() and not all(each.is_zero() for each in at_zero[:2]):
+            columns = ([row[joint.index - 1] for row in whole.rows] for whole in wholes)
+            moves = next((each for each in columns if not all(cell.is_zero() for cell in each[:3])), None)
+            at_zero = [substitute(each, {joint.symbol: exact.ring.rational(0)}) for each in moves or ()]
+            if moves is not None and _stands_still(at_zero[2] if moves[5].is_zero() else at_zero[1], at_zero):
                 found.add(joint.symbol)
         return found
 
@@ -314,6 +314,11 @@ class OtherMeanings:
             if all((a - b).is_zero() for a, b in pairs) or all((a + b).is_zero() for a, b in pairs):
                 found.add(joint.symbol)
         return found
+
+
+def _stands_still(up: Scalar, moves: Sequence[Scalar]) -> bool:
+    """Whether what moves does so to the side alone, and not up."""
+    return up.is_zero() and not (moves[0].is_zero() and moves[1].is_zero())
 
 
 def _coordinate(name: n.Name) -> str:

@@ -7,9 +7,9 @@ from dataclasses import replace
 from typing import TypeVar
 
 from armproof.verification.document.cells import notebook_cells, percent_cells
-from armproof.verification.document.model import Display, Document, Table
+from armproof.verification.document.model import CodeRobot, Display, Document, Table
 
-_Part = TypeVar("_Part", Display, Table)
+_Part = TypeVar("_Part", Display, Table, CodeRobot)
 
 
 def as_one_text(text: str, suffix: str) -> tuple[str, Mapping[int, int]]:
@@ -49,6 +49,7 @@ def on_flat_lines(document: Document, above: Mapping[int, int], sign: int = 1) -
         displays=tuple(_moved(each, above, sign) for each in document.displays),
         tables=tuple(_moved(each, above, sign) for each in document.tables),
         in_code=tuple(_moved(each, above, sign) for each in document.in_code),
+        robots=tuple(_moved(each, above, sign) for each in document.robots),
     )
 
 

@@ -15,6 +15,7 @@ from armproof.verification.document.arm_in_words import MAY_NAME, planar_arms
 from armproof.verification.document.arms_called import CALLED
 from armproof.verification.document.cells import notebook_cells, percent_cells
 from armproof.verification.document.code_tables import amended_in_code, code_tables
+from armproof.verification.document.code_urdf import code_robots
 from armproof.verification.document.denials import (
     denied_in,
     denies_above,
@@ -72,7 +73,7 @@ from armproof.verification.document.strange import is_in_known_language
 from armproof.verification.document.struck_out import MAY_STRIKE, with_struck_out
 from armproof.verification.document.subjects import ACCELERATION, OPERATED
 from armproof.verification.document.tex import ENVIRONMENTS, read_tex
-from armproof.verification.document.told_chains import MAY_TELL_CHAIN, told_parts
+from armproof.verification.document.told_chains import MAY_TELL_CHAIN, MAY_TELL_SIZE, told_parts
 from armproof.verification.document.told_convention import MAY_TELL, conventions_below, told_convention
 from armproof.verification.document.told_ends import MAY_TELL_END, told_ends
 from armproof.verification.document.told_figures import MAY_TELL_FIGURE, told_formulas
@@ -158,7 +159,7 @@ def parse_document(path: Path, text: str, format: str = "") -> Document:
     document = replace(document, scalars=frozenset(scalars), ends=ends)
     if MAY_TELL_FIGURE.search(flat):
         document = replace(document, figures=tuple(_told_figures(text, suffix)))
-    if MAY_TELL_CHAIN.search(small):
+    if MAY_TELL_CHAIN.search(small) or MAY_TELL_SIZE.search(small):
         document = replace(document, told=tuple(_told_parts(document, text, suffix)))
     return with_accepts(document, text.replace("\r\n", "\n"), suffix) if MARK in text else document
 
@@ -202,7 +203,7 @@ def _told_parts(document: Document, text: str, suffix: str) -> Iterator[ToldPart
     places = sorted((each.cell or 0, each.line) for each in document.displays if not each.file)
     for own, first, cell in _texts(text, suffix):
         for line, sentence in sentences_with_lines(own) if places else ():
-            if "$" in sentence or "\\(" in sentence:
+            if "$" in sentence or "\\(" in sentence or MAY_TELL_SIZE.search(sentence):
                 at = (cell or 0, line + first - 1)
                 behind = next((place for place in places if place > at), places[-1])
                 yield from told_parts(sentence, (cell, at[1]), behind)
@@ -279,7 +280,8 @@ def _with_what_is_said(document: Document) -> Document:
     if amended:
         told = tuple(each if each.erratum else replace(each, meant=(*each.meant, amended[0])) for each in told)
     in_code = tuple(code_tables(code)) if code and not amended else ()
-    return replace(document, displays=told, called=tuple(_called(document)), in_code=in_code)
+    robots = tuple(code_robots(code))
+    return replace(document, displays=told, called=tuple(_called(document)), in_code=in_code, robots=robots)
 
 
 def _with_what_is_above(display: Display, latex: str) -> Display:

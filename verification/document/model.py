@@ -144,6 +144,29 @@ class ToldPart:
 
 
 @dataclass(frozen=True)
+class BuiltJoint:
+    """A joint of a URDF in code: "revolute", "prismatic" or "fixed", "" of another kind; its origin and its axis as they are printed."""
+
+    name: str
+    kind: str
+    parent: str
+    child: str
+    xyz: tuple[str, str, str]
+    rpy: tuple[str, str, str]
+    axis: tuple[str, str, str]
+
+
+@dataclass(frozen=True)
+class CodeRobot:
+    """The chain of joints that a URDF in code tells, from its base to its tool."""
+
+    line: int
+    joints: tuple[BuiltJoint, ...]
+    cell: int | None = None
+    section: str = ""
+
+
+@dataclass(frozen=True)
 class Called:
     """What a sentence calls the arms that it speaks of: numbers, letters, kinds."""
 
@@ -166,6 +189,7 @@ class Document:
     headings: tuple[tuple[int, str], ...] = ()  # with their lines, where its front matter has `arms` by section
     named: tuple[str, ...] = ()  # the arms of the catalogue that its text names
     in_code: tuple[Table, ...] = ()  # the DH tables in its pieces of code
+    robots: tuple[CodeRobot, ...] = ()  # the URDFs in its pieces of code
     called: tuple[Called, ...] = ()  # what its sentences call arms, in their order
     planar: frozenset[int] = frozenset()  # how many joints the planar arms have that its text names
     convention: str = ""  # that of a DH table which its text names, "classic" or "modified"

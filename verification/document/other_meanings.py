@@ -48,7 +48,12 @@ from armproof.verification.document.told_names import (
     told_names,
 )
 from armproof.verification.document.told_notation import MAY_NOTE, notations_told
-from armproof.verification.document.told_origins import MAY_TELL_ORIGIN, is_from_elsewhere
+from armproof.verification.document.told_origins import (
+    LETTER_OF_HEIGHT,
+    MAY_TELL_ORIGIN,
+    is_from_elsewhere,
+    shift_of_base,
+)
 from armproof.verification.document.told_since import Since, told_since
 from armproof.verification.document.told_tasks import told_tasks
 from armproof.verification.document.told_variables import MAY_TELL_VARIABLE, variables_defined, variables_told
@@ -100,6 +105,10 @@ _BESIDE = re.compile(  # "¤, the absolute angles", and no "the angles being abs
     r"¤ , (?:(?:the|an|les|l'|un|die|der|los|las|el|gli|le|i|os|as) )?(?=absol|angle|winkel|ángul|angol|ângul)(?:(?!being|are|is|étant|sont|est|sind|ist|siendo|son|essendo|sendo)[^\s¤,:;]+ )*\Z",
     re.IGNORECASE,
 )
+_OF_BOTH = re.compile(  # "Relative and absolute angles", of which a heading says nothing
+    r"\brelativ\w* (?:and|or|versus|vs|to|et|ou|und|oder|y|e|o) (?:\S+ )?absol|\babsol\w* (?:and|or|versus|vs|to|et|ou|und|oder|y|e|o) (?:\S+ )?relativ",
+    re.IGNORECASE,
+)
 _IS = re.compile(r"(?:is|ist|est|es|è|beträgt|vale|equals|thus|then|also|somit|damit|donc|simply|[,:\\ ])*¤ ")
 _ANGLE = re.compile(r"\\(?!hat|vec)[a-z]+(?:_\{?\w\}?)?|(?:q|t)_\{?\d\}?")  # α, θ_1, q_2
 _TELLS = re.compile(  # what a sentence begins with that is of the display beside it
@@ -121,8 +130,6 @@ _IS_SIGNED = re.compile(  # d_2 is positive on one side and negative on the othe
 _MOST_BEFORE = 2  # sentences that name what one is of
 _MOST_AGAIN = 50  # times that a name is said to be something, of which the next one below another heading counts
 _ROW_OF_TABLE = re.compile(r"^[ \t]*\|.*$", re.MULTILINE)  # of a table, which is no sentence
-_SHIFTS = re.compile(r"\bby \Z|height \Z")
-_HEIGHT = re.compile(r"(?:[a-zHDL]|\\ell)(?:\s*_\s*(?:\{\s*\w+\s*\}|\w))?")
 _OF_ROW = re.compile(r"([adrlL])\s*_?\s*\{?\s*(\d)\s*\}?")
 _TELLS_LANGUAGE = 8000  # characters of a text
 _NOUGHT = re.compile(r"\(\s*0(?:\s*[,;]\s*0)*\s*\)")
@@ -311,7 +318,7 @@ def _meanings(text: str) -> Iterator[Meaning]:
             continue
         plain = with_axes(" ".join(sentence.split()))
         words, formulas = _OF_EULER.sub("these", words_of(plain)), formulas_of(plain)
-        if letters := tuple(_letters(words, formulas)):
+        if letters := () if _leads_to_sums(text, begins) else tuple(_letters(words, formulas)):
             is_here = says_what_would_be(words)
             yield Meaning(line, letters, reach=_paragraph(text, begins, found.end()) if is_here else None)
         renamed, is_of_section = letters_anew(words_of(before) + words, [*formulas_of(before), *formulas])
@@ -326,6 +333,15 @@ def _meanings(text: str) -> Iterator[Meaning]:
         reach = _reach(line, text) if each.is_of_section else None
         yield from (Meaning(line, (told,), reach=reach) for told in variables_defined(each))
     yield from _of_names([(line, told) for line, each in defined for told in told_names([each])], text)
+
+
+def _leads_to_sums(text: str, begins: int) -> bool:
+    r"""Whether a sentence that begins there leads with "the absolute angles" to a display in which these are sums, \phi_2 = \theta_1 + \theta_2: the joints' are relative."""
+    shown = _SHOWN.search(text, begins)
+    if shown is None or "absol" not in " ".join(text[begins : shown.start()].lower().split()[-3:]):
+        return False
+    sides = re.sub(r"&|\\[,;: ]", " ", shown.group()).replace("\\\\", ",").split(",")
+    return any(_OF_A_SUM.match(each) and not re.search(r"(?:\\theta|(?<![A-Za-z\\])q)[^=]*=", each) for each in sides)
 
 
 def _holds_formula(sentence: str) -> bool:
@@ -385,21 +401,12 @@ def _of_places(line: int, plain: str, words: str, formulas: Sequence[str], text:
     if _IS_SIGNED.search(words):
         alone = tuple(f"{SIGNED} {each.strip()}" for each in formulas if _LETTER.fullmatch(each.strip()))
         yield Meaning(line, alone)
-    by = _shift(words, formulas)
+    by = shift_of_base(words, formulas)
     is_elsewhere = says("OTHER_ORIGIN", words) and not _is_in_a_row(by, text)
-    if is_elsewhere and _HEIGHT.fullmatch(by):
+    if is_elsewhere and LETTER_OF_HEIGHT.fullmatch(by):
         yield Meaning(line, (f"{BASE_AT} {by}",))
     elif is_elsewhere or _has_base_elsewhere(words.lower(), formulas):
         yield Meaning(line, is_origin=True)
-
-
-def _shift(words: str, formulas: Sequence[str]) -> str:
-    """Return the letter by which a shoulder is shifted, or of the height at which it stands: "shifted by d2 along it"; "" where none is said."""
-    found = hears("OTHER_ORIGIN", words)
-    if found is None or "¤" in found.group() or not _SHIFTS.search(found.group()):
-        return ""
-    behind = words[found.end() :].split()[:1]
-    return (formulas[words.count("¤", 0, found.end())] if behind == ["¤"] else "".join(behind)).strip()
 
 
 def _is_in_a_row(by: str, text: str) -> bool:
@@ -442,7 +449,8 @@ def _of_headings(text: str) -> Iterator[Meaning]:
         defined = [*definitions(said)]
         named = [each.as_meant() for each in told_names(defined)]
         variables = [*variables_told(words, formulas), *(told for each in defined for told in variables_defined(each))]
-        if letters := (*_letters(words, formulas), *equal, *named, *variables):
+        own = () if _OF_BOTH.search(words) else _letters(words, formulas)
+        if letters := (*own, *equal, *named, *variables):
             yield Meaning(line, letters, reach=_reach(line, text))
 
 

@@ -475,7 +475,8 @@ height/heights/abscissa~/ordinate~/hauteur/abscisse/ordonnée of/du/del (the) el
 elbow/elbow' (s) itself/position/coordinates/height/velocity/speed
 elbow/coude/codo/ellbogen is/lies/sits/has/est/se/a/está/tiene/liegt at/bei/en/in/position/velocity/height/with/pour/by/trouve/situe/given
 elbow/coude/codo/ellbogen is/lies/has/est/está $
-elbow/coude/codo : $
+^ (the/l'/le/el/and/now/next/then) (the/l'/le/el) elbow/coude/codo : $
+for/of/at/to/with/pour/de/à/au/du/para/del/en (the/l'/le/el) elbow/coude/codo : $
 for the elbow (joint) $
 where the (two) links/bars meet
 i . e . the end

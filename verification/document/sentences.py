@@ -6,7 +6,7 @@ The phrases are those of `phrases.py`; `hearing.py` hears them, `denials.py` tel
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
 from armproof.verification.document.arms_called import CALLED, arms_called
@@ -18,9 +18,11 @@ from armproof.verification.document.hearing import (
     IS_OVER,
     before_leading,
     first_sentence,
+    formulas_of,
     hears,
     leading,
     says,
+    with_axes,
     without,
     without_harmless,
     words_of,
@@ -44,6 +46,7 @@ from armproof.verification.document.subjects import (
     without_tool_frame,
 )
 from armproof.verification.document.told_motions import may_tell_motion, told_motion, without_motion
+from armproof.verification.document.told_origins import LETTER_OF_HEIGHT, shift_of_base
 from armproof.verification.document.told_singularities import (
     SINGULAR,
     is_of_singularities,
@@ -211,7 +214,9 @@ def _heard_before(sentence: str, before: str) -> tuple[str, ...]:
         heard.append(MEANT + WOULD_BE)
     if _is_of_all(sentence, words) or (hears("THEN", words) and _is_of_all(before, words_before)):
         heard.append(MEANT + EVERYWHERE)
-    if is_of_other_place(words) or (hears("OF_THE_ONE_BEFORE", words) and is_of_other_place(words_before)):
+    if is_of_other_place(words, formulas_of(with_axes(sentence))) or (
+        hears("OF_THE_ONE_BEFORE", words) and is_of_other_place(words_before, formulas_of(with_axes(before)))
+    ):
         heard.append(OTHER_POINT)
     if _OF_THE_SAME.match(words) and not any(_NAMES_TOOL.search(each.lower()) for each in (words, words_before)):
         heard.append(MEANT + SAME_POINT)
@@ -300,9 +305,11 @@ def values_of(section: str) -> tuple[str, ...]:
     return tuple(found.group().strip("$") for found in FORMULA.finditer(section))
 
 
-def is_of_other_place(words: str) -> bool:
-    """Whether a sentence is of another point, frame or origin than the tool in the base, and does not say that it is not."""
-    return any(says(place, without_tool_frame(words)) for place in ("OTHER_POINT", "OTHER_FRAME", "OTHER_ORIGIN"))
+def is_of_other_place(words: str, formulas: Sequence[str]) -> bool:
+    """Whether a sentence is of another point, frame or origin than the tool in the base, and does not say that it is not; a shoulder at the height $h$ may be the arm's."""
+    if any(says(place, without_tool_frame(words)) for place in ("OTHER_POINT", "OTHER_FRAME")):
+        return True
+    return says("OTHER_ORIGIN", words) and not LETTER_OF_HEIGHT.fullmatch(shift_of_base(words, formulas))
 
 
 def _supposes(words: str, is_over: bool) -> bool:

@@ -15,12 +15,12 @@ from armproof.verification.document.model import ToldPart
 from armproof.verification.document.word_lists import WordLists
 
 MAY_TELL_CHAIN = re.compile(  # in small letters: what no text lacks that tells of a length, a slide or a height of an arm
-    r"length|links?\b|slid|extend|telescop|rises|raise|height|distance|longueur|gliss|coulisse|translat|allong|hauteur|länge|läng|schieb|höhe|abstand|longitud|desliza|altura|distancia|lunghezz|scorr|altezz|distanz|compriment|desliza"
+    r"length|links?\b|segment|\bbars?\b|\brods?\b|\bbarres?\b|glied|eslab|bracci|slid|extend|telescop|rises|raise|height|distance|longueur|gliss|coulisse|translat|allong|hauteur|länge|läng|schieb|höhe|abstand|longitud|desliza|altura|distancia|lunghezz|scorr|altezz|distanz|compriment|desliza"
 )
 TURN, SLIDE, LENGTH, HEIGHT, DISTANCE, OFFSET = "turn", "slide", "length", "height", "distance", "offset"
 END, PLANE = "end", "plane"  # the name of the tool's point; the axes between which the arm moves
 UPRIGHT, LIFTS = "upright", "lifts"  # the axis of a turn, and what that moves
-ABSOLUTE, RELATIVE = "absolute", "relative"  # from where an angle counts
+ABSOLUTE, RELATIVE, FROM_VERTICAL = "absolute", "relative", "from vertical"  # from where an angle counts
 XZ, YZ = "xz", "yz"
 UP, DOWN, ALONG_X, ALONG_Y, OUTWARDS = "up", "down", "x", "y", "outwards"  # where what slides goes
 
@@ -41,8 +41,11 @@ ELEVATION elevation pitch élévation hausse erhebung höhenwinkel elevación el
 LEVEL horizontal~ orizzontale ground floor waagerecht~ waagrecht~ sol suelo suolo x-axis boden
 OFFSET offset offsets shifted décalé décalée décalage déport déporté versetzt versatz desplazado desfasado spostato sfalsato deslocado lateral~ seitlich~ latéral~
 TOOL tip end effector end-effector gripper hand tool extrémité bout outil pince effecteur spitze ende greifer werkzeug~ endeffektor armspitze extremo efector pinza herramienta estremità estremo punta utensile terminale extremidade ponta garra
+ABOVE above over au-dessus über oberhalb encima sobre sopra acima
+UNIT m metre metres meter meters mètre mètres metro metros metri cm mm millimetres millimeters centimetres centimeters
 FIRST first premier première ersten primer primero primo prima primeiro primeira elbow coude ellbogen codo gomito cotovelo
 SECOND second seconde deuxième zweiten segundo segunda secondo seconda
+FROM from depuis von vom desde dal dalla da
 MEASURED measured counted mesuré mesurée compté comptée gemessen gezählt medido contado misurato contato positive positif
 PLANE plane plan ebene plano piano
 AXIS axis axes achsen assi ejes axe d' achse eje asse eixo along parallel parallèle parallele paralelo
@@ -60,6 +63,10 @@ _is, _has = _lists.holds, _lists.has
 _GREEK = r"\\(?:var)?(?:theta|vartheta|phi|psi|alpha|beta|gamma)"
 _ANGLE = re.compile(rf"{_GREEK}(?:\s*_\s*(?:\{{\s*\w+\s*\}}|\w))?'?")
 _ANY = re.compile(r"(?:[A-Za-z]|\\(?:ell|rho|delta|lambda))(?:\s*_\s*(?:\{\s*\w+\s*\}|\w))?'?")
+_SIZE = re.compile(
+    r"(\d+(?:[.,]\d+)?)(?:\\[,;: ]|[\s~{}]|\\(?:mathrm|text|rm|unit|si))*([mc]?m)?[\s}]*"
+)  # 0.4 m, 250\,\mathrm{mm}
+MAY_TELL_SIZE = re.compile(r"\d(?:\s|~|\\[,;: ]|\$|\\(?:mathrm|text)\{)*(?:[mc]?m\b|met|mèt|mill|cent)")
 _NEVER = re.compile(r"[xyzXYZOPTJMEABCFWSVGIijkmgnptv](?:\s*_.*)?")  # points, axes, matrices, masses
 _AXIS = re.compile(
     r"(?:\\(?:vec|hat|mathbf|boldsymbol|overrightarrow)\s*\{?\s*)?(?:O_?0?)?([xyz])\}?(?:\s*_\s*\{?\s*0\s*\}?)?"
@@ -85,7 +92,7 @@ def told_parts(sentence: str, place: tuple[int | None, int], before: tuple[int, 
     begin, last = 0, ""
     for k in (k for k, (_, letters) in enumerate(said) if letters):
         end = _end(said, k)
-        clause = [word for word, _ in said[begin:end]]
+        clause = [word for word, _ in said[begin : _before_and(said, k, end)]]
         left = [word for word, _ in reversed(said[max(begin, k - _FAR) : k])]
         right = [word for word, _ in said[k + 1 : end]][:_FAR]
         begin = end if end < len(said) and not said[end][1] else k + 1
@@ -107,6 +114,12 @@ def _end(said: Sequence[Word], k: int) -> int:
     return next((j for j in range(end + 1, len(said)) if said[j][0] in _ENDS | _AND or said[j][1]), len(said))
 
 
+def _before_and(said: Sequence[Word], k: int, end: int) -> int:
+    """Return where the words end that go with a letter: behind "and" stands what is said of the next, "along $y$ by $d_2$ and downwards by $d_3$"."""
+    is_next = end < len(said) and bool(said[end][1])
+    return next((j for j in range(k + 1, end) if said[j][0] in _AND), end) if is_next else end
+
+
 def _goes_on(letter: str, left: Sequence[str]) -> bool:
     """Whether a letter goes on from a length: "the upper arm has length $l_2$ and the forearm $l_3$"."""
     return not letter.startswith("q") and len(left) <= _NEAR and any(word in _AND for word in left)
@@ -120,14 +133,17 @@ def _words(sentence: str) -> list[Word]:
         return []
     numbers = iter(formulas)
     found: list[Word] = []
-    for word in said:
-        if word != "¤":
+    for place, word in enumerate(said):
+        if place and _is(word, "UNIT") and _SIZE.fullmatch(said[place - 1].replace("¤", "0")) and found[-1][1]:
+            continue
+        formula = next(numbers) if word == "¤" else word
+        size = _size(formula, (*said[place + 1 :], "")[0])
+        if word != "¤" and not size:
             found.append((word, ()))
             continue
-        formula = next(numbers)
         local = _LOCAL_AXIS.fullmatch(formula.strip())
         axis, plane = _AXIS.fullmatch(formula.strip()), _PLANE.fullmatch(formula)
-        letters = () if axis or plane or local else tuple(_letters(formula))
+        letters = () if axis or plane or local else (size,) if size else tuple(_letters(formula))
         if axis:
             found.append((f"{axis[1]}-axis", ()))
         elif local:
@@ -141,6 +157,15 @@ def _words(sentence: str) -> list[Word]:
         else:
             found.append(("" if letters else "¤", letters))
     return found
+
+
+def _size(formula: str, behind: str) -> str:
+    """Return the length that a number with a unit is, "0.4 m", or "" for anything else; its unit stands in the formula or is the word behind."""
+    found = _SIZE.fullmatch(formula.strip())
+    unit = (found[2] or (behind if _is(behind, "UNIT") else "")) if found is not None else ""
+    if found is None or not unit:
+        return ""
+    return f"{found[1].replace(',', '.')} {'mm' if unit.startswith('mi') else 'cm' if unit.startswith('ce') else 'm' if unit.startswith(('me', 'mè')) else unit}"
 
 
 def _planes(said: Sequence[Word]) -> Iterator[str]:
@@ -180,7 +205,7 @@ def _kind(letter: str, left: Sequence[str], right: Sequence[str]) -> str:
     is_q = letter.startswith("q")
     before = next((kind for word in left if (kind := _called(word, is_q))), "")
     behind = next((kind for word in right if (kind := _called(word, is_q))), "")
-    kind = before or behind
+    kind = before or behind or (HEIGHT if _is_above(right) else "")
     lead = [*takewhile(lambda word: word != ",", left)]
     if _has(lead, "OFFSET"):
         return OFFSET
@@ -192,6 +217,13 @@ def _kind(letter: str, left: Sequence[str], right: Sequence[str]) -> str:
     if any(_is(word, each) for word in near for each in ("SLIDES", "RISES", "FALLS")):
         return SLIDE
     return kind
+
+
+def _is_above(right: Sequence[str]) -> bool:
+    """Whether a length is one above the floor."""
+    return (
+        bool(right) and _is(right[0], "ABOVE") and any(_is(each, "LEVEL") or _is(each, "BASE") for each in right[1:4])
+    )
 
 
 def _is_axis(word: str) -> bool:
@@ -238,6 +270,11 @@ def _marks(kind: str, clause: Sequence[str], right: Sequence[str]) -> Iterator[s
             yield UPRIGHT
         if has & {"RISES", "ELEVATION"}:
             yield LIFTS
+        if any(
+            _is(word, "FROM") and any(_is(each, "VERTICAL") for each in clause[k + 1 : k + 4])
+            for k, word in enumerate(clause)
+        ) and not has & {"ABOUT", "RELATIVE"}:
+            yield FROM_VERTICAL
         if has & {"LEVEL", "SAME"} and not has & {"RELATIVE", "ABOUT"}:
             yield ABSOLUTE
         if has & {"RELATIVE", "PREVIOUS"} and "LEVEL" not in has:

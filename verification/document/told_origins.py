@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from armproof.verification.document.hearing import hears
 from armproof.verification.document.word_lists import WordLists
 
 MAY_TELL_ORIGIN = re.compile(  # what no such sentence lacks, in small letters
@@ -35,6 +36,17 @@ _TUPLE = re.compile(r"\s*\\?(?:left)?\(\s*[^(),;]+(?:[,;]\s*[^(),;]+)+\\?(?:righ
 _NOUGHT = re.compile(r"\s*\\?(?:left)?\(\s*0(?:\s*[,;]\s*0)*\s*\\?(?:right)?\)")
 _ENDS = frozenset(",:.;!?")
 _FAR = 8
+_SHIFTS = re.compile(r"\bby \Z|height \Z")
+LETTER_OF_HEIGHT = re.compile(r"(?:[a-zHDL]|\\ell)(?:\s*_\s*(?:\{\s*\w+\s*\}|\w))?")
+
+
+def shift_of_base(words: str, formulas: Sequence[str]) -> str:
+    """Return the letter by which a shoulder is shifted, or of the height at which it stands: "shifted by d2 along it"; "" where none is said."""
+    found = hears("OTHER_ORIGIN", words)
+    if found is None or "¤" in found.group() or not _SHIFTS.search(found.group()):
+        return ""
+    behind, place = words[found.end() :].split()[:1], words.count("¤", 0, found.end())
+    return "".join(formulas[place : place + 1] if behind == ["¤"] else behind).strip()
 
 
 def is_from_elsewhere(words: str, formulas: Sequence[str]) -> bool:

@@ -42,10 +42,10 @@ _SYMBOL = re.compile(
     r"(?<![A-Za-z])(?P<letter>alpha|theta|sigma|[adrqb])(?![A-Za-z])\s*(?:_?\s*\(?(?P<index>[ijkn](?:\s*-\s*1)?)\)?(?![A-Za-z]))?"
 )
 _WORDS = (
-    (r"twist|torsion|torsión|verdrehung|verwindung", "alpha"),
-    (r"link length|longueur|longitud|comprimento|length", "a"),
-    (r"joint angle|rotation|angle|ángulo|ângulo|winkel", "theta"),
-    (r"offset|décalage|desplazamiento|deslocamento", "d"),
+    (r"twist|torsion|torsión|torsione|torção|\w*verdrehung|\w*verwindung|verdrehwinkel|verwindungswinkel", "alpha"),
+    (r"link length|longueur|longitud|comprimento|length|lunghezza|(?:arm|glied|armelement)?länge", "a"),
+    (r"joint angle|rotation|angle|ángulo|angolo|ângulo|(?:gelenk|dreh)?winkel", "theta"),
+    (r"offset|décalage|desplazamiento|deslocamento|scostamento|(?:gelenk|glied)?versatz|gelenkabstand", "d"),
     (r"type|kind|tipo", "sigma"),
     (r"variables?", "q"),
 )

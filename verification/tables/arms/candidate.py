@@ -112,6 +112,17 @@ class Candidate:
         angles = [[(row["alpha"], row["theta"]) for row in one.rows] for one in (self, before)]
         return self.joints != before.joints or angles[0] != angles[1]
 
+    def holds_more_than(self, told: Candidate) -> bool:
+        """Whether it is another arm with more lengths: without these its joints and lengths stand in the same order."""
+        return self.lengths > told.lengths and self._in_order(told) == told._in_order(told)
+
+    def _in_order(self, of: Candidate) -> list[str]:
+        """Return the joints and lengths of an arm that this one has, with their signs, from the base on."""
+        entries = [row[column] for row in self.rows for column in ("theta", "d", "a")]
+        letters = {*of.joints, *of.lengths}
+        found = [each for entry in entries for each in re.findall(r"-?[A-Za-z]\w*", entry)]
+        return [each for each in found if each.lstrip("-") in letters]
+
     def front(self, convention: str) -> dict[str, Any]:
         """Return the keys of front matter that name this arm in a convention."""
         rows = [{name: int(entry) if entry.isdigit() else entry for name, entry in row.items()} for row in self.rows]

@@ -20,6 +20,7 @@ from armproof.verification.document.told_chains import (
     DISTANCE,
     DOWN,
     END,
+    FROM_VERTICAL,
     HEIGHT,
     LENGTH,
     LIFTS,
@@ -37,12 +38,15 @@ from armproof.verification.naming.moving import index_of, rates_in
 from armproof.verification.naming.names import Names
 from armproof.verification.tables.arms.candidate import Candidate, symbol_of
 from armproof.verification.tables.arms.moves import Moves
+from armproof.verification.tables.row import SCALES
 
 SOURCE = "description"
 MOST = 8  # readings that are weighed
 _MOST_LETTERS = 9
 _EACH = re.compile(r"_\s*\{?\s*[ik]\s*\}?$")  # the angle of each link
+_OF_Q = re.compile(r"(?<![A-Za-z\\])q\s*_\s*\{?\s*1(?!\d)")
 _WRITTEN = re.compile(r"(?<![A-Za-z\\])[yz](?![A-Za-z])")
+_NUMBER = re.compile(r"(?<![\d._{])\d+(?:\.\d+)?(?![\d.])")
 _REACH = ("r", "d", "s", "rho")  # distances that mostly vary
 _FLAT, _UPRIGHT, _TURNED, _RAISED, _SIDEWAYS = (
     "flat",
@@ -85,8 +89,8 @@ class _Build:
         """Yield the chains that these can be of."""
         for plane in self._planes():
             for ways in self._ways():
-                for places in self._places(plane):
-                    yield from self._with_offsets(plane, self._steps(plane, ways, places))
+                for places, is_towards_x in product(self._places(plane), self._senses()):
+                    yield from self._with_offsets(plane, self._steps(plane, ways, places, is_towards_x))
 
     def _with_offsets(self, plane: str, steps: list[Step]) -> Iterator[list[Step]]:
         """Yield the chain with what is shifted aside at its end, or in the turned plane before that stands up, to either side."""
@@ -102,6 +106,10 @@ class _Build:
     @property
     def _turns(self) -> list[_Part]:
         return [each for each in self.joints if each.kind == TURN]
+
+    def _senses(self) -> tuple[bool, ...]:
+        """Return the ways in which what stands up may lean: towards x, or away from it."""
+        return (True, False) if any(map(_is_from_vertical, self._turns)) else (True,)
 
     def _planes(self) -> list[str]:
         turns = self._turns
@@ -128,8 +136,8 @@ class _Build:
     def _places(self, plane: str) -> Iterator[dict[str, list[_Part]]]:
         """Yield behind which joint each length may stand, "" for the base."""
         turns = self._turns[1:] if plane == _TURNED else self._turns
-        first, numbers = self.joints[0].key, {index_of(each.key): each.key for each in self.joints}
-        own = [index_of(each.key) for each in self.lengths]
+        first, numbers = self.joints[0].key, {_index(each.key): each.key for each in self.joints}
+        own = [_index(each.key) for each in self.lengths]
         if all(own) and 0 not in numbers:
             by_number: dict[str, list[_Part]] = {}
             for each, number in zip(self.lengths, own, strict=True):
@@ -146,7 +154,9 @@ class _Build:
                 **{turn.key: [each] for turn, each in zip(turns, self.lengths[1:], strict=True)},
             }
 
-    def _steps(self, plane: str, ways: dict[str, str], places: dict[str, list[_Part]]) -> list[Step]:
+    def _steps(
+        self, plane: str, ways: dict[str, str], places: dict[str, list[_Part]], is_towards_x: bool
+    ) -> list[Step]:
         """Return the steps of a chain; what stands up goes first, where its height counts in the base."""
         heights: list[Step] = [("d", f"-{each.key}" if DOWN in each.marks else each.key, "") for each in self.heights]
         if plane == _RAISED:
@@ -157,6 +167,9 @@ class _Build:
         for k, joint in enumerate(self.joints):
             turns = joint.kind == TURN
             stands = (plane == _UPRIGHT and (turns or ways[joint.key] == "x")) or (plane == _TURNED and turns and k > 0)
+            if _is_from_vertical(joint) and not is_up and (stands or plane == _FLAT):
+                found += _standing(joint, plane == _FLAT, is_towards_x)
+                is_up = True
             if stands and not is_up:
                 found.append(("alpha", "-pi/2" if self._leads_down() else "pi/2", ""))
                 is_up = True
@@ -175,6 +188,19 @@ class _Build:
         if is_in_plane:
             return ("y", key, key) if way == "up" else ("y", f"-{key}", key) if way == "down" else ("x", key, key)
         return {"up": ("d", key, key), "down": ("-z", key, key), "x": ("x", key, key), "y": ("y", key, key)}[way]
+
+
+def _is_from_vertical(part: _Part) -> bool:
+    return FROM_VERTICAL in part.marks and UPRIGHT not in part.marks
+
+
+def _standing(joint: _Part, is_flat: bool, is_towards_x: bool) -> list[Step]:
+    """Return the steps to a frame whose x points up, or down, at the zero of an angle from the vertical, and whose y lies along the base's x, or against it; y is up in a flat plane."""
+    is_down = DOWN in joint.marks
+    turn = "-pi/2" if is_towards_x else "pi/2"
+    if is_flat:
+        return [*([("alpha", "pi", "")] if is_down != is_towards_x else []), ("theta", turn, "")]
+    return [("alpha", "-pi/2" if is_down != is_towards_x else "pi/2", ""), ("theta", turn, "")]
 
 
 def _along(lengths: Sequence[_Part]) -> list[Step]:
@@ -219,18 +245,19 @@ def _build(document: Document, names: Names) -> _Build | None:
     """Return what a document's sentences tell of one chain, or None."""
     told = [each for each in document.told if each.kind not in (END, PLANE)]
     parts = _of_joints(_parts(told, document, names))
+    parts = [*_turns_of_named(document, parts), *parts]
     joints = [each for each in parts if each.moves]
     moving = rates_in(document.displays)
     if len(joints) < 2 or len(parts) > _MOST_LETTERS or any(_is_of_each(each) for each in told):
         return None
     if any(each.key in moving for each in joints) and any(_stands(each, moving) for each in joints):
         return None
-    numbers = [index_of(each.key) for each in joints]
+    numbers = [_index(each.key) for each in joints]
     if all(numbers) and len({*numbers}) == len(numbers):
-        joints.sort(key=lambda each: index_of(each.key))
+        joints.sort(key=lambda each: _index(each.key))
     turns = [each for each in joints if each.kind == TURN]
     in_plane = turns[1:] if turns and UPRIGHT in turns[0].marks else turns
-    if any(ABSOLUTE in each.marks and RELATIVE not in each.marks for each in in_plane[1:]):
+    if any(each.marks & {ABSOLUTE, FROM_VERTICAL} and RELATIVE not in each.marks for each in in_plane[1:]):
         return None
     if len(in_plane) - 1 > sum(each.kind == LENGTH for each in parts) + sum(each.kind == SLIDE for each in joints):
         return None  # the text does not tell all
@@ -240,6 +267,16 @@ def _build(document: Document, names: Names) -> _Build | None:
     return _Build(tuple(joints), of_kind[LENGTH], of_kind[HEIGHT], of_kind[OFFSET], planes, written)
 
 
+def _turns_of_named(document: Document, parts: Sequence[_Part]) -> Iterator[_Part]:
+    """Yield the joints of a planar arm that the text names, "a planar two-link arm", and of which it tells the lengths alone."""
+    lengths = [each for each in parts if each.kind == LENGTH]
+    if any(each.moves for each in parts) or {*document.planar} != {len(lengths)}:
+        return
+    letter = "q" if any(_OF_Q.search(display.latex) for display in document.displays) else "theta"
+    for number in range(1, len(lengths) + 1):
+        yield _Part(f"{letter}_{number}", TURN, frozenset())
+
+
 def _is_of_each(told: ToldPart) -> bool:
     """Whether a sentence counts the angle of each link from one axis."""
     return ABSOLUTE in told.marks and _EACH.search(told.letter) is not None
@@ -247,13 +284,13 @@ def _is_of_each(told: ToldPart) -> bool:
 
 def _stands(part: _Part, moving: set[str]) -> bool:
     """Whether a slide has neither a number nor a rate, where other joints have: it may be a length."""
-    return part.kind == SLIDE and not index_of(part.key) and part.key not in moving
+    return part.kind == SLIDE and not _index(part.key) and part.key not in moving
 
 
 def _of_joints(parts: Sequence[_Part]) -> list[_Part]:
     """Return the parts without angles that number no joint beside such that do, φ of a hand, and distances beside joints enough."""
-    numbered = any(each.kind == TURN and index_of(each.key) for each in parts)
-    found = [each for each in parts if not (numbered and each.kind == TURN and not index_of(each.key))]
+    numbered = any(each.kind == TURN and _index(each.key) for each in parts)
+    found = [each for each in parts if not (numbered and each.kind == TURN and not _index(each.key))]
     joints = sum(each.moves for each in found)
     return [
         each if each.kind != DISTANCE else replace(each, kind=SLIDE)
@@ -268,10 +305,23 @@ def _parts(all_told: Sequence[ToldPart], document: Document, names: Names) -> li
     kinds: dict[str, list[str]] = {}
     marks: dict[str, frozenset[str]] = {}
     for told in all_told:
-        key = names.reader.key_of(told.letter)
+        key = _size_in(document, told.letter) if told.letter[0].isdigit() else names.reader.key_of(told.letter)
         kinds.setdefault(key, []).append(told.kind)
         marks[key] = marks.get(key, frozenset()) | told.marks
     return [_Part(key, _kind(key, own, moving), _marks(own, marks[key])) for key, own in kinds.items() if key]
+
+
+def _size_in(document: Document, told: str) -> str:
+    """Return a length that the text has with its unit, 0.4 m, as the displays print it, in that unit or in metres; "" where none does."""
+    number, unit = told.split()
+    in_metres = f"{float(number) * SCALES.get(unit, 1):.6f}".rstrip("0").rstrip(".")
+    printed = {each for display in document.displays for each in _NUMBER.findall(display.latex)}
+    return next((each for each in (number, in_metres) if each in printed), "")
+
+
+def _index(key: str) -> int:
+    """Return the number that a letter has, 0 for a length that is a number itself."""
+    return 0 if key[0].isdigit() else index_of(key)
 
 
 def _kind(key: str, kinds: Sequence[str], moving: set[str]) -> str:
@@ -281,9 +331,9 @@ def _kind(key: str, kinds: Sequence[str], moving: set[str]) -> str:
         return SLIDE
     if OFFSET in kinds:
         return OFFSET
-    if DISTANCE in kinds and not index_of(key) and key in _REACH:
+    if DISTANCE in kinds and not _index(key) and key in _REACH:
         return DISTANCE
-    return LENGTH if LENGTH in kinds else HEIGHT if HEIGHT in kinds else SLIDE if index_of(key) else LENGTH
+    return LENGTH if LENGTH in kinds else HEIGHT if HEIGHT in kinds else SLIDE if _index(key) else LENGTH
 
 
 def _marks(kinds: Sequence[str], marks: frozenset[str]) -> frozenset[str]:
@@ -294,7 +344,8 @@ def _candidate(steps: Sequence[Step], document: Document) -> Candidate:
     moves = Moves()
     for where, value, joint in steps:
         sign = "-" if value.startswith("-") else ""
-        text = value if value.endswith("pi/2") else sign + symbol_of(value.removeprefix("-"))
+        length = value.removeprefix("-")
+        text = value if value.endswith("pi/2") or length[0].isdigit() else sign + symbol_of(length)
         own = symbol_of(joint) if joint else ""
         if where in ("x", "y", "-z"):
             moves.slide(where, text, own)

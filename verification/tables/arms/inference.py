@@ -31,6 +31,7 @@ from armproof.verification.tables.arms.matrices import (
     poses_that_are_links,
 )
 from armproof.verification.tables.arms.other_case import in_other_case
+from armproof.verification.tables.arms.robots import candidate_of_robot
 from armproof.verification.tables.arms.rows import candidates
 from armproof.verification.tables.arms.screws import candidate_of_screws
 from armproof.verification.tables.arms.settling import Inference
@@ -80,25 +81,41 @@ def _inferred(document: Document) -> Inference:
         each.lengths & rates_in(document.displays) for each in found
     ):  # a slide along x is no row of DH
         forms = _of_formulas(document, plain_names(document))
-        if not found and of_table.problem is None and (described := _of_words(document, forms)) is not None:
-            return described
+        if not found and of_table.problem is None:
+            told = _of_words(document, forms) or _of_code(document, forms)
+            if told is not None:
+                return told
         found = forms or found
     found = found or (candidate_of_rotations(document, plain_names(document)) if of_table.problem is None else [])
     settled = _settle(document, found) if found else of_table
     if settled.arm is None and found and found[0].source == "matrices" and (own := _of_words(document, ())) is not None:
         return own
-    if settled.arm is None and not found and of_table.problem is None:
-        settled = _of_code(document)
     return settled if settled.arm is not None else of_table
 
 
-def _of_code(document: Document) -> Inference:
-    """Return the document with the arm of the tables in its code that another display shows to be meant, where they are of one arm."""
+def _of_code(document: Document, of_formulas: Sequence[Candidate]) -> Inference | None:
+    """Return the document with the arm of the tables or the URDF in its code that another display shows to be meant, where they are of one arm; None where the formulas pin one of which more holds."""
     made = [arms_of(document, in_letters_of(document, table)) for table in document.in_code]
     found = [each for each in made if not isinstance(each, Finding)]
+    built = candidate_of_robot(document) if not found else None
+    found = [[built]] if built is not None else found
     if not found or any(each[0].is_other_than(found[0][0]) for each in found):
-        return Inference(document)
-    return _settle(document, [replace(each, is_alone=True) for each in found[0]])
+        return None
+    if of_formulas and not _holds_as_much(document, found[0], of_formulas):
+        return None
+    settled = _settle(document, [replace(each, is_alone=True) for each in found[0]])
+    return settled if settled.arm is not None else None
+
+
+def _holds_as_much(document: Document, told: Sequence[Candidate], others: Sequence[Candidate]) -> bool:
+    """Whether of a document's equations two hold for an arm that it tells of, and no fewer than for others."""
+    fronts = [[front for each in arms for front in _fronts(document, each)] for arms in (told, others)]
+    try:
+        readings = weigh(document, [*fronts[0], *fronts[1]], to_the_end=True)
+    except ArmproofError:
+        return False
+    best = [max((each.held for each in readings if each.front in own), default=0) for own in fronts]
+    return best[0] >= max(best[1], _FEWEST)
 
 
 def _of_formulas(document: Document, names: Names) -> list[Candidate]:
@@ -135,7 +152,7 @@ def _of_figure(document: Document) -> Inference | None:
 def _of_words(document: Document, of_formulas: Sequence[Candidate]) -> Inference | None:
     """Return the document with the arm that its text tells of, where two of its equations hold for that, and more than do not, or they do with one direction turned round.
 
-    What as much holds of, an arm of its formulas or the same with a direction turned round, is its rival.
+    What as much holds of, an arm of its formulas or the same with a direction turned round, is its rival; None where the formulas pin one of which more holds.
     """
     told, turned = described_arms(document, plain_names(document)) if document.told else ([], [])
     used, moving = joints_used(document.displays), rates_in(document.displays)
@@ -151,6 +168,10 @@ def _of_words(document: Document, of_formulas: Sequence[Candidate]) -> Inference
     best = next((each for each in readings if each.front in own), None)
     if best is None or best.held < _FEWEST:
         return None
+    if _is_pinned_with_more(
+        document, best, [each for each in found if best.front in _fronts(document, each)], of_formulas, readings
+    ):
+        return None
     turned_fronts = [front for each in turned for front in _fronts(document, each)]
     is_turned = any(
         each.front in turned_fronts and each.held > each.failed for each in readings if _is_rival(each, best)
@@ -161,6 +182,21 @@ def _of_words(document: Document, of_formulas: Sequence[Candidate]) -> Inference
     taken = _taken(document, found, best, False)
     assert taken.arm is not None
     return replace(taken, arm=replace(taken.arm, rivals=tuple(each.front for each in others.values())[:_MOST_RIVALS]))
+
+
+def _is_pinned_with_more(
+    document: Document,
+    best: Reading,
+    told: Sequence[Candidate],
+    of_formulas: Sequence[Candidate],
+    readings: Sequence[Reading],
+) -> bool:
+    """Whether the formulas pin the arm that the text tells of with lengths of which it tells nothing, such as where its base stands, and more holds so than in any way that the text may be meant."""
+    more = [each for each in of_formulas if any(map(each.holds_more_than, told))]
+    fronts = [front for each in more for front in _fronts(document, each)]
+    held = [each.held for each in readings if each.front in fronts]
+    others = [each.held for each in readings if each.front not in fronts]
+    return bool(held) and max(held) > max(best.held, *others)
 
 
 def _is_rival(one: Reading, best: Reading) -> bool:

@@ -102,11 +102,13 @@ def candidates_of_matrices(document: Document, names: Names) -> list[Candidate]:
     """
     links: dict[int, _Link] = {}
     fixed: dict[int, _Link] = {}
+    again: set[int] = set()  # given twice, of which one is the matrix of no link
     algebra = ExactAlgebra(Ring(), None)
     with algebra.budget.of(SECONDS):
         for link in _by_place(_without_poses([*_links(document, names, algebra)]), document, names):
             if not link.is_constant and not equal(links.setdefault(link.index, link).value, link.value):
-                raise EvaluationError(say(Kind.LINK_AGAIN, number=link.index, line=link.display.line))
+                links[link.index] = _one_that_is_a_link(links[link.index], link)
+                again.add(link.index)
             if link.is_constant and not link.is_spelt_as_pose and link.index not in links:
                 fixed.setdefault(link.index, link)
         if len(links) < 2:
@@ -117,7 +119,17 @@ def candidates_of_matrices(document: Document, names: Names) -> list[Candidate]:
         if [link.index for link in chain] != list(range(first, first + len(chain))):
             return []
         found = [each if each.frames else _by_own_index(each, chain, document) for each in _fit(chain)]
+        doubtful = frozenset(index - first + 1 for index in again)
+        found = [replace(each, mended=each.mended | doubtful) for each in found]
         return [each for each in found if each.first == first - 1 or "" in each.joints]
+
+
+def _one_that_is_a_link(one: _Link, other: _Link) -> _Link:
+    """Return that of two matrices of a link which is one of DH where the other is none; raises EvaluationError."""
+    fits = [each for each in (one, other) if _is_link(each)]
+    if len(fits) != 1:
+        raise EvaluationError(say(Kind.LINK_AGAIN, number=other.index, line=other.display.line))
+    return fits[0]
 
 
 def candidate_of_rotations(document: Document, names: Names) -> list[Candidate]:

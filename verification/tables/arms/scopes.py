@@ -422,6 +422,7 @@ def _between(document: Document, begin: Place, end: Place) -> Document:
     displays = tuple(display for display in document.displays if begin <= _place(display) < end)
     tables = tuple(table for table in document.tables if begin <= _place(table) < end)
     in_code = tuple(table for table in document.in_code if begin <= _place(table) < end)
+    robots = tuple(each for each in document.robots if begin <= (each.cell or 0, each.line) < end)
     told = tuple(each for each in document.told if begin <= each.before < end)
     places = [*map(_place, document.displays), (10**9, 0)]
     behind = (
@@ -429,4 +430,6 @@ def _between(document: Document, begin: Place, end: Place) -> Document:
         for cell, line, latex in document.figures
     )
     figures = tuple(each for at, each in behind if begin <= at < end)
-    return replace(document, displays=displays, tables=tables, in_code=in_code, told=told, figures=figures)
+    return replace(
+        document, displays=displays, tables=tables, in_code=in_code, robots=robots, told=told, figures=figures
+    )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from armproof import verify_text
@@ -131,3 +133,137 @@ $$ \det J = l_1 l_2 \sin\theta_2 $$
 )
 def test_nothing_right_is_refuted_of_another_mechanism(text: str) -> None:
     assert "refuted" not in verdicts(text)
+
+
+def with_slips(text: str) -> list[str]:
+    """Return the copies of a text in which one «right¦wrong» each is wrong, the first all right."""
+    marks = re.findall("«(.*?)¦(.*?)»", text)
+    copies = []
+    for slip in range(-1, len(marks)):
+        copy = text
+        for k, (right, wrong) in enumerate(marks):
+            copy = copy.replace(f"«{right}¦{wrong}»", wrong if k == slip else right, 1)
+        copies.append(copy)
+    return copies
+
+
+HOLDS = {"proved", "confirmed"}
+NUMBERS = r"""
+A planar robot has two revolute joints. The first link is 0.4 m long and the second 0.3 m.
+
+$$ x = 0.4 \cos\theta_1 + 0.3 «\cos(\theta_1+\theta_2)¦\cos\theta_2» $$
+
+$$ y = 0.4 \sin\theta_1 + 0.3 \sin(\theta_1+\theta_2) $$
+
+$$ \det J = «0.12 \sin\theta_2¦0.12 \cos\theta_2» $$
+
+$$ x^2 + y^2 = «0.25¦0.35» + 0.24 \cos\theta_2 $$
+"""
+CENTIMETRES = r"""
+Un robot plan 2R a deux segments de 40 cm et 25 cm de long. On travaille en mètres.
+
+$$ x = 0.4 \cos q_1 + 0.25 «\cos(q_1+q_2)¦\cos q_2» $$
+
+$$ y = 0.4 \sin q_1 + 0.25 \sin(q_1+q_2) $$
+
+$$ x^2 + y^2 = 0.2225 «+¦-» 0.2 \cos q_2 $$
+
+$$ \det J = 0.1 \sin q_2 $$
+"""
+NAMED = r"""
+A planar two-link arm has links of lengths $l_1$ and $l_2$. It stands 0.35 m above the floor.
+
+$$ x = l_1 c_1 + «l_2 c_{12}¦l_2 c_2» $$
+
+$$ y = 0.35 + l_1 s_1 + l_2 s_{12} $$
+
+$$ \det J = «l_1 l_2 s_2¦l_1 l_2 c_2» $$
+
+$$ x^2 + (y - 0.35)^2 = l_1^2 + l_2^2 + 2 l_1 l_2 c_2 $$
+"""
+FROM_VERTICAL = r"""
+The boom has length $l_1$, the stick has length $l_2$. The angle $\theta_1$ is measured from the vertical $z$ axis; $\theta_2$ is the angle of the stick relative to the boom.
+
+$$ x = l_1 \sin\theta_1 + l_2 «\sin(\theta_1+\theta_2)¦\cos(\theta_1+\theta_2)» $$
+
+$$ z = l_1 \cos\theta_1 + l_2 «\cos(\theta_1+\theta_2)¦\cos\theta_2» $$
+
+$$ \dot x = l_1 \dot\theta_1 \cos\theta_1 + l_2 (\dot\theta_1 + \dot\theta_2) \cos(\theta_1+\theta_2) $$
+
+$$ \dot z = «-¦+» l_1 \dot\theta_1 \sin\theta_1 - l_2 (\dot\theta_1 + \dot\theta_2) \sin(\theta_1+\theta_2) $$
+"""
+SPHERICAL = r"""
+Joint 1 turns by $\theta_1$ about the vertical, joint 2 raises the boom by the elevation $\theta_2$ above the horizontal, joint 3 extends it to the length $d_3$. The shoulder is at height $h$.
+
+$$ x = d_3 \cos\theta_1 «\cos\theta_2¦\sin\theta_2» $$
+
+$$ y = d_3 \sin\theta_1 \cos\theta_2 $$
+
+$$ z = h + d_3 \sin\theta_2 $$
+
+$$ d_3 = \sqrt{x^2 + y^2 + «(z-h)^2¦z^2»} $$
+"""
+GANTRY = r"""
+The gantry moves along $x$ by $d_1$, along $y$ by $d_2$ and downwards by $d_3$; the gripper turns by $\theta_4$ about the vertical. The rails lie at height $h$.
+
+$$ T = \begin{bmatrix} \cos\theta_4 & «-\sin\theta_4¦\sin\theta_4» & 0 & d_1 \\ \sin\theta_4 & \cos\theta_4 & 0 & d_2 \\ 0 & 0 & 1 & h - d_3 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$
+
+$$ x = d_1, \quad y = d_2, \quad z = h «-¦+» d_3 $$
+
+$$ J = \begin{bmatrix} 1 & 0 & 0 & 0 \\ 0 & 1 & 0 & 0 \\ 0 & 0 & «-1¦1» & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$
+"""
+
+
+@pytest.mark.parametrize("text", [NUMBERS, CENTIMETRES, NAMED, FROM_VERTICAL, SPHERICAL, GANTRY])
+def test_what_the_words_tell_proves_what_is_right_and_refutes_each_slip(text: str) -> None:
+    right, *slips = with_slips(text)
+    assert {*verdicts(right)} <= HOLDS
+    for each in slips:
+        found = verdicts(each)
+        assert found.count("refuted") == 1 and {*found} - {"refuted"} <= HOLDS, each
+
+
+def test_a_base_of_which_the_words_do_not_tell_is_that_of_the_formulas() -> None:
+    text = r"""
+The planar arm of lengths $l_1$ and $l_2$ stands with its first joint at the point $(x_0, y_0)$ of the workshop frame. With relative angles $\theta_1$ and $\theta_2$ we have
+
+$$ x = x_0 + l_1 \cos\theta_1 + l_2 \cos(\theta_1+\theta_2) $$
+
+$$ y = y_0 + l_1 \sin\theta_1 + l_2 \sin(\theta_1+\theta_2) $$
+
+$$ (x - x_0)^2 + (y - y_0)^2 = l_1^2 + l_2^2 + 2 l_1 l_2 \cos\theta_2 $$
+
+$$ \det J = «l_1 l_2 \sin\theta_2¦l_1 l_2 \cos\theta_2» $$
+"""
+    right, slip = with_slips(text)
+    assert verdicts(right) == ["proved"] * 4
+    assert verdicts(slip)[-1] == "refuted"
+
+
+def test_an_angle_from_the_vertical_that_the_formulas_have_from_the_horizontal_is_left_open() -> None:
+    text = r"""
+The boom has length $l_1$, the stick length $l_2$. The angle $\theta_1$ is measured from the vertical $z$ axis; $\theta_2$ is relative to the boom.
+
+$$ x = l_1 \cos\theta_1 + l_2 \cos(\theta_1+\theta_2) $$
+
+$$ z = l_1 \sin\theta_1 + l_2 \sin(\theta_1+\theta_2) $$
+
+$$ \dot x = -l_1 \dot\theta_1 \sin\theta_1 - l_2 (\dot\theta_1+\dot\theta_2) \sin(\theta_1+\theta_2) $$
+"""
+    assert "refuted" not in verdicts(text)
+    assert verdicts(text)[-1] in ("proved", "unchecked")
+
+
+def test_numbers_of_other_things_are_no_lengths() -> None:
+    text = NUMBERS.replace("and the second 0.3 m.", "and the second 0.3 m. The payload of 3 kg is 0.24 m from the tip.")
+    assert {*verdicts(with_slips(text)[0])} <= {"proved", "unchecked"}
+    absolute = r"""
+A planar two-link arm has links 0.5 m and 0.3 m long. Both joint angles are measured from the x axis of the base.
+
+$$ x = 0.5 \cos\theta_1 + 0.3 \cos\theta_2 $$
+
+$$ y = 0.5 \sin\theta_1 + 0.3 \sin\theta_2 $$
+
+$$ x^2 + y^2 = 0.34 + 0.3 \cos(\theta_2-\theta_1) $$
+"""
+    assert "refuted" not in verdicts(absolute)

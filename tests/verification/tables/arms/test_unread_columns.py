@@ -51,3 +51,14 @@ def test_what_may_change_an_angle_gives_no_arm(header: str, cells: tuple[str, st
 )
 def test_bounds_names_and_masses_change_none(header: str, cells: tuple[str, str]) -> None:
     assert verdicts(header, *cells) == {Verdict.PROVED}
+
+
+def test_a_table_is_known_by_its_german_and_italian_words() -> None:
+    rows = "|---|---|---|---|\n| $\\theta_1$ | $d_1$ | 0 | 90° |\n| $\\theta_2$ | 0 | $a_2$ | 0° |\n\n$$ z = d_1 + a_2 \\sin\\theta_2 $$\n\n$$ x = a_2 \\cos\\theta_1 \\cos\\theta_2 $$\n"
+    for header in (
+        "| Gelenkwinkel | Gelenkabstand | Armlänge | Verdrehwinkel |\n",
+        "| Angolo | Scostamento | Lunghezza | Torsione |\n",
+    ):
+        (arm,) = verify_text("\n" + header + rows).arms
+        assert arm.source == "table"
+        assert verify_text("\n" + header + rows.replace("d_1 +", "d_1 -")).equations[0].verdict.value == "refuted"

@@ -78,3 +78,31 @@ def test_front_matter_in_angles_leaves_the_variables_open() -> None:
     assert Verdict.REFUTED not in [record.verdict for record in found] and found[1].verdict == "proved"
     same = TOLD.replace(" + \\frac{\\pi}{2}", "")
     assert verdicts(front + same + Y + X.replace("- l_2 \\sin", "+ l_2 \\cos"))[1:] == ["proved", "proved"]
+
+
+ABSOLUTE = r"""
+# Relative and absolute angles
+
+For a planar arm with links $l_1$, $l_2$ and joint angles $\theta_1$, $\theta_2$ we use the absolute angles
+
+$$ \phi_1 = \theta_1, \quad \phi_2 = \theta_1 + \theta_2 $$
+
+$$ x = l_1 \cos\phi_1 + l_2 \cos\phi_2 $$
+
+$$ y = l_1 \sin\phi_1 + l_2 \sin\phi_2 $$
+
+$$ \frac{\partial x}{\partial\theta_2} = -l_2 \sin\phi_2 $$
+"""
+
+
+def test_absolute_angles_that_are_sums_leave_those_of_the_joints_relative() -> None:
+    held = [each.verdict.value for each in verify_text(ABSOLUTE).equations]
+    assert held[1:] == ["proved"] * 3
+    slip = ABSOLUTE.replace(r"\theta_2} = -l_2", r"\theta_2} = l_2")
+    assert verify_text(slip).equations[-1].verdict.value == "refuted"
+    told = ABSOLUTE.replace("# Relative and absolute angles", "").replace(
+        r"\phi_1 = \theta_1, \quad \phi_2 = \theta_1 + \theta_2", r"\theta_1 = 0.2, \quad \theta_2 = 0.3"
+    )
+    assert {each.verdict.value for each in verify_text(told.replace(r"\phi", r"\theta")).equations[1:]}.isdisjoint(
+        {"refuted"}
+    )
