@@ -456,6 +456,7 @@ zweig zweige zweigliedrig zweimal zweite zwischen zwölf zyklus zylinder zählen
 verlängerung oberarms unterarms
 """
 SPANISH = """
+complementarios suplementarios
 angulo angulos numero posicion rotacion traslacion articulacion eslabon a abajo abarca abarcó abduccion abducción abierta abordar aborde abordo abordó abra abramos abran abre abren abriendo abril abrimos abrir abriremos
 abrirá abrió abro abscisa absorbiendo abstracta acaba acabado acabamos acaban acabar acabe acabemos acaben acabo acabó accesible acceso acciones
 acción aceleración acerca acero acimut acompaña acoplada acostumbra acotado activa activen actividad activo activó actuador actúa actúan acumulada
@@ -692,6 +693,7 @@ volentieri volevasi volta volte volumi voluto vorrà vuole zampa zampe zeri zero
 prolungamento prolungato quota
 """
 PORTUGUESE = """
+cima claro contas ficamos fundo isto num numa olhamos prever
 anti-horário horário a abaixo aberta abordar abordem abordou abra abram abrange abre abrem abreviaturas abril abrimos abrindo abrir abriremos abrirá abriu abro acabado
 acabando acabar acabe acabem acabo acabou aceleração acenda acender acendimento acendo acerca acesso acessível acha achamos achando achar acima
 acionar acione acionou acoplada acrescentou ademais adiante adicionando adição adota adotado adotam adotando adotar adotem adotou afasta agarrar

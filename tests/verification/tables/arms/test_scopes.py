@@ -65,6 +65,16 @@ def test_other_link_matrices_under_another_heading_are_another_arm() -> None:
     assert verdicts(wrong) == ["proved"] * 3 + ["defined"] * 2 + ["refuted"]
 
 
+def test_a_first_link_matrix_begins_a_part_behind_later_ones_of_another_arm() -> None:
+    two = link(2, SECOND).replace("l_", "b_") + link(3, "{}^2T_3").replace("l_", "b_")
+    result = verify_text("# A\n\n" + two + "# B\n\n" + CLASSIC)
+    assert [arm.line for arm in result.arms][-1:] == [9] and verdicts(result)[2:] == ["proved"] * 3
+    wrong = verify_text("# A\n\n" + two + "# B\n\n" + CLASSIC.replace("l_1 s_1 + l_2 s_{12}", "l_1 s_1 - l_2 s_{12}"))
+    assert verdicts(wrong)[-1] == "refuted"
+    same = verify_text("# A\n\n" + link(2, SECOND) + "# B\n\n" + CLASSIC)
+    assert len(same.arms) == 1 and verdicts(same) == ["proved"] * 4
+
+
 def test_headings_of_html_part_a_document_as_others_do() -> None:
     result = verify_text("<h2>A</h2>\n\n" + CLASSIC + "<h2 id='b'><b>B</b></h2>\n\n" + OF_CRAIG)
     assert [arm.convention for arm in result.arms] == ["classic", "modified"] and verdicts(result) == ["proved"] * 6
