@@ -266,12 +266,21 @@ def _is_given_to(table: _Source | None, source: _Source) -> bool:
 
 
 def _is_other(arm: Candidate, before: Candidate) -> bool:
-    """Whether an arm is another than one before it; a closed form is that of the table behind it, if it has as many joints."""
+    """Whether an arm is another than one before it; a closed form is that of the table behind it, if it has as many joints, or more that slide."""
     if arm.source == before.source == "closed form":  # of two exercises
         return (arm.rows, arm.joints) != (before.rows, before.joints)
     if before.source == "closed form":
-        return sum(map(bool, arm.joints)) != sum(map(bool, before.joints))
+        return sum(map(bool, arm.joints)) != sum(map(bool, before.joints)) and not _adds_slides(arm, before)
     return arm.is_other_than(before)
+
+
+def _adds_slides(arm: Candidate, before: Candidate) -> bool:
+    """Whether a level arm has the joints of one before it, and others that slide: the x and y of a SCARA have none of these."""
+    kinds = dict(zip(filter(None, arm.joints), arm.kinds, strict=False))
+    added = {kind for joint, kind in kinds.items() if joint not in before.joints}
+    reach, own = ({row["a"] for row in each.rows} - {"0"} for each in (before, arm))
+    is_level = set(arm.twists) <= {"0", "pi", "-pi"} and reach == own
+    return is_level and {*filter(None, before.joints)} < kinds.keys() and added == {"P"}
 
 
 def _is_of_other_joints(document: Document, link: _Source, source: _Source) -> bool:
