@@ -35,6 +35,10 @@ from armproof.verification.document.units import with_unit
 
 PICTURE = "<img"  # the opening of a display whose LaTeX stands in the address of a picture
 _AFTER_A_LEAD = frozenset("math_block math_block_label amsmath html_block fence colon_fence".split())
+_INDENTED_BOX = re.compile(  # of MkDocs: what is indented behind it is its text
+    r"^(?:(?P<tab>===)[+!]{0,2}|!!!|\?\?\?\+?)[ \t]+(?P<title>[^\n]*)", re.MULTILINE
+)
+_OF_TAB = 6  # level of the section that a tab is
 _INDENTED = re.compile(
     r"\s*\$\$[ \t]*\n(?:(?!\$\$).)+\n[ \t]*\$\$[ \t]*(?:\n|$)", re.DOTALL
 )  # a display below "Step 3."
@@ -222,7 +226,8 @@ def _read_blocks(
     for index, token in enumerate(tokens):
         erratum, content = any(quotes), token.content
         line = line if token.map is None else first + token.map[0]  # what closes has no place of its own
-        is_indented = bool(lead) and token.type == "code_block" and _INDENTED.match(content) is not None
+        box = _INDENTED_BOX.search(lead) if token.type == "code_block" else None
+        is_indented = bool(lead) and token.type == "code_block" and (box or _INDENTED.match(content)) is not None
         is_next = token.type in _AFTER_A_LEAD or is_indented
         if is_next or (token.type == "inline" and (_BEGINS.match(content) or _stands_alone(token))):
             displays.extend(said_below(lead, lead_line, section) if lead else ())
@@ -240,7 +245,9 @@ def _read_blocks(
             displays.extend(said_above(token.info, line, section) if token.info else ())  # $$ … $$ (wrong): no label
             is_behind = True
         elif is_indented:
-            more, more_tables = _read_blocks(dedent(content), line, cell, section, erratum, depth + 1)
+            inner = begin_section(section, box["title"], _OF_TAB) if box is not None and box["tab"] else section
+            erratum = erratum or (box is not None and _ERRATUM.search(box["title"]) is not None)
+            more, more_tables = _read_blocks(dedent(content), line, cell, inner, erratum, depth + 1)
             displays += more
             tables += more_tables
             is_behind = True

@@ -14,7 +14,7 @@ from armproof.verification.document.model import Document
 
 MAY_STRIKE = re.compile(  # what no text that strikes out or denies in a box lacks
     MAY_MARK.pattern
-    + r"|<[a-z]|~~|\\(?:st|sout|xout)\b|\\begin\s*\{(?![bpvBV]?matrix|array|align|equation|cases)|^:::",
+    + r"|<[a-z]|~~|\\(?:st|sout|xout)\b|\\begin\s*\{(?![bpvBV]?matrix|array|align|equation|cases)|^:::|^[ \t]*(?:===|!!!|\?\?\?)",
     re.MULTILINE,
 )
 MOST = 4000  # characters that are struck out or stand in a box: what is not closed is looked through no further
@@ -25,12 +25,17 @@ _STRUCK = re.compile(
     re.DOTALL,
 )
 _STRUCK_IN_MARKDOWN = re.compile(rf"(?<![~\\])~~(?!~){_INSIDE}(?<![~\\])~~(?!~)", re.DOTALL)
+_MATH = re.compile(
+    r"\$\$.{0,4000}?\$\$|\\\[.{0,4000}?\\\]|\$(?=\S)[^$\n]{0,400}(?<=\S)\$", re.DOTALL
+)  # where ~ is a blank
 _OPENS = re.compile(
     r"\\begin\s*\{(?P<name>[A-Za-z]+)\*?\}(?:\[(?P<option>[^\]\n]*)\])?"
     r"|<(?P<tag>div|section|aside|p)\s[^>\n]*class\s*=\s*[\"'](?P<class>[^\"'\n]*)[\"'][^>\n]*>"
-    r"|<summary>(?P<summary>[^<\n]*)</summary>|^:::+[ \t]*(?P<words>[^\n]+)$",
+    r"|<summary>(?P<summary>[^<\n]*)</summary>|^:::+[ \t]*(?P<words>[^\n]+)$"
+    r"|^(?P<margin>[ \t]*)(?:===[+!]{0,2}|!!!|\?\?\?\+?)[ \t]+(?P<indented>[^\n]+)$",
     re.MULTILINE,
 )
+_FAILS = re.compile(r"(?:fail(?:ure)?|missing|bug|danger|error)\b")  # boxes of MkDocs, by their kind
 _NO_CLAIM = re.compile(
     r"(?:counter-?examples?|contre-?exemples?|gegenbeispiele?|contraejemplos?|conjectures?|fallac(?:y|ies))",
     re.IGNORECASE,
@@ -66,16 +71,36 @@ def _texts(text: str, suffix: str) -> Mapping[int | None, str]:
 
 def _lines(text: str, suffix: str) -> Iterator[tuple[int, int]]:
     """Yield the first and the last line of what is struck out or denied."""
-    found = [*_STRUCK.finditer(text), *(_STRUCK_IN_MARKDOWN.finditer(text) if suffix in _IN_MARKDOWN else ())]
+    found = [
+        *_STRUCK.finditer(text),
+        *(_STRUCK_IN_MARKDOWN.finditer(_without_blanks(text)) if suffix in _IN_MARKDOWN else ()),
+    ]
     places = [each.span() for each in found]
     places += [(each.start(), _end(each, text)) for each in _OPENS.finditer(text) if _denies(each)]
     for start, end in places:
         yield text.count("\n", 0, start) + 1, text.count("\n", 0, end) + 1
 
 
+def _without_blanks(text: str) -> str:
+    """Return a text in whose formulas no ~~ stands: there it is space and strikes nothing out; at their edge it strikes what is between two."""
+    if "~~" not in text:
+        return text
+    edges = "$\\[] \t\n"
+    return _MATH.sub(
+        lambda found: (
+            found.group()
+            if found.group().strip(edges).startswith("~~") or found.group().strip(edges).endswith("~~")
+            else found.group().replace("~", " ")
+        ),
+        text,
+    )
+
+
 def _denies(box: re.Match[str]) -> bool:
     """Whether the name or the title of a box denies what stands in it."""
-    words = " ".join(filter(None, box.group("name", "option", "class", "summary", "words")))
+    words = " ".join(filter(None, box.group("name", "option", "class", "summary", "words", "indented")))
+    if box["indented"] and _FAILS.match(box["indented"]):
+        return True
     return _says_no(re.sub(r"[-_{}:.=\"#]", " ", words)) or (box["name"] is None and is_not_to_copy(_title(box)))
 
 
@@ -91,7 +116,10 @@ def _says_no(words: str) -> bool:
 
 
 def _end(box: re.Match[str], text: str) -> int:
-    """Return where a box ends; one that is not closed ends where it begins."""
+    """Return where a box ends; one that is not closed ends where it begins, what is indented with its last line."""
+    if box["indented"]:
+        inside = re.compile(rf"(?:\n{box['margin']}(?:    |\t)[^\n]*|\n[ \t]*(?=\n|\Z))*").match(box.string, box.end())
+        return inside.end() if inside is not None else box.end()
     closing = rf"\\end\s*\{{{box['name']}\*?\}}" if box["name"] else rf"</{box['tag']}>" if box["tag"] else None
     closing = closing or ("</details>" if box["summary"] else r"^:::+[ \t]*$")
     found = re.compile(closing, re.MULTILINE).search(text, box.end(), box.end() + MOST)

@@ -38,7 +38,8 @@ USUAL angulo angulos girado girada giro alrededor rotado articulacion articular 
  ângulo~ junta~ generalizad~ rotaç~ compriment~ elo elos distância~ deslocament~ braço~ antebraço corpo~ parâmetr~ eixo~ normal comum medid~ anti-horário relaç~ anterior próximo consecutiv~ dois duas constante~ conhecid~ dad~ valor~ velocidade~ derivad~ ombro cotovelo punho garra ferramenta efetuador primeir~ segund~ terceir~ quart~ quint~ sext~ direção o os as do da dos das no na ao em um uma e é são entre cada respectivamente
 DRIVE gear~ belt~ pulley~ parallelogram~ pantograph~ transmission~ reducer~ reduction coupled coupling~ engrenage~ courroie~ poulie~ réducteur~ getriebe~ riemen~ zahnrad~ untersetzung~ übersetzung~ engranaje~ correa~ polea~ paralelogramo~ ingranagg~ cinghia cinghie pulegg~ riduttor~ engrenagem engrenagens correia~ polia~
 MOTOR encoder~ codeur~ drehgeber~ motor~ moteur~ motrice~ servo~
-OF_MOTOR angle~ count~ tick~ pulse~ step~ speed~ velocit~ coordinate~ vitesse~ coordonnée~ winkel~ drehzahl~ geschwindigkeit~ ángulo~ velocidad~ angol~ velocità ângulo~
+OF_MOTOR angle~ count~ tick~ pulse~ step~ coordinate~ coordonnée~ winkel~ ángulo~ angol~ ângulo~
+SPEED speed~ velocit~ vitesse~ drehzahl~ geschwindigkeit~ velocidad~ velocità
 FORCES torque~ force~ friction~ inertia~ mass masses weight~ power~ backlash couple~ frottement~ inertie~ masse~ poids puissance drehmoment~ moment~ kraft~ kräfte reibung~ trägheit~ leistung~ par fricción inercia~ fuerza~ coppi~ attrit~ inerzia forz~ singul~ determin~ rank rang equation~ équation~ gleichung~ ecuacion~ terms
 NOT direct~ ideal~ rigid~ without no not never neither sans pas ohne kein~ nicht sin senza sem não non
 ZERO zero zeros zéro nul nuls nulle nulles null nullstellung nulllage vanish vanishes vanishing cero nulo nulos nulli home reference référence referencia riferimento
@@ -116,7 +117,7 @@ def variables_told(words: str, formulas: Sequence[str]) -> Iterator[str]:
     angles = [
         found["letter"] for each in formulas if (found := _LETTER.fullmatch(each)) and _ANGLE.match(found["letter"])
     ]
-    if _is_of_drive(said):
+    if _is_of_drive(said, any("\\dot" in each for each in formulas) or bool(angles)):
         yield from (_open(ANY, each, text) for each in angles or [""])
     if which := _bent_at_zero(said, formulas):
         at_zero = [each.strip() for latex in formulas if _IS_ZERO.fullmatch(latex) for each in latex.split("=")[:-1]]
@@ -148,8 +149,11 @@ def _of_other_joint(phrase: Sequence[str], numbers: set[int]) -> bool:
     return bool(places) and not between and not any(low <= number <= high for low, high in places for number in numbers)
 
 
-def _is_of_drive(said: Sequence[str]) -> bool:
-    """Whether a sentence is of what stands between motors and joints, or of the angles of motors: not of their torques, and none that is denied."""
+def _is_of_drive(said: Sequence[str], has_letters: bool) -> bool:
+    """Whether a sentence is of what stands between motors and joints, or of the angles of motors: not of their torques, and none that is denied.
+
+    That their speed is measured, or controlled, says nothing of a letter unless it holds one.
+    """
     drives = [place for place, word in enumerate(said) if _is(word, "DRIVE")]
     denied = any(_is(word, "NOT") for place in drives for word in said[max(0, place - _NEAR) : place])
     if denied or _has(said, "FORCES"):
@@ -157,7 +161,8 @@ def _is_of_drive(said: Sequence[str]) -> bool:
     if drives:
         return True
     at = [k for k, word in enumerate(said) if _is(word, "MOTOR") and (k == 0 or said[k - 1] not in _NO_MOTOR)]
-    return any(_is(word, "OF_MOTOR") for place in at for word in said[max(0, place - _NEAR) : place + 2])
+    kinds = ("OF_MOTOR", "SPEED") if has_letters else ("OF_MOTOR",)
+    return any(_is(word, kind) for kind in kinds for place in at for word in said[max(0, place - _NEAR) : place + 2])
 
 
 def _bent_at_zero(said: Sequence[str], formulas: Sequence[str]) -> str:

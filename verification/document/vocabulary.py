@@ -337,6 +337,7 @@ prolongement prolonge tibia
 """
 GERMAN = """
 er falls sehr sollen uhrzeigersinn vor
+heraus hinein raus rein
 auszug misst mißt höchstens mindestens ab abbaut abbildung abend abends aber abermals abgabetermin abgeben abgeleitet abgeschlossen abgleichen ablauf ablegen ablegt ablegung ableiten
 ablesen abmessungen abnahme absatz abschließen abschnitt absolut abstand abstände abstützung abszisse absätze abtastung achse achsen acht achte achten
 addieren addition agenda akku aktiviert aktualisiert aktuator aktuell alle allem allen aller alles allgemein allmählich alphabet als also aluminium am
@@ -459,6 +460,7 @@ verlängerung oberarms unterarms
 """
 SPANISH = """
 dan eso unas unos valen
+complementarios suplementarios
 angulo angulos numero posicion rotacion traslacion articulacion eslabon a abajo abarca abarcó abduccion abducción abierta abordar aborde abordo abordó abra abramos abran abre abren abriendo abril abrimos abrir abriremos
 abrirá abrió abro abscisa absorbiendo abstracta acaba acabado acabamos acaban acabar acabe acabemos acaben acabo acabó accesible acceso acciones
 acción aceleración acerca acero acimut acompaña acoplada acostumbra acotado activa activen actividad activo activó actuador actúa actúan acumulada
@@ -697,6 +699,7 @@ prolungamento prolungato quota
 """
 PORTUGUESE = """
 até dá dão há isto seu
+cima claro contas ficamos fundo isto num numa olhamos prever
 anti-horário horário a abaixo aberta abordar abordem abordou abra abram abrange abre abrem abreviaturas abril abrimos abrindo abrir abriremos abrirá abriu abro acabado
 acabando acabar acabe acabem acabo acabou aceleração acenda acender acendimento acendo acerca acesso acessível acha achamos achando achar acima
 acionar acione acionou acoplada acrescentou ademais adiante adicionando adição adota adotado adotam adotando adotar adotem adotou afasta agarrar

@@ -225,7 +225,7 @@ neglect vernachlässig~ näherung~ angenähert~ ungefähr~ linearis~ kleine_wink
   grob~ weggelassen vereinfachte vereinfachten in_erster_ordnung zweiter_ordnung beschränkt
 suppose angenommen annahme~ annehm~ voraussetz~ vermut~ hypothes~ nehmen_wir gesetzt
 held fest~ blockier~ gesperrt~ verriegel~ arretier~ steht still~ ruh~ gehalten eingefroren gebremst~ null gleich_lang gleiche_länge gleich_lange
-claim schreib~ schrieb~ behaupt~ sagt sagen antwort~ glaub~ denk~ meint meinen erhielt~ abgegeben folgert~ liest setzen
+claim schreib~ schrieb~ behaupt~ sagt sagen antwort~ glaub~ denke denkst denkt denken meint meinen erhielt~ abgegeben folgert~ liest setzen
 ask kreuze~ ankreuzen prüf~ entscheid~ überprüf~ untersuch~ begründ~ widerleg~ korrigier~ diskutier~ beurteil~ finde_den finden_sie_den kontrollier~
 case fall falle sonderfall~ spezialfall~ grenzfall~ gestreckt~ strecklage~ mitte anderen anderer anderes rand parallel~ vereinfacht~ näherung~
   grundstellung~ nullstellung~ nulllage~ ruhelage~ ruhestellung~ ausgangsstellung~ referenzstellung~
@@ -249,7 +249,7 @@ that dass
 with mit
 inside im in bezogen
 given bekannt gegeben gemessen starr~ ideal~ positiv~
-think glaub~ denk~ mein~
+think glaub~ denke denkst denkt denken mein~
 lost vergessen fehlt fehlen doppelt weggelassen
 turned umgekehrt~ umgedreht~
 same gleiche gleichen dieselbe~ denselben selbe auch ebenso

@@ -64,6 +64,7 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.places import (
     forget_ended,
     heed_places,
+    keep_printed,
     left_open_for_places,
     left_open_for_section,
 )
@@ -298,6 +299,8 @@ class ChainChecker:
             outcomes = [left_open_for_places(self.names, outcome, now.placed) for outcome in outcomes]
         if now.ended:
             outcomes = [left_open_for_section(self.names, outcome, now.ended) for outcome in outcomes]
+        for each in outcomes if now.define else ():
+            keep_printed(self.names, each)
         if self.names.state.adopted:
             outcomes = [unless_left_out(outcome, self.names) for outcome in outcomes]
         outcomes = [self.conventions.judge(outcome) for outcome in outcomes]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence, Set
+from dataclasses import replace
 
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.sides import Member
@@ -53,6 +54,16 @@ def left_open_for_section(names: Names, outcome: Outcome, ended: Mapping[str, in
     first = min(ended)
     names.leave_unknown(ended, ended[first], Kind.OTHER_SECTION)
     return outcome.left_open(say(Kind.OTHER_SECTION, name=first, line=ended[first]))
+
+
+def keep_printed(names: Names, outcome: Outcome) -> None:
+    """Let the block of a matrix that is printed once more alone, R = […], be a name like others: it has its meaning in later sections, too."""
+    if outcome.verdict is not Verdict.PROVED:
+        return
+    made = names.state.definitions
+    for key in {bare_key(node) for node in outcome.nodes} & made.keys():
+        if key is not None and made[key].of_section and not made[key].has_ended:
+            made[key] = replace(made[key], of_section=False)
 
 
 def _placed_before(outcome: Outcome) -> frozenset[str]:

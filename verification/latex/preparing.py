@@ -72,6 +72,11 @@ _DELIMITED = re.compile(
 _BARS = re.compile(r"\\(?:abs|(?P<norm>norm))\*?\s*(?P<brace>\{)")
 
 
+_BRACKET_WITHIN = re.compile(
+    r"_\{(\w{1,3})\)\}"
+)  # \cos(\theta_1 + \theta_{2)}: the bracket closes what is open before the index
+
+
 def prepared(text: str) -> str:
     """Return a display without what prints nothing, as long as it was and every character at its place."""
     if (
@@ -90,6 +95,7 @@ def prepared(text: str) -> str:
     text = _FULL_STOP.sub(lambda found: ".".ljust(len(found.group())), text)
     text = _REMARK.sub(_said_beside, _OF_PANDOC.sub(_scripts, text)) if "(" in text or "~" in text else text
     text = _without_boxes(text) if _BOX.search(text) or _BARS.search(text) else text
+    text = _BRACKET_WITHIN.sub(r"_{\1})", text) if ")}" in text else text
     return with_multiples(with_solids(_SILENT.sub(_plain, _AT_THE_END.sub(_for, text))))
 
 

@@ -239,9 +239,8 @@ def environment_node(name: str, rows: list[list[Cell]], span: tuple[int, int], t
         if len(rows) == 1 and len(rows[0]) == 1 and len(rows[0][0]) == 1 and isinstance(rows[0][0][0], n.Node):
             return rows[0][0][0]  # an alignment that holds one expression
         return n.Layout(tuple(build_statements(rows)), span=span)
-    return n.Matrix(
-        tuple(tuple(_matrix_cell(cell, span) for cell in row) for row in _checked(rows, span)), name, span=span
-    )
+    rows = [_among_dots(row) for row in _checked(rows, span)]
+    return n.Matrix(tuple(tuple(_matrix_cell(cell, span) for cell in row) for row in rows), name, span=span)
 
 
 def _are_aligned(rows: list[list[Cell]]) -> bool:
@@ -271,6 +270,13 @@ def _without_empty(rows: list[list[Cell]]) -> list[list[Cell]]:
     width = max((len(row) for row in rows), default=0)
     empty = [all(len(row) <= column or not row[column] for row in rows) for column in range(width)]
     return [[cell for column, cell in enumerate(row) if not empty[column]] for row in rows]
+
+
+def _among_dots(row: list[Cell]) -> list[Cell]:
+    r"""Return a row whose cells are dots or empty, \vdots & & \vdots, with dots for those that are empty."""
+    dots = next((cell for cell in row if len(cell) == 1 and isinstance(cell[0], n.Dots)), None)
+    are_all = all(len(cell) == 1 and isinstance(cell[0], n.Dots) for cell in row if cell)
+    return [cell or dots for cell in row] if dots is not None and are_all else row
 
 
 def _matrix_cell(cell: Cell, span: tuple[int, int]) -> n.Node:

@@ -103,6 +103,11 @@ _REFERENCE = re.compile(  # what stands above = and says why, or that it defines
 )
 _TAGS = re.compile(r"\*?\s*\{")
 _DOTS_ABOVE = re.compile(r"\s*\{\s*((?:(?:\.|\\cdot)\s*){1,3})\}")  # \overset{\cdot}{\theta}
+_SPACE_BEFORE = re.compile(r"\)\s*(?:\\[,;:! ]|~|\\(?:thinspace|enspace)(?![A-Za-z])\s*)\s*\Z")
+_FRAME = re.compile(r"\s*(?:[0-9ijkn](?:\s*[+-]\s*\d)?|[BWEGS])\s*")
+_TRANSFORM_BEHIND = re.compile(  # with another index, before it or behind
+    r"\s*(?P<script>[_^]\s*(?:\{[^{}]*\}|\w)\s*)?(?:\\(?:mathbf|mathrm|mathit|boldsymbol|bm)(?![A-Za-z])\s*\{?\s*)?[TAHR](?![A-Za-z])(?(script)|[\s}]*_)"
+)
 _DOTS_BEFORE = re.compile(r"\\[cl]?dots(?:\\[,;:! ]|\s)*\Z")
 _WIDE_SPACE = re.compile(
     r"\\hspace\*?\s*\{\s*(?:[1-9]\d*\.?\d*\s*(?:em|cm|in)|0?\.[5-9]\d*\s*(?:cm|in)|[5-9]\s*mm|\d\d+\.?\d*\s*(?:pt|mm|ex))\s*\}"
@@ -344,6 +349,11 @@ class _Scanner:
         if kind == "SUP" and set(primes) == {"'"}:
             return [self.token("PRIME", "'", start, end)] * len(primes), end
         of_next = _DOTS_BEFORE.search(self.text, max(start - 20, 0), start)  # \cdots _3^2T: those of the letter behind
+        of_next = of_next or (  # T_1(q_1)\;^1T_2: a blank has no scripts
+            _FRAME.fullmatch(argument)
+            and _TRANSFORM_BEHIND.match(self.text, end)
+            and _SPACE_BEFORE.search(self.text, max(start - 20, 0), start)
+        )
         before = [self.token("PRE", "{}", start, start)] if of_next else []
         return [*before, self.token(kind, argument, start, end)], end
 

@@ -28,6 +28,9 @@ FORMS = {
     "an environment": "Words\n\\begin{equation}\np_x = <>\n\\end{equation}\nwords\n",
     "several lines": "> \\begin{align*}\n> p_x &= <> \\\\\n> p_y &= l_1 s_1 + l_2 s_{12}\n> \\end{align*}\n",
     "under words, with a blank line": "Words:\n$$\np_x = <> \\\\\n\np_y = l_1 s_1 + l_2 s_{12}\n$$\u200b\nand words\n",
+    "a tab of MkDocs": '=== "Python"\n\n    Words.\n\n    $$ p_x = <> $$\n\nWords.\n',
+    "a box of MkDocs": '!!! note "On the tool"\n    Words.\n\n    $$\n    p_x = <>\n    $$\n',
+    "a box within a tab": '=== "One"\n\n    ??? note\n\n        Words.\n\n        $$ p_x = <> $$\n',
     "an item of a list": "Words:\n\n1. $p_x = <>$\n2. $l_1 = 2$\n",
     "macros": "$\\def\\C#1{\\cos\\theta_{#1}}\\newcommand{\\x}{p_x}$\n\n$$ \\x = <> + \\C1 - c_1 $$\n",
 }

@@ -19,6 +19,9 @@ DENIED = [
     "A) $$ a = b $$\nB) $$ a = c $$",
     "Which of these is it?\n\n1. $$ a = b $$\n2. $$ a = c $$",
     "~~$$ a = b $$~~",
+    "~~\n$$ a = b $$\n~~",
+    '!!! failure "What is often written"\n\n    $$ a = b $$\n\nWords.',
+    '=== "A common mistake"\n\n    Words.\n\n    $$ a = b $$',
     "<del>\n\n$$ a = b $$\n\n</del>",
     '<span style="text-decoration: line-through">$$ a = b $$</span>',
     '::: {.callout-note title="Do not copy"}\n$$ a = b $$\n:::',
@@ -34,6 +37,9 @@ CLAIMED = [
     "a) $$ a = b $$\nb) $$ c = d $$",
     "1. $$ a = b $$\n2. $$ a = c $$",
     "~~old~~\n\n$$ a = b $$",
+    "$$ c = d ~~\\to~~ e = f $$\n\n$$ a = b $$",
+    '!!! failure "What is often written"\n\n    $$ c = d $$\n\n$$ a = b $$',
+    "$x~~y$\n\n$$ a = b $$\n\n$x~~y$",
     "## What is to be copied\n\n$$ a = b $$",
 ]
 

@@ -61,6 +61,8 @@ def displays(text: str, name: str = "sheet.md") -> tuple[Display, ...]:
         ("$$ a = b $$\n\nThis must not be forgotten.", False),
         ("$$ a = b $$\n\nA sign was forgotten.", True),
         ("By no means\n\n$$ a = b $$", True),
+        ("Viele denken, es gelte\n\n$$ a = b $$", True),
+        ("İleri kinematik denklemleri şöyledir:\n\n$$ a = b $$", False),  # "the equations are"
         ("By no means easily we find\n\n$$ a = b $$", False),
     ],
 )
@@ -138,6 +140,7 @@ def test_an_angle_in_degrees_at_which_a_joint_stands_is_a_posture(text: str, pos
         ("The arm is mounted upside down.", "The arm is mounted on a table."),
         ("The arm hangs from the ceiling.", "The arm reaches for the ceiling."),
         ("The origin is at the tip of link 1.", "The origin of the base is at joint 1."),
+        (r"$\dot\theta_2$ is the speed of the motor.", "The aim is to control the speed of the motor."),
         ("The second angle is absolute.", "The second angle is relative."),
         ("We number the joints from the hand.", "We number the joints from the base."),
         (r"$\theta_2$ is the interior angle at the elbow.", r"$\theta_2$ is the angle at the elbow."),

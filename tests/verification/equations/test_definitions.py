@@ -123,3 +123,33 @@ def test_a_pose_that_a_stray_unit_makes_none_is_refuted(entry: str, verdict: str
         r"{}^0T_1 \begin{bmatrix} 0 \\ 0 \\ 0 \\ 1 \end{bmatrix} = \begin{bmatrix} 0 \\ 0 \\ q_1 \\ 1 \end{bmatrix}"
     )
     assert verify_text(f"$$ {lift} $$\n\n$$ {shifted} $$\n").equations[0].verdict.value == verdict
+
+
+TURNED = r"\begin{bmatrix} c_1 & s_1 & 0 \\ 0 & 0 & -1 \\ -s_1 & c_1 & 0 \end{bmatrix}"
+BACK = r"\begin{bmatrix} c_1 & 0 & -s_1 \\ s_1 & 0 & c_1 \\ 0 & -1 & 0 \end{bmatrix}"
+OF_BLOCKS = r"""## A
+
+$$ M = \begin{bmatrix} c_1 & s_1 & 0 & -a_1 \\ 0 & 0 & -1 & d_1 \\ -s_1 & c_1 & 0 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} = \begin{bmatrix} U & u \\ 0 & 1 \end{bmatrix} $$
+
+"""
+
+
+def test_blocks_of_a_matrix_have_letters_without_an_arm_and_are_names_of_their_own_once_printed() -> None:
+    printed, transposed = f"$$ U = {TURNED} $$\n\n", f"## B\n\n$$ U^T = {BACK} $$\n"
+    verdicts = [[each.verdict.value for each in verify_text(OF_BLOCKS + more).equations] for more in (
+        printed, printed.replace("-s_1", "s_1"), printed + transposed, printed + transposed.replace("0 & -1", "0 & 1"), transposed
+    )]  # fmt: skip
+    assert verdicts == [
+        ["defined", "proved"],
+        ["defined", "refuted"],
+        ["defined", "proved", "proved"],
+        ["defined", "proved", "refuted"],
+        ["unchecked", "unchecked"],  # what is told in a section alone
+    ]
+
+
+def test_the_columns_of_a_rotation_may_be_made_of_their_own_components() -> None:
+    pose = r"\begin{bmatrix} n_x & o_x & a_x & p_x \\ n_y & o_y & a_y & p_y \\ n_z & o_z & a_z & p_z \\ 0 & 0 & 0 & 1 \end{bmatrix}"
+    text = rf"$$ T = {pose} = \begin{{bmatrix}} R & p \\ 0 & 1 \end{{bmatrix}}, \quad R = \begin{{bmatrix}} n & o & a \end{{bmatrix}} $$"
+    (record,) = verify_text(text).equations
+    assert record.verdict is Verdict.UNCHECKED and "deeply" not in record.message

@@ -34,6 +34,7 @@ WRITTEN = {
     "a root of parentheses": (r"\sqrt(p_x^2+p_y^2) = \sqrt{l_1^2+l_2^2 «+» 2 l_1 l_2 \cos\theta_2}", "-"),
     "a root without index": (r"\sqrt[]{p_x^2+p_y^2} = \sqrt[2]{l_1^2+l_2^2 «+» 2 l_1 l_2 \cos\theta_2}", "-"),
     "a bold command": (r"\bold{p_x} = l_1 c_1 «+» l_2 c_{12}", "-"),
+    "a bracket within an index": (r"p_x = l_1 c_1 «+» l_2 \cos(\theta_1 + \theta_{2)}", "-"),
     "braces round it": (r"{p_x = l_1 c_1 «+» l_2 c_{12}}", "-"),
     "braces round lines": (r"{\large \begin{aligned} p_x &= l_1 c_1 «+» l_2 c_{12} \\ p_y &= l_1 s_1 + l_2 s_{12} \end{aligned}}", "-"),
     "a colour": (r"\color{red}{p_x = l_1 c_1 «+» \textcolor{blue}{l_2 c_{12}}}", "-"),

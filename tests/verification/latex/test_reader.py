@@ -54,6 +54,25 @@ def test_an_error_names_the_place_and_the_token(latex: str, offset: int, message
     assert caught.value.offset == offset
 
 
+def test_cells_left_empty_between_dots_are_dots() -> None:
+    (chain,) = read(r"J = \begin{bmatrix} a & \cdots & b \\ \vdots & & \vdots \\ c & \cdots & d \end{bmatrix}")
+    assert isinstance(chain, n.Chain)
+    matrix = chain.members[1]
+    assert isinstance(matrix, n.Matrix) and all(isinstance(cell, n.Dots) for cell in matrix.rows[1])
+    with pytest.raises(ReadError, match="empty"):
+        read(r"D = \begin{bmatrix} a & 0 \\ \ddots & \end{bmatrix} + \begin{bmatrix} a & \\ 1 & \ddots \end{bmatrix}")
+
+
+@pytest.mark.parametrize("blank", [r"\,", r"\;", r"\ ", "~"])
+def test_scripts_behind_a_blank_are_those_of_the_transform_that_follows(blank: str) -> None:
+    (chain,) = read(rf"^{{0}}T_2 = ^{{0}}T_1(q_1){blank}^{{1}}\mathbf T_2(q_2)")
+    assert [each.pre_sup for each in n.names(chain) if each.base == "T"] == ["0", "0", "1"]
+    (square,) = read(rf"x = (a + b){blank}^2 T")
+    assert not any(each.pre_sup for each in n.names(square))
+    (transposed,) = read(rf"x = (R_1){blank}^T R_2")
+    assert not any(each.pre_sup for each in n.names(transposed))
+
+
 @pytest.mark.parametrize("primes", [r"q^{\prime\prime}", r"q^{\prime \prime}", r"q^{''}", "q''"])
 def test_a_prime_is_a_prime_however_it_is_set(primes: str) -> None:
     (chain,) = read(primes)

@@ -154,7 +154,9 @@ def _of_words(document: Document, of_formulas: Sequence[Candidate]) -> Inference
 
     What as much holds of, an arm of its formulas or the same with a direction turned round, is its rival; None where the formulas pin one of which more holds.
     """
-    told, turned = described_arms(document, plain_names(document)) if document.told else ([], [])
+    names = plain_names(document)
+    told, turned = described_arms(document, names) if document.told else ([], [])
+    told, turned = ([with_point_of_law(each, document, names) for each in arms] for arms in (told, turned))
     used, moving = joints_used(document.displays), rates_in(document.displays)
     found = [each for each in told if not each.lacks(used) and each.lengths.isdisjoint(moving)]
     if not found:

@@ -9,6 +9,7 @@ from itertools import takewhile
 
 from armproof.verification.algebra.protocol import Value
 from armproof.verification.document import Display
+from armproof.verification.equations.series import written_out
 from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.exact import ExactAlgebra
@@ -20,14 +21,15 @@ _JOINT = re.compile(r"(?:theta|Theta|q|[dr](?=_))(?:_\d+)?")  # what a pose or a
 
 
 def equations_of(display: Display, names: Names) -> Iterator[n.Chain]:
-    """Yield the chains of = of a display; none of an erratum, or of what cannot be read."""
+    """Yield the chains of = of a display, their sums with known limits written out; none of an erratum, or of what cannot be read."""
     if display.erratum or display.denied or not display.closed:
         return
     try:
         statements = names.reader.read(display.latex)
     except (ReadError, RecursionError):
         return
-    for each in statements:
+    for statement in statements:
+        each = written_out(statement, display.latex, names)
         if isinstance(each, n.Chain):
             equal = len(list(takewhile("=".__eq__, each.relations)))  # T = […] ∈ SE(3)
             if equal:

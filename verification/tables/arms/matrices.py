@@ -90,6 +90,24 @@ def first_links(document: Document, names: Names) -> list[tuple[Display, Links]]
     return found
 
 
+def links_before_first(document: Document, names: Names) -> tuple[Display, Links] | None:
+    """Return the link matrices of a chain that stand before its first one, or before that of another chain, with the display where they begin."""
+    algebra, found = ExactAlgebra(Ring(), None), dict[int, _Link]()
+    with algebra.budget.of(SECONDS):
+        for link in _links(document, names, algebra):
+            if link.index == 1 and not link.is_constant:
+                break
+            if link.index and not link.is_constant:
+                found.setdefault(link.index, link)
+    first = next(iter(found.values()), None)
+    return (first.display, {index: link.value for index, link in found.items()}) if first is not None else None
+
+
+def are_of_other_chain(links: Links, others: Links) -> bool:
+    """Whether a link matrix among some is another than that of its number among others."""
+    return any(index in others and not equal(others[index], link) for index, link in links.items())
+
+
 def are_among(links: Links, others: Links) -> bool:
     """Whether all of some links are among others: a section that prints them again is about the same arm."""
     return all(index in others and equal(others[index], link) for index, link in links.items())

@@ -27,7 +27,14 @@ from armproof.verification.tables.arms.inference import arms_of, dh_tables, is_d
 from armproof.verification.tables.arms.last_turn import with_last_turn
 from armproof.verification.tables.arms.laws import candidate_of_law
 from armproof.verification.tables.arms.letters import equations_of
-from armproof.verification.tables.arms.matrices import Links, are_among, candidates_of_matrices, first_links
+from armproof.verification.tables.arms.matrices import (
+    Links,
+    are_among,
+    are_of_other_chain,
+    candidates_of_matrices,
+    first_links,
+    links_before_first,
+)
 from armproof.verification.tables.arms.poses import pose_of_tool
 from armproof.verification.tables.arms.sections import named_sections, without_arms
 
@@ -234,11 +241,18 @@ def _starts(document: Document) -> Iterator[Place]:
             is_new = is_new or (link is not None and table is None and _is_of_other_joints(document, link, source))
             table, link = source, None if is_new else link
         else:
-            is_new = link is not None and source.section != link.section and not are_among(source.links, link.links)
+            is_new = link is not None and source.section != link.section and _is_of_other_links(source, link)
             table, link = None if is_new else table, source if is_new or link is None else link
         if is_new and before is not None:
             yield _start(document, before, source)
         before = source
+
+
+def _is_of_other_links(source: _Source, before: _Source) -> bool:
+    """Whether link matrices are of another arm than those before them: of one that is shown from its first link on, or of one that has another matrix."""
+    if 1 not in before.links:
+        return are_of_other_chain(source.links, before.links)
+    return not are_among(source.links, before.links)
 
 
 def _is_given_to(table: _Source | None, source: _Source) -> bool:
@@ -252,12 +266,21 @@ def _is_given_to(table: _Source | None, source: _Source) -> bool:
 
 
 def _is_other(arm: Candidate, before: Candidate) -> bool:
-    """Whether an arm is another than one before it; a closed form is that of the table behind it, if it has as many joints."""
+    """Whether an arm is another than one before it; a closed form is that of the table behind it, if it has as many joints, or more that slide."""
     if arm.source == before.source == "closed form":  # of two exercises
         return (arm.rows, arm.joints) != (before.rows, before.joints)
     if before.source == "closed form":
-        return sum(map(bool, arm.joints)) != sum(map(bool, before.joints))
+        return sum(map(bool, arm.joints)) != sum(map(bool, before.joints)) and not _adds_slides(arm, before)
     return arm.is_other_than(before)
+
+
+def _adds_slides(arm: Candidate, before: Candidate) -> bool:
+    """Whether a level arm has the joints of one before it, and others that slide: the x and y of a SCARA have none of these."""
+    kinds = dict(zip(filter(None, arm.joints), arm.kinds, strict=False))
+    added = {kind for joint, kind in kinds.items() if joint not in before.joints}
+    reach, own = ({row["a"] for row in each.rows} - {"0"} for each in (before, arm))
+    is_level = set(arm.twists) <= {"0", "pi", "-pi"} and reach == own
+    return is_level and {*filter(None, before.joints)} < kinds.keys() and added == {"P"}
 
 
 def _is_of_other_joints(document: Document, link: _Source, source: _Source) -> bool:
@@ -291,6 +314,8 @@ def _sources(document: Document) -> Iterator[_Source]:
     for table, arm in tables:
         yield _Source(_place(table), table.section, arm)
     yield from _behind_tables(document, tables, names) if tables else ()
+    if links and (before := links_before_first(document, names)) is not None:
+        yield _Source(_place(before[0]), before[0].section, links=before[1])
     for display, found_links in links:
         yield _Source(_place(display), display.section, links=found_links)
 

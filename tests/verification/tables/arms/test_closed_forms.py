@@ -31,6 +31,17 @@ def test_coordinates_that_pin_an_arm_give_it(text: str, joints: int) -> None:
     assert arm.front_matter.count("theta: ") == joints
 
 
+def test_sums_with_known_limits_are_coordinates_written_out() -> None:
+    def along(function: str) -> str:
+        return rf"\sum_{{k=1}}^{{3}} L_k \{function}\left( \sum_{{i=1}}^{{k}} \theta_i \right)"
+
+    sums = f"$$ x = {along('cos')}, \\quad y = {along('sin')} $$\n\n"
+    rate = r"$$ \frac{\partial x}{\partial \theta_2} = -L_2 \sin(\theta_1 + \theta_2) - L_3 \sin(\theta_1 + \theta_2 + \theta_3) $$"
+    (arm,) = verify_text(sums + rate).arms
+    assert arm.front_matter.count("theta: ") == 3 and verdicts(sums + rate) == ["proved"] * 2
+    assert verdicts(sums + rate.replace("- L_3", "+ L_3")) == ["unchecked", "refuted"]
+
+
 def test_what_the_arm_was_taken_from_is_data_until_something_else_confirms_it() -> None:
     assert set(verdicts(PLANAR)) == {"unchecked"}
     right = PLANAR + JACOBIAN.replace("LAST", "l_2 c_{12}")

@@ -124,3 +124,18 @@ def test_it_is_none_where_anything_of_it_is_otherwise(right: str, other: str) ->
     (arm,) = verify_text(HAND.replace(right, other)).arms
     assert arm.front_matter.count("theta: ") == 2
     assert "refuted" not in verdicts(HAND.replace(right, other))
+
+
+def test_a_described_arm_has_the_names_of_its_law_for_a_target() -> None:
+    text = r"""A planar arm with two revolute joints has links of lengths $l_1$ and $l_2$ and joint angles $\theta_1$ and $\theta_2$.
+
+$$ x = l_1 c_1 + l_2 c_{12}, \quad y = l_1 s_1 + l_2 s_{12} $$
+
+For a desired position $(x_d, y_d)$:
+
+$$ \cos\theta_2 = \frac{x_d^2 + y_d^2 - l_1^2 - l_2^2}{2 l_1 l_2} $$
+
+$$ \theta_1 = \operatorname{atan2}(y_d, x_d) - \operatorname{atan2}(l_2 s_2, l_1 + l_2 c_2) $$
+"""
+    assert verdicts(text) == ["proved"] * 3
+    assert verdicts(text.replace("l_1 + l_2 c_2)", "l_1 - l_2 c_2)"))[-1] == "refuted"

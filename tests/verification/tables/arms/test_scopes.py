@@ -65,6 +65,38 @@ def test_other_link_matrices_under_another_heading_are_another_arm() -> None:
     assert verdicts(wrong) == ["proved"] * 3 + ["defined"] * 2 + ["refuted"]
 
 
+def test_a_first_link_matrix_begins_a_part_behind_later_ones_of_another_arm() -> None:
+    two = link(2, SECOND).replace("l_", "b_") + link(3, "{}^2T_3").replace("l_", "b_")
+    result = verify_text("# A\n\n" + two + "# B\n\n" + CLASSIC)
+    assert [arm.line for arm in result.arms][-1:] == [9] and verdicts(result)[2:] == ["proved"] * 3
+    wrong = verify_text("# A\n\n" + two + "# B\n\n" + CLASSIC.replace("l_1 s_1 + l_2 s_{12}", "l_1 s_1 - l_2 s_{12}"))
+    assert verdicts(wrong)[-1] == "refuted"
+    same = verify_text("# A\n\n" + link(2, SECOND) + "# B\n\n" + CLASSIC)
+    assert len(same.arms) == 1 and verdicts(same) == ["proved"] * 4
+
+
+SCARA = "| i | theta | d | a | alpha |\n|---|---|---|---|---|\n| 1 | $\\theta_1$ | 0 | $l_1$ | 0 |\n| 2 | $\\theta_2$ | 0 | $l_2$ | 180 |\n| 3 | 0 | $d_3$ | 0 | 0 |\n\n"
+PLANE = r"$$ x = l_1 c_1 + l_2 c_{12}, \quad y = l_1 s_1 + l_2 s_{12} $$" + "\n\n"
+
+
+def test_the_coordinates_in_the_plane_of_a_scara_are_of_the_table_behind_them() -> None:
+    rest = (
+        "## Table\n\n"
+        + SCARA
+        + "## Velocity\n\n"
+        + r"$$ \dot x = -(l_1 s_1 + l_2 s_{12}) \dot\theta_1 - l_2 s_{12} \dot\theta_2, \quad z = -d_3 $$"
+    )
+    result = verify_text("## Forward\n\n" + PLANE + rest)
+    assert [arm.source for arm in result.arms] == ["table"] and verdicts(result) == ["proved"] * 2
+    wrong = verify_text("## Forward\n\n" + PLANE.replace("l_2 s_{12}", "l_2 c_{12}") + rest)
+    assert verdicts(wrong) == ["refuted", "proved"]
+    other = SCARA.replace("| 0 | $d_3$ | 0 | 0 |", "| $\\theta_3$ | 0 | $l_3$ | 0 |")  # a third link is of another arm
+    assert (
+        len(verify_text("## Forward\n\n" + PLANE + "## Table\n\n" + other).arms) != 1
+        or verdicts(verify_text("## Forward\n\n" + PLANE + "## Table\n\n" + other))[0] != "refuted"
+    )
+
+
 def test_headings_of_html_part_a_document_as_others_do() -> None:
     result = verify_text("<h2>A</h2>\n\n" + CLASSIC + "<h2 id='b'><b>B</b></h2>\n\n" + OF_CRAIG)
     assert [arm.convention for arm in result.arms] == ["classic", "modified"] and verdicts(result) == ["proved"] * 6
