@@ -136,11 +136,12 @@ class Slips:
     def _may_slip(self, key: tuple[str, int]) -> bool:
         """Whether what is said of a name claims something: a list of letters does not, F = (F_x, F_y)."""
         before = self.names.state.definitions.get(key[0])
-        if before is None or before.line != key[1] or before.formula is None:
+        told = None if before is None or before.line != key[1] else before.formula or before.whole
+        if told is None:
             return False
         from armproof.verification.diagnosis.slips_before import names_alone
 
-        return not names_alone(before.formula)
+        return not names_alone(told)
 
     def holds_where(self, record: Record, name: str, meaning: Definition) -> bool:
         """Whether a display holds with another meaning of a name: not by what it says itself, as J = ∂p/∂θ would by its J."""
