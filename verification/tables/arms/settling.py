@@ -233,7 +233,8 @@ class _Settled:
         doubtful = frozenset(map(link_of, links - self.confirmed))
         is_of_links = bool(doubtful) and min(doubtful) > 0 and (len(doubtful) == 1 or self._is_alone(result, record))
         is_of_links = is_of_links and not doubtful & self._hand
-        if is_of_links and result.explained_by is not None and not doubtful & result.explained_by:
+        explained = result.explained_by  # of what is no pose, 0, nobody asked which link would make it right
+        if is_of_links and explained is not None and 0 not in explained and not doubtful & explained:
             links, doubtful = self.confirmed & links, frozenset()  # no link in its place makes it right
         has_entry = any(entry.equation == result.index for entry in record.entries)
         has_sides = (

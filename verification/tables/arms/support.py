@@ -16,7 +16,7 @@ from armproof.verification.equations.rigid import is_none_by_a_slip, is_rotation
 from armproof.verification.equations.sides import Members
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
-from armproof.verification.tables.arms.turns import turns_told
+from armproof.verification.tables.arms.turns import lengths_alike, links_of_one_entry, rows_told
 from armproof.verification.verdict import AXES, Verdict
 
 # beside its links: where a chain's frames lie, which of its joints comes first, and how the joint before an inner one turns
@@ -56,9 +56,10 @@ def links_of(outcome: Outcome, members: Members, source: str = "", told_by: str 
     if others or _rates(other, members):
         return frozenset()
     links = _links(told, members, source)
-    is_known = source == "table" or (source == "matrices" and outcome.verdict is Verdict.PROVED)
-    only_turns = is_known and {each.kind for each in told} <= _TURNS
-    return frozenset(link for link in links if not (only_turns and link > 0 and _is_long(link, members)))
+    if source == "table" and outcome.verdict is Verdict.REFUTED and outcome.pair is not None:
+        return links - lengths_alike(outcome.pair, links, members)
+    only_turns = source == "matrices" and outcome.verdict is Verdict.PROVED and {each.kind for each in told} <= _TURNS
+    return frozenset(link for link in links if not (only_turns and _is_long(link, members)))
 
 
 def _is_long(link: int, members: Members) -> bool:
@@ -102,9 +103,9 @@ def _moves(node: n.Node, members: Members) -> bool:
 
 
 def _links(quantities: Sequence[Quantity], members: Members, source: str, is_linear: bool = False) -> frozenset[int]:
-    links = frozenset(link for quantity in quantities for link in _span(quantity, members))
     if source == "table":
-        return links.union(*(turns_told(quantity, _span(quantity, members), members) for quantity in quantities))
+        return frozenset(link for each in quantities for link in rows_told(each, _span(each, members), members))
+    links = frozenset(link for quantity in quantities for link in _span(quantity, members))
     if source not in OF_TOOL:
         return links
     if links and all(map(_is_of_place, quantities)) and _is_hand(max(links), members):
@@ -167,7 +168,7 @@ def _angle_rows(outcome: Outcome, members: Members) -> frozenset[int]:
 def links_that_explain(outcome: Outcome, members: Members) -> frozenset[int]:
     """Return the links of which another than the arm's would make a printed pose right: it depends on their joint alone.
 
-    Of what is no pose only that no one link's angle does, 0.
+    Of what is no pose that is told of one entry alone; else only that no one link's angle does, 0.
     """
     if rows := _angle_rows(outcome, members):
         return rows
@@ -179,7 +180,7 @@ def links_that_explain(outcome: Outcome, members: Members) -> frozenset[int]:
         or not isinstance(value, Matrix)
         or (quantity.kind, value.shape) not in (("pose", (4, 4)), ("rotation", (3, 3)))
     ):
-        return frozenset({0})
+        return links_of_one_entry(outcome, quantity, members)
     if not is_rigid(value):
         return frozenset()
     size, whole = value.shape[0], value if quantity.kind == "pose" else _about_origin(value, members)
