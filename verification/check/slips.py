@@ -16,8 +16,10 @@ from armproof.verification.document import Display
 from armproof.verification.equations.alignment import Pair
 from armproof.verification.equations.outcome import AsUsual, Outcome
 from armproof.verification.errors import TooComplex
+from armproof.verification.evaluation.blocks import cells_of
 from armproof.verification.findings import MISPRINTS, Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import is_number
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.naming.state import Definition
 from armproof.verification.verdict import HOLDS, EquationResult, Record, SlipBefore, Verdict
@@ -136,11 +138,13 @@ class Slips:
     def _may_slip(self, key: tuple[str, int]) -> bool:
         """Whether what is said of a name claims something: a list of letters does not, F = (F_x, F_y)."""
         before = self.names.state.definitions.get(key[0])
-        if before is None or before.line != key[1] or before.formula is None:
+        told = None if before is None or before.line != key[1] else before.formula or before.whole
+        if before is None or told is None:
             return False
         from armproof.verification.diagnosis.slips_before import names_alone
 
-        return not names_alone(before.formula)
+        is_given = before.in_text and all(map(is_number, cells_of(told) or (told,)))  # F = (10, 5) of a sentence
+        return not (is_given or names_alone(told))
 
     def holds_where(self, record: Record, name: str, meaning: Definition) -> bool:
         """Whether a display holds with another meaning of a name: not by what it says itself, as J = ∂p/∂θ would by its J."""

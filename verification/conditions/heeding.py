@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from math import pi
 
-from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.calculus import is_rate, symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_scalar
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.holding_there import holds_where
@@ -22,7 +22,7 @@ from armproof.verification.document.told_singularities import SINGULAR_TOO, TOLD
 from armproof.verification.equations.case_conditions import comparisons_of
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.definitions import angle_of_tangent, squared_name
-from armproof.verification.equations.forces import heed_forces
+from armproof.verification.equations.forces import heed_forces, is_force_of_numbers
 from armproof.verification.equations.given_values import GivenValues
 from armproof.verification.equations.under_rates import UnderRates
 from armproof.verification.errors import ReadError
@@ -293,7 +293,7 @@ class Heeding:
         cells = told.cells if isinstance(told, Matrix) and told.shape[1] == 1 else [told]
         scalars = [cell for cell in cells if isinstance(cell, Scalar)]
         is_usual_yet = bool(usual) and not is_speed and isinstance(told, Matrix)
-        tells = bool(symbols_in(scalars)) or _is_worked_out(value)
+        tells = bool(symbols_in(scalars)) or _is_worked_out(value) or is_force_of_numbers(name, value)
         if len(scalars) == len(cells) and tells and not is_usual_yet:
             self.names.define(name.key, members.meaning(value), line, node=value, in_text=True)
 
@@ -383,11 +383,23 @@ class Heeding:
         moves = in_words or angles or not held.isdisjoint((*self.given.joints, "q", "theta"))
         over = [key for key in state.configuration if key in names or (moves and key not in self.given.lengths)]
         ended = [(key, value_of(key, state.configuration.pop(key).node)) for key in over]
+        if conditions and not in_words and self._are_of_rates(conditions):
+            conditions = (*self._standing(conditions), *conditions)
         if conditions or in_words:
             earlier = tuple(value for key, value in ended if key not in names) + self._of_lengths(held)
             state.told = Told(
                 tuple(conditions), earlier, in_words, line=line, section=state.section, holds_below=not moves
             )
+
+    def _are_of_rates(self, conditions: Sequence[n.Chain]) -> bool:
+        """Whether conditions say how fast joints move, and nothing else: the arm stays where it is."""
+        return all(map(is_rate, self.given.values_of_all(conditions) or ("",)))
+
+    def _standing(self, conditions: Sequence[n.Chain]) -> Iterator[n.Chain]:
+        """Yield the values that the text gave under the same heading, but those that conditions give anew."""
+        told, anew = self.names.state.told, self.given.values_of_all(conditions).keys()
+        if told.section == self.names.state.section:
+            yield from (each for each in told.standing if anew.isdisjoint(self.given.values_of(each) or {}))
 
     def _of_lengths(self, held: set[str]) -> tuple[n.Chain, ...]:
         """Return the conditions on lengths that the text gave before under the same heading, and does not give anew."""

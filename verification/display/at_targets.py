@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from fractions import Fraction
 from itertools import pairwise, takewhile
 
@@ -29,8 +29,11 @@ class AtTargets:
         self.checker, self.names = checker, checker.names
         self.circumstances, self.targets, self.decide = circumstances, targets, decide
 
-    def outcomes(self, chain: n.Chain, equation: int, line: int) -> list[Outcome]:
-        """Return the outcomes of an equation whose last sides are numbers of an example; [] where it is not that."""
+    def outcomes(self, chain: n.Chain, equation: int, line: int, own: Set[str] = frozenset()) -> list[Outcome]:
+        """Return the outcomes of an equation whose last sides are numbers of an example; [] where it is not that.
+
+        Names that it has just given their meaning, its `own`, have the very numbers: τ = J^T F = (3, 4).
+        """
         formulas = [*takewhile(lambda each: not self.targets.is_worked(each), chain.members)]
         numbers = chain.members[len(formulas) :]
         if not {*chain.relations} <= {"=", "≈"} or not formulas or not numbers:
@@ -41,7 +44,7 @@ class AtTargets:
             return []
         told = self._at_told(numbers)
         for reached in (*self.targets.reached(line), *([told] if told is not None else [])):
-            if found := self._where(reached, chain, formulas, equation, line, is_told=reached is told):
+            if found := self._where(reached, chain, formulas, equation, line, own, is_told=reached is told):
                 return found
         return []
 
@@ -62,11 +65,19 @@ class AtTargets:
         return self.targets.at({key: each.value for key, each in told.items()})
 
     def _where(
-        self, reached: Reached, chain: n.Chain, formulas: Sequence[n.Node], equation: int, line: int, is_told: bool
+        self,
+        reached: Reached,
+        chain: n.Chain,
+        formulas: Sequence[n.Node],
+        equation: int,
+        line: int,
+        own: Set[str],
+        is_told: bool,
     ) -> list[Outcome]:
         """Return the outcomes of numbers at a configuration, if all are right there or one alone is wrong; else []."""
         numbers = chain.members[len(formulas) :]
-        true = next(filter(None, map(reached.value, formulas)), None)
+        telling = (each for each in formulas if own.isdisjoint(name.key for name in n.names(each)))
+        true = next(filter(None, map(reached.value, telling)), None)
         errors = [reached.errors(each, true) for each in numbers] if true is not None else []
         if true is None or None in errors:
             return []

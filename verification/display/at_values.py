@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
 from math import log10
+from operator import methodcaller
 
 from armproof.verification.algebra.calculus import symbols_in
 from armproof.verification.algebra.ring import Scalar
@@ -17,6 +18,9 @@ from armproof.verification.equations.under_rates import JACOBIAN, UnderRates
 from armproof.verification.equations.worked_numbers import tells_values, unitless
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.naming.conventions import is_usual
+from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import DocumentState, Stated
 from armproof.verification.verdict import HOLDS, Verdict
 
@@ -102,6 +106,13 @@ def _is_off(outcome: Outcome, number: Callable[[Scalar], float]) -> bool:
     return abs(powers - round(powers)) > UNIT or abs(powers) < 0.5
 
 
+def _has_formula(chain: n.Chain) -> bool:
+    """Whether a number is what a formula comes to: det J = l_1 l_2 sin θ_2 = 0.1061."""
+    return len(chain.members) > 2 and any(
+        bare_key(each) is None and not is_numbers(each) for each in chain.members[:-1]
+    )
+
+
 def at_told_values(
     state: DocumentState,
     told: dict[str, Stated],
@@ -113,8 +124,9 @@ def at_told_values(
 ) -> list[Outcome]:
     """Return what becomes of numbers at the values that the text before gives; [] where there are none.
 
-    What is not decided there leaves no trace. Few numbers of many are refuted there, fewer still that do not stand right behind the text; a number
-    alone is where the sentence leads to it, "For ¤ and ¤ we get", unless it is in another unit.
+    What is not decided there leaves no trace. Few numbers of many are refuted there, fewer still that do not stand right behind the text, unless a
+    formula stands beside them and others hold there; a number alone is where the sentence leads to it, "For ¤ and ¤ we get", or where
+    others hold there and it is what a formula comes to, unless it is in another unit.
     """
     speaks = state.told.standing or state.told_lengths
     if not speaks or _is_of_data(state, chain) or len(chain.members) < 2 or not any(map(is_numbers, chain.members)):
@@ -124,11 +136,34 @@ def at_told_values(
     outcomes = decide(chain, equation, line, False)
     wrong = [each for each in outcomes if each.verdict not in HOLDS]
     is_near = state.told.line == line
-    times = 1 if is_near else MANY
+    is_worked = state.told.holds and _has_formula(chain) and not state.told.in_words
+    times = 1 if is_near or is_worked else MANY
     is_led_to = (is_near or state.told.holds) and state.told.is_direct and not state.told.in_words
+    is_led_to = is_led_to or is_worked
     if not wrong or all(is_mostly_right(each, times) or (is_led_to and _is_off(each, number)) for each in wrong):
         state.configuration = before.configuration
         state.told = replace(state.told, holds=state.told.holds or not wrong)
         return outcomes
     state.become(before)
     return [each.left_open(say(Kind.OTHER_AS_TOLD)) for each in wrong if each.verdict is Verdict.REFUTED]
+
+
+def as_usual_at_told_values(
+    names: Names, told: dict[str, Stated], decide: Decide, chain: n.Chain, equation: int, line: int
+) -> list[Outcome]:
+    """Return a matrix of numbers refuted where a name, as it is usually meant, has all of them but one at the values that the text gives; else nothing."""
+    name, numbers, state = n.plain_name(chain.members[0]), bare(chain.members[-1]), names.state
+    if name is None or len(chain.members) != 2 or not isinstance(numbers, n.Matrix) or not is_numbers(numbers):
+        return []
+    if state.told.in_words or not (state.told.standing and is_usual(name) and names.is_open(name)):
+        return []
+    before = state.copy()
+    for quantity in names.usual(name):
+        state.configuration = {**told, **before.configuration}
+        names.define(name.key, methodcaller("quantity", quantity), line)
+        outcomes = decide(chain, equation, line, False)
+        state.become(before)
+        if len(outcomes) == 1 and len(outcomes[0].wrong) == 1 and is_mostly_right(outcomes[0], MANY):
+            state.infer_usual(name.key, quantity)
+            return outcomes
+    return []

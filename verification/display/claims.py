@@ -12,7 +12,12 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.conditions.branches import is_of_second
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.display.any_values import rests_on_nothing
-from armproof.verification.display.at_values import at_told_values, of_worked_example, under_given_rates
+from armproof.verification.display.at_values import (
+    as_usual_at_told_values,
+    at_told_values,
+    of_worked_example,
+    under_given_rates,
+)
 from armproof.verification.display.decision import Decision
 from armproof.verification.display.equal_numbers import unequal_numbers, with_wrong_numbers
 from armproof.verification.display.taken_arm import names_in
@@ -89,6 +94,7 @@ class Claims:
             values = self.circumstances.text.told_values()
             number = self.checker.members.number
             there = at_told_values(self.names.state, values, self._read, number, chain, equation, line)
+            there = there or as_usual_at_told_values(self.names, values, self._read, chain, equation, line)
         if any(outcome.verdict in DECIDED for outcome in there):
             return [replace(self.unless_doubted(outcome), uses=self.consulted()) for outcome in there]
         outcomes = self.chain(chain, equation, line, define)
@@ -101,7 +107,7 @@ class Claims:
             if worked:
                 return [replace(self.unless_doubted(each), uses=self.consulted()) for each in worked]
         has_open = any(each.verdict is Verdict.UNCHECKED for each in outcomes)
-        if is_open and has_open and (worked := self._at_targets(chain, equation, line)):
+        if is_open and has_open and (worked := self._at_targets(chain, outcomes, equation, line)):
             return worked
         if has_open:
             outcomes = with_wrong_numbers(self.decision.of, chain, outcomes, equation, line)
@@ -110,7 +116,7 @@ class Claims:
                 outcome.findings = there[0].findings
         return outcomes
 
-    def _at_targets(self, chain: n.Chain, equation: int, line: int) -> list[Outcome]:
+    def _at_targets(self, chain: n.Chain, before: Sequence[Outcome], equation: int, line: int) -> list[Outcome]:
         """Return the outcomes of numbers where a target of the document is reached; [] where they are none of that."""
         holds_digits = any(isinstance(below, n.Number) for below in n.walk(chain.members[-1]))
         if not self.displays or not holds_digits or not chain.relations:
@@ -119,7 +125,8 @@ class Claims:
             from armproof.verification.display.at_targets import AtTargets
             from armproof.verification.display.worked_targets import WorkedTargets
         targets = WorkedTargets(self.displays, self.checker.members)
-        return AtTargets(self.checker, self.circumstances, targets, self._read).outcomes(chain, equation, line)
+        own = {key for outcome in before for key in outcome.defines}
+        return AtTargets(self.checker, self.circumstances, targets, self._read).outcomes(chain, equation, line, own)
 
     def chain(self, chain: n.Chain, equation: int, line: int, define: bool) -> list[Outcome]:
         """Return the outcomes of a chain, each with the definitions that it rests on."""

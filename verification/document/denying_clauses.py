@@ -6,6 +6,7 @@ What is wrong, or "not", denies where a clause is of the display or a part of it
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from itertools import pairwise, takewhile
 
@@ -47,6 +48,9 @@ _PROVIDED = frozenset(
 )  # what begins a condition, and says nothing of other cases
 _IF_AND_ONLY_IF = frozenset(
     "if_and_only_if iff si_et_seulement_si genau_dann dann_und_nur_dann si_y_solo_si sí_y_solo_si se_e_solo_se se_e_somente_se se_e_só_se".split()
+)
+_ONLY_SINGULAR = re.compile(  # "so the only singularity is at": what it says of the arm denies no display
+    r"(?<!\S)(?:the only|la seule|l' unique|les seules|die einzige|la única|l' unica) (?:singularit|singular (?:configuration|posture|position)|(?:configuration|position)s? singuli|singularidad)"
 )
 _AND = frozenset("and et und y e ed sowie & plus".split())
 _THE = frozenset("the l' la le der die den das el il lo o a".split())
@@ -134,7 +138,8 @@ def _is_of_a_deed(clause: Clause) -> bool:
 def _is_consequence(words: str, first: Clause) -> bool:
     """Whether a sentence says what follows for the arm, "so the arm loses rank only when it is folded", or leads to what does: "The slide moves at most by"."""
     leads = words[:1].isupper() and first.begins("article") and words.rstrip()[-1:] not in ".;!?"
-    return first.subject == "arm" and (leads or words.split()[0].lower() in _HENCE)
+    hence = words.split()[0].lower() in _HENCE
+    return (first.subject == "arm" and (leads or hence)) or (hence and _ONLY_SINGULAR.search(words.lower()) is not None)
 
 
 def leads_on(words: str) -> bool:

@@ -510,7 +510,7 @@ def _inline_displays(
                     yield Display(base, said, cell=cell, section=section, opening=INLINE)
                 cursor = max(cursor, at + len(child.content) + 2)
         elif child.type == "text" and "$$" not in child.content:
-            yield from postures(child.content, base, section)
+            yield from postures(child.content, base, section, token.content[end:cursor])
         elif child.type == "text" and (at := token.content.find("$$", cursor)) >= 0:
             yield Display(
                 base + token.content.count("\n", 0, at), token.content[at + 2 :], erratum, cell, section, closed=False

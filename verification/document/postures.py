@@ -35,6 +35,11 @@ _POSTURE = re.compile(
     re.IGNORECASE,
 )
 
+_BASE = re.compile(
+    r"\b(?:joint|base|pivot|hinge|shoulder|foot|articulation|liaison|épaule|pied)"
+    r"(?:,? (?:\$[^$]*\$|\d|is|are|lies|sits|stands|of|the|robot|arm|located|placed|fixed|mounted|anchored|est|du|le|bras|fixée?|située?|placée?))*\s*\Z",
+    re.IGNORECASE,
+)
 _SINGULAR_PLACE = re.compile(rf"singular {_PLACE}|{_PLACE} singulière", re.IGNORECASE)
 STRETCHED, FOLDED = "stretched", "folded"
 _BENT_AS = {
@@ -95,11 +100,15 @@ def bent_as(latex: str) -> str:
     return found[0] if len(found) == 1 and _DIRECTION.search(latex) is None else ""
 
 
-def postures(text: str, line: int, section: str) -> Iterator[Display]:
-    """Yield the words of a text that name a posture, or a kind of joints, each as what stands in the text between displays."""
+def postures(text: str, line: int, section: str, led_by: str = "") -> Iterator[Display]:
+    """Yield the words of a text that name a posture, or a kind of joints, each as what stands in the text between displays.
+
+    It may be `led_by` the words before the formula that it stands behind, and that.
+    """
     plain = " ".join(text.split())
     rest = without_joint_values(plain)
-    for found in (*_POSTURE.finditer(rest), *_OF_A_KIND.finditer(rest)):
+    named = (each for each in _POSTURE.finditer(rest) if not _places_base(led_by, rest, each))
+    for found in (*named, *_OF_A_KIND.finditer(rest)):
         there = THERE if _begins_there(plain, found.start()) else ""
         yield Display(line, rf"\text{{{there}{found.group()}}}", section=section, opening=INLINE)
     for at, words in shapes(rest):
@@ -110,6 +119,13 @@ def postures(text: str, line: int, section: str) -> Iterator[Display]:
     for found in _RATES.finditer(plain):
         rates = ", ".join(re.findall(_NUMBER, found[1]))
         yield Display(line, rf"\dot q = [{rates}]^T", section=section, opening=INLINE)
+
+
+def _places_base(led_by: str, text: str, found: re.Match[str]) -> bool:
+    """Whether it is a joint or the base that is at the origin, which is no posture: "with one revolute joint $\\theta$ at the origin"."""
+    at_origin = found.group().lower().endswith(("origin", "origine"))
+    before = f"{led_by} {text[: found.start()]}"[-FARTHEST:]
+    return at_origin and _BASE.search(" ".join(before.split())) is not None
 
 
 def bent_to(text: str, at: int) -> str | None:

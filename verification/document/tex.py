@@ -22,6 +22,7 @@ from armproof.verification.document.front_matter import FRONT_MATTER_KEYS, Front
 from armproof.verification.document.heading import begin_section
 from armproof.verification.document.in_words import said_in_words
 from armproof.verification.document.model import CODE, INLINE, Display, Document, Table, Words
+from armproof.verification.document.postures import FARTHEST as LED_BY
 from armproof.verification.document.postures import postures
 from armproof.verification.document.sentences import said_above, said_below, said_in_general
 from armproof.verification.document.tex_accents import with_letters
@@ -205,7 +206,9 @@ class _Scanner:
         position, is_behind = self.start, False
         while (token := _TOKEN.search(self.visible, position, self.stop)) is not None:
             between = with_letters(self.visible[position : token.start()])
-            yield from postures(between, self.line(position), self.section)
+            yield from postures(
+                between, self.line(position), self.section, self.visible[max(0, position - LED_BY) : position]
+            )
             yield from self._said(position, between, is_behind)
             is_behind = is_behind and not between.strip()
             position = token.end()

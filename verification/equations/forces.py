@@ -81,6 +81,12 @@ def balanced_forces(names: Names) -> set[str]:
     return {key for each in forces if each is not None and (key := bare_key(each)) is not None}
 
 
+def is_force_of_numbers(name: n.Name, value: n.Node) -> bool:
+    """Whether a letter is said to be a force of which the components are numbers: F = (10, 5)."""
+    cells = cells_of(value)
+    return _is_force(name) and len(cells) > 1 and all(map(n.is_number, cells))
+
+
 def _walked(chain: n.Chain) -> Iterator[n.Node]:
     return (below for member in chain.members for below in n.walk(member))
 

@@ -219,8 +219,9 @@ def _said_anew(records: Sequence[Record], defined: Set[Key], right: Mapping[Key,
         for key in defined
     }
     for record in records:
+        beside = frozenset[Key]().union(*(each.defines for each in record.outcomes))  # τ of τ = J^T F = (3, 4)
         for outcome in (each for each in record.outcomes if each.verdict is Verdict.REFUTED):
-            met = outcome.uses & defined
+            met = outcome.uses & defined - beside
             own = {key for key in met if key[0] in outcome.alone and not right.get(key)}
             for key in own:
                 found.setdefault(key, []).append(record.line)

@@ -344,9 +344,10 @@ def _shown_best(
     """Return the best reading that the document shows to be meant, its rivals, and whether something shows it but its equations."""
     rivals = _rivals(best, others)
     shown = shown_convention(document, plain_names(document)) or stated if rivals or not best.held else ""
-    is_shown = shown != ""
+    as_shown = [each for each in (best, *others) if each.convention == shown]
+    is_shown = bool(as_shown)
     if is_shown:  # by the link matrix that it prints for any link, else by the headers of its table
-        best, *others = [each for each in (best, *others) if each.convention == shown]
+        best, *others = as_shown
         rivals = _rivals(best, others)
     if rivals and not best.held and not shown and (near := [one for one in (best, *rivals) if one.is_near]):
         best, *others = near  # a pose that one slip alone parts from it

@@ -9,6 +9,7 @@ from armproof.verification.document import Display, Document, Table
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.tables.arms.own_letters import has_index_of_another, has_other_sign
 from armproof.verification.tables.arms.support import FRAMES, ORDER, TOLD
+from armproof.verification.tables.arms.turns import link_of
 from armproof.verification.verdict import AXES, HOLDS, EquationResult, Record, Role, TakenArm, Verdict, worst
 
 _DISPUTES = (Kind.CONVENTION_DISPUTED, Kind.COLUMN_UNREAD)
@@ -229,10 +230,11 @@ class _Settled:
         if result.verdict in HOLDS and _is_data(self.taken, record, result.links):
             return result if result.links <= self.confirmed else self._data(result.index, result.links)
         links = result.links.union(*(self.named.get(key, ()) for key in result.uses))
-        doubtful = links - self.confirmed
+        doubtful = frozenset(map(link_of, links - self.confirmed))
         is_of_links = bool(doubtful) and min(doubtful) > 0 and (len(doubtful) == 1 or self._is_alone(result, record))
         is_of_links = is_of_links and not doubtful & self._hand
-        if is_of_links and result.explained_by is not None and not doubtful & result.explained_by:
+        explained = result.explained_by  # of what is no pose, 0, nobody asked which link would make it right
+        if is_of_links and explained is not None and 0 not in explained and not doubtful & explained:
             links, doubtful = self.confirmed & links, frozenset()  # no link in its place makes it right
         has_entry = any(entry.equation == result.index for entry in record.entries)
         has_sides = (

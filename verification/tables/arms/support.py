@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from fractions import Fraction
 
 from armproof.models.exact.trace import trace_of
 from armproof.verification.algebra.calculus import symbols_in
@@ -15,6 +16,7 @@ from armproof.verification.equations.rigid import is_none_by_a_slip, is_rotation
 from armproof.verification.equations.sides import Members
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.tables.arms.turns import lengths_alike, links_of_one_entry, rows_told
 from armproof.verification.verdict import AXES, Verdict
 
 # beside its links: where a chain's frames lie, which of its joints comes first, and how the joint before an inner one turns
@@ -56,6 +58,8 @@ def links_of(outcome: Outcome, members: Members, source: str = "", told_by: str 
     if others or _rates(other, members):
         return frozenset()
     links = _links(told, members, source)
+    if source == "table" and outcome.verdict is Verdict.REFUTED and outcome.pair is not None:
+        return links - lengths_alike(outcome.pair, links, members)
     only_turns = source == "matrices" and outcome.verdict is Verdict.PROVED and {each.kind for each in told} <= _TURNS
     return frozenset(link for link in links if not (only_turns and _is_long(link, members)))
 
@@ -101,6 +105,8 @@ def _moves(node: n.Node, members: Members) -> bool:
 
 
 def _links(quantities: Sequence[Quantity], members: Members, source: str, is_linear: bool = False) -> frozenset[int]:
+    if source == "table":
+        return frozenset(link for each in quantities for link in rows_told(each, _span(each, members), members))
     links = frozenset(link for quantity in quantities for link in _span(quantity, members))
     if source not in OF_TOOL:
         return links
@@ -164,7 +170,7 @@ def _angle_rows(outcome: Outcome, members: Members) -> frozenset[int]:
 def links_that_explain(outcome: Outcome, members: Members) -> frozenset[int]:
     """Return the links of which another than the arm's would make a printed pose right: it depends on their joint alone.
 
-    Of what is no pose only that no one link's angle does, 0.
+    Of what is no pose that is told of one entry alone; else only that no one link's angle does, 0.
     """
     if rows := _angle_rows(outcome, members):
         return rows
@@ -173,19 +179,20 @@ def links_that_explain(outcome: Outcome, members: Members) -> frozenset[int]:
     if (
         arm is None
         or quantity is None
-        or quantity.kind != "pose"
         or not isinstance(value, Matrix)
-        or value.shape != (4, 4)
+        or (quantity.kind, value.shape) not in (("pose", (4, 4)), ("rotation", (3, 3)))
     ):
-        return frozenset({0})
+        return links_of_one_entry(outcome, quantity, members)
     if not is_rigid(value):
         return frozenset()
+    size, whole = value.shape[0], value if quantity.kind == "pose" else _about_origin(value, members)
     frames, pose, depth = arm.frames, members.exact.pose, trace_of(arm).depth
     links = {k: (frames[k - 1], frames[k]) for k in _span(quantity, members)}
     ends = (frames[min(links) - 1], frames[max(links)]) if links else ("", "")
     if (quantity.reference, quantity.frame) != ends:
         return frozenset(links)
-    left_over = {k: pose(ends[0], near) @ value @ pose(far, ends[1]) for k, (near, far) in links.items()}
+    sides = {k: (pose(ends[0], near), pose(far, ends[1])) for k, (near, far) in links.items()}
+    left_over = {k: (one @ whole @ other).block(range(size), range(size)) for k, (one, other) in sides.items()}
     moving = {joint.symbol for joint in arm.joints}
     own = {k: {joint.symbol for joint in arm.joints[depth(near) : depth(far)]} for k, (near, far) in links.items()}
     may_be = {k: link for k, link in left_over.items() if moving & _symbols(link) <= own[k]}
@@ -201,9 +208,17 @@ def is_of_no_arm(outcome: Outcome, members: Members) -> bool:
     return not quantity.scalar and is_none_by_a_slip(outcome.pair.true, outcome.pair.printed)
 
 
+def _about_origin(rotation: Matrix, members: Members) -> Matrix:
+    """Return the pose that turns as a rotation does, and shifts nothing."""
+    nought, one = (members.exact.rational(Fraction(k)) for k in (0, 1))
+    return Matrix((*((*row, nought) for row in rotation.rows), (nought, nought, nought, one)))
+
+
 def _has_row(link: Matrix, convention: str) -> bool:
-    """Whether a pose may be that of a row in a DH table: it shifts along the new x and the old z, or the old x and the new z."""
+    """Whether a pose, or its rotation, may be that of a row in a DH table: it shifts along the new x and the old z, or the old x and the new z."""
     rows = link.rows
+    if link.shape == (3, 3):
+        return (rows[2][0] if convention == "classic" else rows[0][2]).is_zero()
     flat, (one, other) = (rows[2][0], (0, 1)) if convention == "classic" else (rows[0][2], (1, 2))
     along = 0 if convention == "classic" else 2
     beside = rows[one][3] * rows[other][along] - rows[other][3] * rows[one][along]

@@ -346,3 +346,13 @@ def test_two_entries_of_a_point_tell_that_angles_are_those_of_the_table():
     assert verdicts(verify_text(head + point)) == ["proved"]
     assert verdicts(verify_text(head + r"$$ p_{1x} = a_1 c_1 $$")) == ["unchecked"]
     assert verdicts(verify_text(head + r"$$ p_{1x} = -a_1 s_1 $$")) == ["proved"]
+
+
+def test_a_convention_that_no_reading_of_the_table_has_is_not_shown() -> None:
+    """Of slides alone both conventions make the same arm, and one reading stands for both."""
+    head = "The modified DH parameters are\n\n| $i$ | $a_{i-1}$ | $\\alpha_{i-1}$ | $d_i$ | $\\theta_i$ |\n|---|---|---|---|---|\n"
+    rows = (
+        "| 1 | $0$ | $0$ | $d_1$ | $\\theta_1$ |\n| 2 | $0$ | $0$ | $d_2$ | $0$ |\n| 3 | $0$ | $0$ | $d_3$ | $0$ |\n\n"
+    )
+    printed = r"$$ T_3^0 = \begin{bmatrix} c_1 & -s_1 & 0 & d_3 s_1 \\ s_1 & c_1 & 0 & -d_3 c_1 \\ 0 & 0 & 1 & d_1 + d_2 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$"
+    assert [record.verdict.value for record in verify_text(head + rows + printed).equations] == ["unchecked"]
