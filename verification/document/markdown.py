@@ -31,7 +31,7 @@ from armproof.verification.document.markdown_hidden import without_hidden
 from armproof.verification.document.model import CODE, INLINE, Display, Document, Piece, Table
 from armproof.verification.document.postures import postures
 from armproof.verification.document.sentences import said_above, said_below, said_in_general
-from armproof.verification.document.units import with_unit
+from armproof.verification.document.units import MOST_BEHIND, with_unit
 
 PICTURE = "<img"  # the opening of a display whose LaTeX stands in the address of a picture
 _AFTER_A_LEAD = frozenset("math_block math_block_label amsmath html_block fence colon_fence".split())
@@ -496,9 +496,10 @@ def _inline_displays(
             if quoted and _is_only_formula(children):
                 yield Display(base, latex, erratum, cell, section, opening="$`")
             else:
-                measured = with_unit(latex, behind.content if behind is not None and behind.type == "text" else "")
-                yield Display(base, measured, cell=cell, section=section, opening=INLINE)
                 at = token.content.find("$" + child.content, cursor)
+                after = token.content[at + len(child.content) + 2 :] if at >= 0 else ""
+                measured = with_unit(latex, after[:MOST_BEHIND])
+                yield Display(base, measured, cell=cell, section=section, opening=INLINE)
                 if at >= 0 and (said := said_in_words(token.content, at)) is not None:
                     yield Display(base, said, cell=cell, section=section, opening=INLINE)
                 cursor = max(cursor, at + len(child.content) + 2)

@@ -420,6 +420,9 @@ velocidades das juntas/articulações (…) constantes
 """
 NO_RATES = """
 start/starts/started/starting/begin/begins/beginning/released/set/sets/leave/leaves (out/off) (moving) from rest
+acceleration/accelerations … from rest
+accélération/accélérations … du/au repos/départ/démarrage
+beschleunigung/beschleunigungen … aus der ruhe
 arm/joints/robot/motors/axes/links/manipulator/mechanism/everything (…) at rest
 joints/motors/axes/links/arm/robot/manipulator (…) stand/stands/standing/is/are (all/both) still/motionless
 in/at/from (the) (very) (first) moment/instant of starting/departure

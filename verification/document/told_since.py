@@ -51,7 +51,9 @@ from armproof.verification.document.told_notation import REACTION
 from armproof.verification.document.told_numbers import (
     MAY_TELL_NUMBERS,
     as_told,
+    in_two_units,
     may_be_grouped,
+    rates_without_unit,
     reads_scaled,
     units_told,
 )
@@ -155,7 +157,13 @@ def told_since(
         if MAY_TELL_OPERATION.search(words.lower()) and (operation := told_operation(words)):
             yield Since(f"{OPERATION} {operation}", line, heard[-1].until)
         behind = said[at + 1][1] if at + 1 < len(said) else ""
-        if units_told(words, formulas) or reads_scaled(sentence, words, behind) or may_be_grouped(formulas, text):
+        above_it = said[at - 1][1] if at else ""
+        is_of_units = (
+            units_told(words, formulas)
+            or rates_without_unit(words, [*formulas, *formulas_of(behind)])
+            or in_two_units(sentence, above_it)
+        )
+        if is_of_units or reads_scaled(sentence, words, behind) or may_be_grouped(formulas, text):
             yield Since(as_told(sentence), line, end)
         if tells_quantity(words):
             yield Since(TOLD_QUANTITY, line, heard[-1].until)
