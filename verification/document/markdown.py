@@ -7,7 +7,6 @@ from bisect import bisect_left
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache
-from itertools import zip_longest
 from pathlib import Path
 from textwrap import dedent
 from typing import Any
@@ -478,7 +477,7 @@ def _inline_displays(
     if is_behind:
         yield from said_above(text, base, section)
     yield from said_in_general(text, base, section)
-    for place, (child, behind) in enumerate(zip_longest(children, children[1:])):
+    for place, child in enumerate(children):
         if child.type == "math_inline_double" or place in alone:
             mark = "$$" if child.type == "math_inline_double" else "$"
             at = token.content.find(mark + child.content, cursor)

@@ -540,6 +540,32 @@ koordinatensystem/bezugssystem/system , das sich mit
 ^ & for/in/with/pour/dans/für/in/para/en (a/an/the/un/une/le/ein/einem/einen/das/el) frame/system/axes/repère/système/koordinatensystem/bezugssystem/sistema/marco (that) (which) (is) (das) (um) (¤) turned/rotated/tilted/shifted/tourné/incliné/décalé/gedreht~/gedrehtes/girado/rotado/ruotato
 another/different/second/autre/anderes/anderen/otro/altro (coordinate) frame/system/repère/koordinatensystem/sistema turned/rotated/tilted/tourné/gedreht/girado/ruotato (by/through/de/um/di) (¤)
 """
+ORIGIN_AT_SHOULDER = """
+origin/origine/ursprung/nullpunkt/origen/origem … at/in/into/to/à/dans/an/auf/en/nella/no (the/l'/die/der/el/la/o) shoulder/épaule/schulter/hombro/spalla/ombro
+as/comme/als/como/come (the) origin/origine/ursprung/origen/origem (the/l'/die/der/el/la/o) shoulder/épaule/schulter/hombro/spalla/ombro
+shoulder/épaule/schulter/hombro/spalla/ombro as/comme/als/como/come (the) origin/origine/ursprung/origen/origem
+"""
+FROM_SHOULDER = """
+counted/measured/relative/seen/viewed/reckoned/starting from/to the shoulder
+^ & from/above/below/over the shoulder
+height/altitude above/over/below the shoulder
+^ & depuis l' épaule
+^ & à partir de l' épaule
+mesuré~/compté~/vue~/part/partant/partir depuis/de l' épaule
+par rapport à l' épaule
+hauteur/altitude au-dessus de l' épaule
+^ & von der schulter (aus)
+von der schulter (aus) gemessen/gezählt/gesehen
+relativ zur schulter
+medida~/vista~/contada~ desde el hombro
+^ & desde el hombro
+respecto al/del hombro
+misurata~/vista~ dalla spalla
+^ & dalla spalla
+rispetto alla spalla
+medida~/vista~ a partir do ombro
+em relação ao ombro
+"""
 OTHER_ORIGIN = """
 origin (of) (the) (base) (frame) (is/lies/sits/stands) (placed/taken/put/chosen) at/in/into/to (the) elbow
 (seen/viewed/looked) (at) from the other/opposite/back side
@@ -605,6 +631,7 @@ is/are not relative/measured (to/from) the first/previous link
 TURNED = """
 measured/counted/mesuré~/compté~/gemessen/taken … from/depuis/desde/gegen/with (respect) (to) (the/la/die) vertical~/y-axis
 measured/counted/taken/mesuré~/compté~/pris … par/à/respecto/rispetto (rapport/partir) (à/de) (a/alla) (la) vertical~/y-axis
+counts/count/counting/measures/measure/measuring/compte/comptons/comptent/mesure/mesurons/zählt/zählen/cuenta/contamos/conta/contiamo … from/depuis/von/desde/dalla/da (the/la/der) vertical~/senkrechten/y-axis
 measured/counted/taken clockwise
 ¤ … means/corresponds/signifies/signifie/correspond/bedeutet/entspricht/significa/corresponde … folded/replié~/gefaltet~/eingeklappt/plegado/ripiegato/hanging/upright/pendant
 angle * with/between/and/avec/et (the/la) vertical/verticale/y-axis
@@ -670,6 +697,7 @@ body axis/axes/frame/x-axis/y-axis/z-axis/¤
 
 OTHER_LENGTH = """
 ¤ is/denotes/est/ist (the) half/moitié/halbe
+¤ (and/et/und/y/e) ¤ (be/are/denote/sont/désignent/sind/bezeichnen/son/sono) (each) (the/la/les/die) half/halves/moitié/moitiés/twice/double/doubles
 ¤ … half-length/half-lengths
 ¤ is/denotes the distance * (to) the middle/centre/center
 ¤ est la moitié

@@ -151,7 +151,9 @@ _PARAGRAPH = re.compile(  # up to what ends it
     r"\s*(?:(?!\n\s*\n|\$\$|\\\[|\\(?:begin|end)\s*\{|\\(?:item|chapter|(?:sub)*section|paragraph)(?![A-Za-z])).)+",
     re.DOTALL,
 )
-_EDGE = re.compile(r"\\[\[\]]|\$\$|\\(?:begin|end)\s*\{(?:%s)\*?\}" % "|".join(ENVIRONMENTS))  # of a display: where it ends, or begins in vain
+_EDGE = re.compile(
+    r"\\[\[\]]|\$\$|\\(?:begin|end)\s*\{(?:%s)\*?\}" % "|".join(ENVIRONMENTS)
+)  # of a display: where it ends, or begins in vain
 LEVELS = ("chapter", "section", "subsection", "subsubsection", "frametitle", "paragraph")
 EXERCISE_LEVEL = LEVELS.index("section") + 0.5
 FARTHEST = 500  # characters behind the beginning of an exercise

@@ -83,7 +83,9 @@ MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
     f"|{MAY_AMEND.pattern}|{MAY_TELL_OPERATION.pattern}|{MAY_TELL_MOTION.pattern}|{MAY_CHANGE_ARM.pattern}|{MAY_LIMIT.pattern}|{MAY_BE_FIRST_ORDER.pattern}|{MAY_CONSTRAIN.pattern}"
 )
 _BESIDE = 12  # lines behind a sentence that may be said of what is near alone
-_PLAIN = re.compile(r"[{}\s]|\\(?:left|right|quad|qquad|begin|end|operatorname|mathrm|text)(?![A-Za-z])")
+_PLAIN = re.compile(
+    r"\\(?:begin|end)\s*\{\w+\*?\}(?:\{[lcr|\s]*\})?|[{}\s]|\\(?:left|right|quad|qquad|begin|end|operatorname|mathrm|text)(?![A-Za-z])"
+)
 _LETTER = re.compile(r"(?P<base>\\[A-Za-z]+|[A-Za-z])(?:_\w+)?")
 
 Reach = Callable[[int], tuple[int, float]]
