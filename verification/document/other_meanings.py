@@ -54,7 +54,7 @@ from armproof.verification.document.told_tasks import told_tasks
 from armproof.verification.document.told_variables import MAY_TELL_VARIABLE, variables_defined, variables_told
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
-    r"horizontal|(?:then|and|last|puis|ensuite|dann|luego|poi) (?:about|autour|um|alrededor|intorno|attorno)|fixed ax|negati[vf]|négati[vf]|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
+    r"opposite|opuest|oppost|opost|entgegengesetzt|contrar|belt|courroie|motor|moteur|fixed|fixe\b|festen|horizontal|(?:then|and|last|puis|ensuite|dann|luego|poi) (?:about|autour|um|alrededor|intorno|attorno)|fixed ax|negati[vf]|négati[vf]|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
     r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|épaule|schulter|hombro|spalla|ombro|base|upside|ceiling|wall|pixels|transpos|invers|masse?\b|gravit|bar[iy]c|schwerp|acc[eé]l|beschl|jacobi|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from|convention|mirror|miroir|spiegel|espejo|repli|gefalt|plegad|ripieg|eingeklappt|\border\b|\bordre\b|reihenfolge|\borden\b|\bordine\b|q\}*\s*=|\\omega_|passiv|pasiv|\brows?\b|lignes?\b|zeile|filas?\b|righ?[ae]\b|linha|\bold\b|\bformer\b|ancien|\balten\b|coord|compon|compos|equal (?:bar|link|length|segment|arm)|[ée]gaux|[ée]gales|gleiche|iguales|uguali|left and right|inches|feet|pouces|zoll|pulgadas|pollici"
 )
 MAY_ASK = re.compile(
@@ -73,6 +73,7 @@ _SHOWN = re.compile(  # what is no sentence
 _HEADING = re.compile(r"\s*(?:(#{1,6})\s|\\((?:sub)*)section)")
 _MARKS_OF_HEADING = re.compile(r"^\s*#+|\\(?:sub)*section\*?|[{}]")
 _LETTER = re.compile(r"(?:\\?[A-Za-z]+)\s*_\s*(?:\{?\s*[\dijk]\s*\}?)")
+_BARE_ANGLE = re.compile(r"\s*\\(?:alpha|beta|gamma|(?:var)?theta|(?:var)?phi|psi)\s*")
 _OF_FRAME = re.compile(
     r"\b(?:origine? (?:of|de|du) (?:the )?(?:frame|repère)|Ursprung von System) \$?\\?\{?(\d)\b", re.IGNORECASE
 )
@@ -497,6 +498,7 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         if name == "LEVEL" and _is_of_a_sum(words[: begin.end()], formulas):
             continue
         subjects = [each for formula in formulas[:place] for each in _LETTER.findall(formula)]
+        subjects += [each.strip() for each in formulas[:place] if _BARE_ANGLE.fullmatch(each)]
         subjects = [each for each in subjects if name == "TURNED" or not _LENGTH.match(each)]
         if name != "TURNED":
             yield from (f"{BEHIND} {each}" for each in subjects)

@@ -612,6 +612,12 @@ x-axis … vers la gauche
 # -- angles that are not those of the arm
 
 LEVEL = """
+motor/motors/moteur/moteurs/motoren/motores/motori/actuators … in/on/at/dans/sur/im/an/en/nella/na (the/le/la/der/dem/den/el) base/ground/bâti/socle/embase/basis/gestell/sockel/basamento
+¤ * with/to/and/from (the/a) fixed direction/line/axis
+¤ * avec/et/à (la/l'/une/un) direction/droite/axe fixe
+¤ * mit/zur/und (der/einer) festen richtung/achse
+¤ … over/by/via/with/through (a/the) belt/belts/parallelogram
+¤ … par (une/un) courroie/parallélogramme
 ¤ is/are that/those/the (angle/direction/orientation/inclination) of (the) (first/second/third/last) forearm/link/bar/rod/segment in space
 ¤ est celui/celle/l' (angle/orientation/inclinaison) de (l'/la/le) (deuxième/dernier) avant-bras/segment/barre dans l' espace
 angle/angles/winkel/ángulo/ángulos/both/all/each/¤ * to/from/with/against/of/and/à/depuis/desde/avec/et/l'/gegen/zur/zum/con/mit/und/la/die (the/l'/la/le/die/der) (fixed/base/world) horizontal/horizontale/horizontalen/ground/floor/sol/boden/suelo/x-axis
@@ -632,6 +638,12 @@ TURNED = """
 measured/counted/mesuré~/compté~/gemessen/taken … from/depuis/desde/gegen/with (respect) (to) (the/la/die) vertical~/y-axis
 measured/counted/taken/mesuré~/compté~/pris … par/à/respecto/rispetto (rapport/partir) (à/de) (a/alla) (la) vertical~/y-axis
 counts/count/counting/measures/measure/measuring/compte/comptons/comptent/mesure/mesurons/zählt/zählen/cuenta/contamos/conta/contiamo … from/depuis/von/desde/dalla/da (the/la/der) vertical~/senkrechten/y-axis
+points/pointing/lies/lying/pointe/pointant/zeigt/zeigend/apunta/punta … along/in/to/selon/suivant/vers/entlang/in/según/lungo (the/l'/der/el/la) (axe) y-axis/y-achse (,) (at/for/when/if/with/pour/quand/lorsque/für/bei/wenn/para/per/con) ¤
+at/for/when/if/with/pour/quand/lorsque/für/bei/wenn/para/per/con ¤ (,) (the/it/le/il/der/er/el) (upper/first) (arm/link/bar/bras/barre/segment/stab/brazo/braccio) points/pointe/zeigt/apunta/punta … y-axis/y-achse
+¤ … in (the) opposite/other/contrary/reverse sense/direction
+¤ … (dans/en) (le) sens inverse/contraire/opposé
+¤ … in entgegengesetzter/umgekehrter richtung
+¤ … en/in/no sentido/senso contrario/opuesto/opposto/inverso/contrário/oposto
 measured/counted/taken clockwise
 ¤ … means/corresponds/signifies/signifie/correspond/bedeutet/entspricht/significa/corresponde … folded/replié~/gefaltet~/eingeklappt/plegado/ripiegato/hanging/upright/pendant
 angle * with/between/and/avec/et (the/la) vertical/verticale/y-axis

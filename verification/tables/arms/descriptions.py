@@ -112,7 +112,8 @@ class _Build:
         lifts = [LIFTS in each.marks for each in turns]
         raised = [_RAISED] if self.heights else []
         if UPRIGHT in turns[0].marks:
-            return [_TURNED, *([_FLAT] if not any(lifts[1:]) else [])] if len(turns) > 1 else [_FLAT]
+            is_level = not any(lifts[1:]) and not any(map(_is_absolute, turns[1:]))
+            return [_TURNED, *([_FLAT] if is_level else [])] if len(turns) > 1 else [_FLAT]
         if any(lifts):
             return [_UPRIGHT, *raised, *([_TURNED] if len(turns) > 1 and not lifts[0] else [])]
         plain = {"y": [_FLAT], "z": [_UPRIGHT]}.get("".join(sorted(self.written)), [_FLAT, _UPRIGHT])
@@ -230,7 +231,7 @@ def _build(document: Document, names: Names) -> _Build | None:
         joints.sort(key=lambda each: index_of(each.key))
     turns = [each for each in joints if each.kind == TURN]
     in_plane = turns[1:] if turns and UPRIGHT in turns[0].marks else turns
-    if any(ABSOLUTE in each.marks and RELATIVE not in each.marks for each in in_plane[1:]):
+    if any(map(_is_absolute, in_plane[1:])):
         return None
     if len(in_plane) - 1 > sum(each.kind == LENGTH for each in parts) + sum(each.kind == SLIDE for each in joints):
         return None  # the text does not tell all
@@ -238,6 +239,11 @@ def _build(document: Document, names: Names) -> _Build | None:
     planes = frozenset(each.letter for each in document.told if each.kind == PLANE)
     written = frozenset(each for display in document.displays for each in _WRITTEN.findall(display.latex))
     return _Build(tuple(joints), of_kind[LENGTH], of_kind[HEIGHT], of_kind[OFFSET], planes, written)
+
+
+def _is_absolute(part: _Part) -> bool:
+    """Whether the angle of a link counts from one direction, as the others do."""
+    return ABSOLUTE in part.marks and RELATIVE not in part.marks
 
 
 def _is_of_each(told: ToldPart) -> bool:
