@@ -54,6 +54,9 @@ _BY = frozenset("by of de d' um von por di height hauteur höhe altura altezza".
 _OF_LENGTH = re.compile(
     r"(?<!\S)(?:(?:of|with|whose|the|de|d' une|der|mit der|von der|con|di|da|la|a|is|has|and) )*(?:length|height|longueur|hauteur|länge|höhe|longitud|altura|lunghezza|altezza|comprimento) (?:of |is |de |est |von |ist |es |di |è |é )?¤ |¤ (?:long|lang|de long|de longueur|largo|lungo) "
 )
+_OF_SIZE = re.compile(
+    r"(?<!\S)(?:of|de|von|di|with) (?:(?:length|longueur|länge|longitud|lunghezza) )?(?:of |de |di )?(?:\d+(?:[.,]\d+)?|¤) ?(?:mm|cm|m|millim\w+|centim\w+|zentim\w+|metres?|meters?|mètres?|metros?|metri)(?= )"
+)
 _AT_SCALE = re.compile(r"(?<![\d:])(?:1 ?: ?(?:[2-9]|[1-9]\d+)|(?:[2-9]|[1-9]\d+) ?: ?1)(?![\d:])")
 _MODEL = re.compile(
     r"\b(?:models?|mock-?up|maquette|modell\w*|maqueta|modello|maquete)\b|\b(?:measure|read|lit|lisons|mesur\w+|messen|lesen|medimos|leemos|misuriamo|leggiamo|lemos)\b"
@@ -94,6 +97,7 @@ def changes_arm(words: str, formulas: Sequence[str], letters_above: Collection[s
         or _is_of_other_length(words.lower(), said)
         or _lacks_part(said)
         or _has_tool_within(said)
+        or _has_tool_of_a_size(words.lower(), said)
         or ("upside-down" in said and _has(said, "ARM"))
         or _has_piece(said)
     ):
@@ -152,6 +156,15 @@ def _lacks_part(said: Sequence[str]) -> bool:
         ):
             return True
         if _is(each, "REMOVED") and _has(said[max(0, place - 4) : place], "OUTER"):
+            return True
+    return False
+
+
+def _has_tool_of_a_size(words: str, said: Sequence[str]) -> bool:
+    """Whether something of a length in numbers is held: "With a tool of 10 cm in the hand"."""
+    for found in _OF_SIZE.finditer(words):
+        before = said[: len(words[: found.start()].split())]
+        if len(before) > 1 and _is(before[-1], "HELD") and _is(before[-2], "A"):
             return True
     return False
 

@@ -640,10 +640,13 @@ measured/counted/taken/mesuré~/compté~/pris … par/à/respecto/rispetto (rapp
 counts/count/counting/measures/measure/measuring/compte/comptons/comptent/mesure/mesurons/zählt/zählen/cuenta/contamos/conta/contiamo … from/depuis/von/desde/dalla/da (the/la/der) vertical~/senkrechten/y-axis
 points/pointing/lies/lying/pointe/pointant/zeigt/zeigend/apunta/punta … along/in/to/selon/suivant/vers/entlang/in/según/lungo (the/l'/der/el/la) (axe) y-axis/y-achse (,) (at/for/when/if/with/pour/quand/lorsque/für/bei/wenn/para/per/con) ¤
 at/for/when/if/with/pour/quand/lorsque/für/bei/wenn/para/per/con ¤ (,) (the/it/le/il/der/er/el) (upper/first) (arm/link/bar/bras/barre/segment/stab/brazo/braccio) points/pointe/zeigt/apunta/punta … y-axis/y-achse
-¤ … in (the) opposite/other/contrary/reverse sense/direction
-¤ … (dans/en) (le) sens inverse/contraire/opposé
-¤ … in entgegengesetzter/umgekehrter richtung
-¤ … en/in/no sentido/senso contrario/opuesto/opposto/inverso/contrário/oposto
+turns/turn/turned/rotates/rotate/rotated/turning/rotating (by) ¤ in (the) opposite/contrary/reverse sense/direction
+¤ (is/are) counts/count/counted/measured/reckoned/positive in (the) opposite/contrary/reverse sense/direction
+tourne/tournent/pivote/tournant de/d' ¤ (dans/en) (le) sens inverse/contraire/opposé
+¤ (est/sont) (se) compte/compté/comptée/comptés/mesuré/mesurée/positif (dans/en) (le) sens inverse/contraire/opposé
+dreht/drehen (sich) um ¤ in entgegengesetzter/umgekehrter richtung
+¤ (wird) in entgegengesetzter/umgekehrter richtung gezählt/gemessen
+gira/giran/ruota ¤ en/in/no (el) sentido/senso contrario/opuesto/opposto/inverso/contrário/oposto
 measured/counted/taken clockwise
 ¤ … means/corresponds/signifies/signifie/correspond/bedeutet/entspricht/significa/corresponde … folded/replié~/gefaltet~/eingeklappt/plegado/ripiegato/hanging/upright/pendant
 angle * with/between/and/avec/et (the/la) vertical/verticale/y-axis

@@ -299,6 +299,8 @@ def _of_place(phrase: Sequence[str]) -> Iterator[str]:
         if _is(word, "WRIST"):
             yield f"{LINK} {WRIST}"
             return
+        if _is(word, "TOOL") and not number and _is(behind, "OF") and _is((*phrase[place + 2 :], "")[0], "OTHER"):
+            continue  # the tip of the upper arm
         if _is(word, "TOOL") or _is(word, "NUMBERED"):
             if number:
                 yield f"{LINK} {number}"

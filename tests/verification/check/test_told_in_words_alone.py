@@ -52,6 +52,8 @@ def last_verdict(front: str, sentence: str, display: str, before: str = POINT) -
         ("The angle $\\theta_2$ is driven over a belt:", X, "unchecked"),
         ("Both motors sit in the base.", X, "unchecked"),
         ("The angle $\\theta_2$ counts in the opposite sense:", X, "unchecked"),
+        ("The joint $\\theta_2$ now turns in the opposite direction.", X, "unchecked"),
+        ("A negative $\\theta_2$ turns the forearm in the opposite direction.", X, "proved"),
         ("We count $\\theta_1$ from the $x$ axis:", X, "proved"),
         ("The acceleration of the hand from rest is", FROM_REST, "proved"),
         ("The acceleration of the hand from rest is", FROM_REST.replace("- l_2", "+ l_2"), "refuted"),
@@ -78,6 +80,10 @@ def test_what_a_sentence_says_of_a_planar_arm(sentence: str, display: str, verdi
         ("The height of the tool is", FROM_BASE, "proved"),
         ("The wrist, at the end of link 2, is at", FROM_BASE, "unchecked"),
         ("The tool, at the end of link 3, is at", FROM_BASE, "proved"),
+        ("The tip of the upper arm is at", FROM_BASE, "unchecked"),
+        ("The tip of the arm is at", FROM_BASE, "proved"),
+        ("With a tool of 10 cm in the hand, its tip is at the height", FROM_BASE, "unchecked"),
+        ("With the tool in the hand, its tip is at the height", FROM_BASE, "proved"),
     ],
 )
 def test_what_a_sentence_says_of_an_arm_with_a_column(sentence: str, display: str, verdict: str) -> None:
