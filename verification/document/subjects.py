@@ -133,8 +133,8 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
     is_placed = _has(clause, "BE") and _is((spoken or [""])[-1], "AT")
     if is_placed:
         beside = " ".join(said).split(" , ")[1:-1]  # "The wrist, at the end of link 2, is at"
-        numbers = [number for each in beside if (number := _number(each.split()))]
-        yield from [f"{LINK} {numbers[0]}"] if numbers else _of_place(_phrase(clause) or _phrase(said))
+        apposed = [number for each in beside if (number := _number(each.split()))]
+        yield from [f"{LINK} {apposed[0]}"] if apposed else _of_place(_phrase(clause) or _phrase(said))
     elif _moves(_unskipped(said)) and not _has(said, "TOOL"):
         yield OTHER_PLACE
     yield from _quantity(said)
