@@ -16,7 +16,6 @@ from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.ring import Ring
 from armproof.verification.check.as_usual import Bound, bound_as_usual
 from armproof.verification.check.beforehand import Beforehand, lacks_base, shown_transforms
-from armproof.verification.check.beside import unless_beside_others
 from armproof.verification.check.display import DisplayChecker
 from armproof.verification.check.identities import resting_on_nothing
 from armproof.verification.check.limits import SECONDS_TO_DECIDE
@@ -225,7 +224,6 @@ class DocumentChecker:
 
     def result_of(self, equations: tuple[Record, ...]) -> DocumentResult:
         """Return the document's result for the records of its displays, judged with its mistakes mended where it has some."""
-        equations = unless_beside_others(equations)
         checked: dict[str, tuple[DocumentChecker, tuple[Record, ...]]] = {}
 
         def bind(bound: Bound) -> tuple[Record, ...]:

@@ -7,6 +7,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from armproof.models.errors import ArmproofError
+from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.matrix import Matrix
+from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.conditions.circumstances import Circumstances
 from armproof.verification.conditions.link_conventions import unless_of_other_convention
 from armproof.verification.conditions.other_meanings import OtherMeanings
@@ -24,7 +27,7 @@ from armproof.verification.conditions.told_otherwise import ToldOtherwise, is_of
 from armproof.verification.conditions.told_relative import unless_relative
 from armproof.verification.document import Display
 from armproof.verification.document.first_order import FIRST_ORDER
-from armproof.verification.document.other_meanings import ANEW, BASE_AT, FRAME
+from armproof.verification.document.other_meanings import ANEW, BASE_AT, FRAME, FROM_SHOULDER
 from armproof.verification.document.sentences import EVERYWHERE, SAME_POINT, not_known_in, quoted
 from armproof.verification.document.strange_letters import STRANGE_LETTER
 from armproof.verification.document.subjects import WRIST
@@ -120,10 +123,22 @@ class WordsAround:
         return outcome
 
     def _is_from_other_base(self, display: Display) -> bool:
-        """Whether the text has the shoulder at a height that is no length of the arm."""
+        """Whether the text has the shoulder at a height that is no length of the arm, or counts from a shoulder that is not in the base."""
+        if FROM_SHOULDER in display.meant and self._has_column():
+            return True
         told = [each.removeprefix(BASE_AT) for each in display.meant if each.startswith(BASE_AT)]
         lengths: set[str | None] = {*self.circumstances.given.lengths}
         return any(self.names.known_symbol(self.names.reader.key_of(each)) not in lengths for each in told)
+
+    def _has_column(self) -> bool:
+        """Whether what the first joint turns stands at a height of its own: the shoulder is above the base."""
+        arm = self.names.arm
+        if arm is None or len(arm.frames) < 2:
+            return False
+        origin = self.circumstances.checker.exact.quantity(Quantity("origin", arm.frames[1], arm.frames[0]))
+        assert isinstance(origin, Matrix)
+        height = origin.cells[-1]
+        return not height.is_zero() and symbols_in([height]).isdisjoint(self.names.joints)
 
     def _unless_usual_is_open(self, outcome: Outcome, meant: Sequence[str]) -> Outcome:
         """Return an outcome without what it would be with usual meanings, where the text leaves that open."""

@@ -24,6 +24,7 @@ from armproof.verification.verdict import HOLDS
 
 _SIZES = ("abs", "norm", "sqrt")
 _NAME_AND_TWO = 3  # members of a chain that names what it computes
+_SQUARES = 2  # terms of x² + y², which is no length
 
 
 def unless_of_told_operation(outcome: Outcome, display: Display, names: Names) -> Outcome:
@@ -47,7 +48,7 @@ def _lacks(told: str, said: n.Node) -> bool:
     if told == NEVER_NEGATIVE:
         return not any(n.is_call(each, *_SIZES) or _is_square(each) for each in n.walk(said))
     if told == LENGTH:
-        return isinstance(said, n.Sum) and all(_is_square(bare(term)) for _, term in said.terms)
+        return isinstance(said, n.Sum) and sum(_is_square(bare(term)) for _, term in said.terms) >= _SQUARES
     if told == SQUARE:
         return n.is_call(said, *_SIZES)
     if told == TRACE:

@@ -43,6 +43,8 @@ VALUES value values number numbers numerical valeur valeurs nombres wert werte w
 SAME same identical même gleiche gleichen selbe dieselbe derselben misma mismo stessa stesso medesima mesma
 BUT but except aber jedoch mais sauf außer nur pero salvo excepto ma però tranne porém exceto apart however only
 WITH with avec mit con com
+COUNTS counts counted count measured compté comptée compte mesuré mesurée gezählt gemessen zählt contado medido cuenta contato misurato conta
+IN_SPACE vertical horizontal~ verticale horizontale senkrechten vertikalen waagerechten verticale orizzontale ground floor sol boden
 UNLIKE unlike contrary contrairement anders entgegen diferencia differenza contrariamente contrario contraire contrário diferente differs differ differently abweichend
 """)
 _is, _has = _lists.holds, _lists.has  # fmt: skip
@@ -53,6 +55,9 @@ _IN_WORDS = re.compile(
 )
 _QUARTERS = {"90": r"\pi/2", "180": r"\pi", "45": r"\pi/4", "270": r"3\pi/2"}
 _RIGHT = re.compile(r"\\d?frac\s*\{?(\d*)\s*\\pi\s*\}?\s*\{?\s*(\d)\s*\}?|\\tfrac\s*\{?(\d*)\\pi\}?\s*\{?(\d)\}?")
+_TOO = re.compile(
+    r"(?<!\S)(?:too (?:large|big|small|long|short|high|low|great)|trop (?:grande?|petite?|longue?|courte?|haute?)|zu (?:groß|klein|lang|kurz)|demasiado (?:grande|pequeñ[oa]|larg[oa]|cort[oa])|troppo (?:grande|piccol[oa]|lung[oa]|cort[oa])) "
+)
 _OF_ERRATUM = re.compile(r"\W*errat", re.IGNORECASE)  # what is quoted as such, and no sentence
 _FAR = 4  # words between what is ignored and its noun
 _NEAR_ABOVE, _NEAR_BELOW = 8, 12  # lines between a sentence of rows, or a note, and its table
@@ -105,7 +110,8 @@ def amends_table(words: str, formulas: Sequence[str], table: Cells, line: int) -
     return any((
         has_row and _reads_otherwise(said),
         _adds(said, words, formulas, shown),
-        has_row and _is_wrong(said),
+        has_row and (_is_wrong(said) or _TOO.search(words.lower()) is not None),
+        _counts_otherwise(said),
         _changes_all(said, has_table),
         has_row and (_ignores(said) or _has(said, "INSERT")),
         _has(said, "HEADING") and _is_wrong(said),
@@ -170,6 +176,13 @@ def _is_wrong(said: Sequence[str]) -> bool:
     """Whether something in the table is said to be wrong, or missing, or in another's place."""
     at = [place for place, each in enumerate(said) if _is(each, "ERROR")]
     return bool(at) and not _has(said, "PLAIN")
+
+
+def _counts_otherwise(said: Sequence[str]) -> bool:
+    """Whether an angle in a row counts from a direction in space: no angle of a table does."""
+    counted = next((at for at, each in enumerate(said) if _is(each, "COUNTS")), len(said))
+    is_in_row = any(_is(each, "ROW") and said[at + 1 : at + 2] != ["¤"] for at, each in enumerate(said))
+    return is_in_row and _has(said[counted : counted + _FAR + 2], "IN_SPACE") and not _has(said, "PLAIN")
 
 
 def _changes_all(said: Sequence[str], has_table: bool) -> bool:

@@ -7,11 +7,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Sequence
+from itertools import pairwise
 
 from armproof.verification.document.word_lists import WordLists
 
 MAY_CHANGE_ARM = re.compile(  # what no such sentence lacks, in small letters
-    r"robot|\barms?\b|manipul|\bbase\b|\bbras\b|roboter|\bit\b|\bil\b|link|bar\b|bars\b|length|forearm|segment|longueur|barre|länge|glied|unterarm|longitud|brazo|lunghezz|bracci|tool|outil|foot|model|maquet|scale|échelle|maßstab|escala|scala|stab|stäbe|stange|asta|aste\b|elos?\b|forearm|spindle|\bnut\b|pitch|hélico|helic|elico|\bvis\b|schraub|spindel|tornillo|\bvite\b|parafuso|pen\b|stylo|screw|tube|long\b|mirror|miroir|spiegel|espejo|specchio|espelho"
+    r"robot|\barms?\b|manipul|\bbase\b|\bbras\b|roboter|\bit\b|\bil\b|link|bar\b|bars\b|length|forearm|segment|longueur|barre|länge|glied|unterarm|longitud|brazo|lunghezz|bracci|tool|outil|foot|model|maquet|scale|échelle|maßstab|escala|scala|stab|stäbe|stange|asta|aste\b|elos?\b|forearm|spindle|\bnut\b|pitch|hélico|helic|elico|\bvis\b|schraub|spindel|tornillo|\bvite\b|parafuso|replac|remplac|ersetz|sustitu|reemplaz|sostitu|substitu|pen\b|stylo|screw|tube|long\b|avant-bras|antebra|avambrac|mirror|miroir|spiegel|espejo|specchio|espelho"
 )
 _lists = WordLists("""
 ARM robot robots arm manipulator base bras manipulateur roboter roboterarm brazo manipulador braccio manipolatore braço robô machine mechanism mécanisme it il elle er lo
@@ -35,6 +36,12 @@ NEVER not no never without nicht kein keine ohne ne pas sans no sin non senza n�
 MEMBER member membro membri forearm upper-arm arm robot link bar rod bras avant-bras segment barre membre unterarm oberarm arm roboter stab glied antebrazo brazo eslabón barra avambraccio braccio asta antebraço braço elo
 A an a una un une eine einen ein uma um
 HAS has have gets carries receives a reçoit porte hat bekommt trägt erhält tiene lleva recibe ha riceve porta tem recebe leva
+WITHOUT without sans ohne sin senza sem
+REMOVED removed detached unscrewed dismounted retiré retirée enlevé enlevée démonté démontée entfernt abgenommen abmontiert quitado quitada retirado retirada rimosso rimossa tolto tolta removido removida
+OUTER forearm link bar rod avant-bras segment barre membre unterarm stab glied antebrazo eslabón barra avambraccio asta antebraço elo column colonne säule columna colonna coluna
+PUT mount~ fix~ attach~ glue~ clamp~ screw~ weld~ bolt~ put place monte~ monté~ attach~ coll~ befestig~ montier~ mont~ fij~ fissa~ montiamo
+POINT tool hand gripper pen outil main pince stylo werkzeug greifer hand herramienta pinza mano utensile ferramenta garra mão
+HALF_WAY middle midpoint half-way halfway milieu mitte mitad medio metà mezzo meio
 MIRROR mirror miroir spiegel espejo specchio espelho
 LOOK look~ see sees seen watch~ view~ regard~ voit voyons observe~ sehen sieht betracht~ schau~ mira~ ve vemos observa~ guard~ vede vediamo osserv~ olha~ vê
 MIGHT can could may might often usually typically generally peut peuvent souvent kann können oft puede pueden può possono pode podem
@@ -47,12 +54,21 @@ _BY = frozenset("by of de d' um von por di height hauteur höhe altura altezza".
 _OF_LENGTH = re.compile(
     r"(?<!\S)(?:(?:of|with|whose|the|de|d' une|der|mit der|von der|con|di|da|la|a|is|has|and) )*(?:length|height|longueur|hauteur|länge|höhe|longitud|altura|lunghezza|altezza|comprimento) (?:of |is |de |est |von |ist |es |di |è |é )?¤ |¤ (?:long|lang|de long|de longueur|largo|lungo) "
 )
+_OF_SIZE = re.compile(
+    r"(?<!\S)(?:of|de|von|di|with) (?:(?:length|longueur|länge|longitud|lunghezza) )?(?:of |de |di )?(?:\d+(?:[.,]\d+)?|¤) ?(?:mm|cm|m|millim\w+|centim\w+|zentim\w+|metres?|meters?|mètres?|metros?|metri)(?= )"
+)
 _AT_SCALE = re.compile(r"(?<![\d:])(?:1 ?: ?(?:[2-9]|[1-9]\d+)|(?:[2-9]|[1-9]\d+) ?: ?1)(?![\d:])")
 _MODEL = re.compile(
     r"\b(?:models?|mock-?up|maquette|modell\w*|maqueta|modello|maquete)\b|\b(?:measure|read|lit|lisons|mesur\w+|messen|lesen|medimos|leemos|misuriamo|leggiamo|lemos)\b"
 )
 _AS_LONG = re.compile(
     r"(?<!\S)(?:(?:just )?as long as (?:itself|it|the|this)|of (?:the same|its own) length|(?:de|d' une) (?:la )?même longueur|aussi longue? que|(?:gleich|ebenso) lang\w*|(?:von )?gleicher länge|de la misma longitud|tan larg[oa] como|lung[oa] quanto|della stessa lunghezza|do mesmo comprimento|tão long[oa] quanto) "
+)
+_TIMES_AS_LONG = re.compile(  # and not "as long as the upper arm"
+    r"(?<!\S)(?:(?:twice|half|double|(?:two|three|four|\d) times|one third|a third) (?:as long|the length|longer)|(?:two|three|four|\d) times (?:as )?(?:long|longer|shorter)|(?:deux|trois|quatre|\d) fois (?:plus|aussi|moins) (?:longu?e?|courte?)|(?:doppelt|halb|dreimal) so (?:lang|kurz)|(?:el )?doble de larg[oa]|dos veces más larg[oa]|lung[oa] il doppio|due volte più lung[oa]|duas vezes mais long[oa]) (?!as |que |wie |come |quanto |como )"
+)
+_REPLACED = re.compile(
+    r"¤ (?:\S+ ){0,2}?(?:replaced|remplacée?|ersetzt|sustituid[oa]|reemplazad[oa]|sostituit[oa]|substituíd[oa]|changed|increased|grows) (?:\S+ )?¤|(?<!\S)(?:replac\w+|remplaç\w+|remplac\w+|ersetz\w+|sustitu\w+|reemplaz\w+|sostitu\w+|substitu\w+) ¤ (?:by|with|par|durch|por|con|com) ¤|¤ durch ¤ (?:ersetzt|zu ersetzen)"
 )
 _EACH_OTHERS_PLACE = re.compile(
     r"(?<!\S)(?:in the place of the other|(?:each|one) other'? s places?|places? of each other|à la place de l' autre|an die stelle (?:des|der) anderen|en (?:el )?lugar (?:de la|del) otr[oa]|al posto dell' altr[oa]|no lugar d[oa] outr[oa])(?!\S)"
@@ -78,8 +94,15 @@ def changes_arm(words: str, formulas: Sequence[str], letters_above: Collection[s
         or _is_a_model(words.lower())
         or _is_as_long(words.lower(), said)
         or _is_mirrored(said)
+        or _is_of_other_length(words.lower(), said)
+        or _lacks_part(said)
+        or _has_tool_within(said)
+        or _has_tool_of_a_size(words.lower(), said)
+        or ("upside-down" in said and _has(said, "ARM"))
         or _has_piece(said)
     ):
+        return True
+    if _replaces_size(words.lower(), formulas):
         return True
     new = [bool(_LENGTH_LETTER.fullmatch(each)) and _plain(each) not in letters_above for each in formulas]
     turned = [bool(_NEW_ANGLE.fullmatch(each)) and _plain(each) not in letters_above for each in formulas]
@@ -104,6 +127,55 @@ def _has_piece(said: Sequence[str]) -> bool:
         and _has(said[:place], "MEMBER")
         for place, each in enumerate(said)
     )
+
+
+def _replaces_size(words: str, formulas: Sequence[str]) -> bool:
+    """Whether a letter is replaced by something with itself in it: "with $a_3$ replaced by $a_3 + t$"."""
+    for found in _REPLACED.finditer(words):
+        at = words.count("¤", 0, found.start())
+        letter, other = (_plain(each) for each in (*formulas[at : at + 2], "", "")[:2])
+        if letter and letter != other and re.search(rf"(?<![A-Za-z\\]){re.escape(letter)}(?![\w])", other):
+            return True
+    return False
+
+
+def _is_of_other_length(words: str, said: Sequence[str]) -> bool:
+    """Whether a sentence is of a link that is longer or shorter than the one above: "A forearm that is twice as long gives"."""
+    found = _TIMES_AS_LONG.search(words)
+    before = said[: len(words[: found.start()].split())] if found is not None else []
+    return any(_is(a, "A") and _is(part, "MEMBER") for a, part in pairwise(before[-_NEAR:]))
+
+
+def _lacks_part(said: Sequence[str]) -> bool:
+    """Whether a link is taken away: "Without the forearm", "the second link is removed"."""
+    for place, each in enumerate(said):
+        if (
+            _is(each, "WITHOUT")
+            and _has(said[place + 1 : place + 4], "OUTER")
+            and _has(said[place + 1 : place + 2], "THE")
+        ):
+            return True
+        if _is(each, "REMOVED") and _has(said[max(0, place - 4) : place], "OUTER"):
+            return True
+    return False
+
+
+def _has_tool_of_a_size(words: str, said: Sequence[str]) -> bool:
+    """Whether something of a length in numbers is held: "With a tool of 10 cm in the hand"."""
+    for found in _OF_SIZE.finditer(words):
+        before = said[: len(words[: found.start()].split())]
+        if len(before) > 1 and _is(before[-1], "HELD") and _is(before[-2], "A"):
+            return True
+    return False
+
+
+def _has_tool_within(said: Sequence[str]) -> bool:
+    """Whether the tool is put elsewhere than at the end: "We now mount the tool at the middle of the forearm"."""
+    for place, each in enumerate(said):
+        behind = said[place + 1 : place + 1 + _NEAR]
+        if _is(each, "PUT") and _has(behind[:3], "POINT") and _has(behind, "HALF_WAY"):
+            return True
+    return False
 
 
 def _is_mirrored(said: Sequence[str]) -> bool:

@@ -24,6 +24,9 @@ from armproof.verification.document.model import Display, Table
 HEADER = ("sigma", "alpha", "a", "d", "theta")
 LONGEST = 40_000  # characters of a piece of code
 _LINKS = re.compile(r"(?:(?:DH)?Link|(Revolute|Prismatic)(?:M?DH)?)")
+_HAS_ENDS = re.compile(  # robot.tool = SE3(0.1, 0, 0), DHRobot(links, base=…), SerialLink(L, 'tool', …)
+    r"(?:\.(?:tool|base)\s*=|[(,]\s*(?:tool|base)\s*=|'(?:tool|base)'\s*,)(?!=)\s*(?!(?:None|SE3\(\)|(?:np\.|sp\.)?(?:eye|identity)\(4\)|sm\.SE3\(\))\s*(?:[,;)\n]|$))\S"
+)
 _PARAMETER = re.compile(r"'?(alpha|a|d|q|theta)_?(\d)'?")
 _OF_MATLAB = re.compile(r"(?<!\w)(?:Revolute|Prismatic|Link)(?:M?DH)?\s*\(([^()]*(?:\([^()]*\)[^()]*)*)\)")
 _ROWS = re.compile(r"(?:(?<!\w)([A-Za-z]\w*)\s*)?=\s*\[([^\[\]]*)\]", re.DOTALL)
@@ -42,7 +45,10 @@ class _Found:
 
 
 def code_tables(displays: Iterable[Display]) -> Iterator[Table]:
-    """Yield the DH tables in pieces of code, with the letters and numbers that these give."""
+    """Yield the DH tables in pieces of code, with the letters and numbers that these give; none where it has a base or a tool besides."""
+    displays = [*displays]
+    if any(_HAS_ENDS.search(display.latex) for display in displays):
+        return
     for display in displays:
         code = dedent(display.latex)
         for found in [*_of_python(code)] or _of_matlab(code) if len(code) <= LONGEST else ():

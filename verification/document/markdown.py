@@ -7,7 +7,6 @@ from bisect import bisect_left
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache
-from itertools import zip_longest
 from pathlib import Path
 from textwrap import dedent
 from typing import Any
@@ -31,7 +30,7 @@ from armproof.verification.document.markdown_hidden import without_hidden
 from armproof.verification.document.model import CODE, INLINE, Display, Document, Piece, Table
 from armproof.verification.document.postures import postures
 from armproof.verification.document.sentences import said_above, said_below, said_in_general
-from armproof.verification.document.units import with_unit
+from armproof.verification.document.units import MOST_BEHIND, with_unit
 
 PICTURE = "<img"  # the opening of a display whose LaTeX stands in the address of a picture
 _AFTER_A_LEAD = frozenset("math_block math_block_label amsmath html_block fence colon_fence".split())
@@ -485,7 +484,7 @@ def _inline_displays(
     if is_behind:
         yield from said_above(text, base, section)
     yield from said_in_general(text, base, section)
-    for place, (child, behind) in enumerate(zip_longest(children, children[1:])):
+    for place, child in enumerate(children):
         if child.type == "math_inline_double" or place in alone:
             mark = "$$" if child.type == "math_inline_double" else "$"
             at = token.content.find(mark + child.content, cursor)
@@ -503,9 +502,10 @@ def _inline_displays(
             if quoted and _is_only_formula(children):
                 yield Display(base, latex, erratum, cell, section, opening="$`")
             else:
-                measured = with_unit(latex, behind.content if behind is not None and behind.type == "text" else "")
-                yield Display(base, measured, cell=cell, section=section, opening=INLINE)
                 at = token.content.find("$" + child.content, cursor)
+                after = token.content[at + len(child.content) + 2 :] if at >= 0 else ""
+                measured = with_unit(latex, after[:MOST_BEHIND])
+                yield Display(base, measured, cell=cell, section=section, opening=INLINE)
                 if at >= 0 and (said := said_in_words(token.content, at)) is not None:
                     yield Display(base, said, cell=cell, section=section, opening=INLINE)
                 cursor = max(cursor, at + len(child.content) + 2)

@@ -59,8 +59,8 @@ from armproof.verification.document.told_tasks import told_tasks
 from armproof.verification.document.told_variables import MAY_TELL_VARIABLE, variables_defined, variables_told
 
 MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
-    r"horizontal|(?:then|and|last|puis|ensuite|dann|luego|poi) (?:about|autour|um|alrededor|intorno|attorno)|fixed ax|negati[vf]|négati[vf]|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
-    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|base|upside|ceiling|wall|pixels|transpos|invers|masse?\b|gravit|bar[iy]c|schwerp|acc[eé]l|beschl|jacobi|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from|convention|mirror|miroir|spiegel|espejo|repli|gefalt|plegad|ripieg|eingeklappt|\border\b|\bordre\b|reihenfolge|\borden\b|\bordine\b|q\}*\s*=|\\omega_|passiv|pasiv|\brows?\b|lignes?\b|zeile|filas?\b|righ?[ae]\b|linha|\bold\b|\bformer\b|ancien|\balten\b|coord|compon|compos|equal (?:bar|link|length|segment|arm)|[ée]gaux|[ée]gales|gleiche|iguales|uguali|left and right|inches|feet|pouces|zoll|pulgadas|pollici"
+    r"opposite|opuest|oppost|opost|entgegengesetzt|contrar|belt|courroie|motor|moteur|fixed|fixe\b|festen|horizontal|(?:then|and|last|puis|ensuite|dann|luego|poi) (?:about|autour|um|alrededor|intorno|attorno)|fixed ax|negati[vf]|négati[vf]|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
+    r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|épaule|schulter|hombro|spalla|ombro|base|upside|ceiling|wall|pixels|transpos|invers|masse?\b|gravit|bar[iy]c|schwerp|acc[eé]l|beschl|jacobi|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from|convention|mirror|miroir|spiegel|espejo|repli|gefalt|plegad|ripieg|eingeklappt|\border\b|\bordre\b|reihenfolge|\borden\b|\bordine\b|q\}*\s*=|\\omega_|passiv|pasiv|\brows?\b|lignes?\b|zeile|filas?\b|righ?[ae]\b|linha|\bold\b|\bformer\b|ancien|\balten\b|coord|compon|compos|equal (?:bar|link|length|segment|arm)|[ée]gaux|[ée]gales|gleiche|iguales|uguali|left and right|inches|feet|pouces|zoll|pulgadas|pollici"
 )
 MAY_ASK = re.compile(
     r"following|suivant|folgend|siguiente|seguent|seguinte|true|vrai|richtig|wahr|verdader|vero|verdadeir"
@@ -78,6 +78,7 @@ _SHOWN = re.compile(  # what is no sentence
 _HEADING = re.compile(r"\s*(?:(#{1,6})\s|\\((?:sub)*)section)")
 _MARKS_OF_HEADING = re.compile(r"^\s*#+|\\(?:sub)*section\*?|[{}]")
 _LETTER = re.compile(r"(?:\\?[A-Za-z]+)\s*_\s*(?:\{?\s*[\dijk]\s*\}?)")
+_BARE_ANGLE = re.compile(r"\s*\\(?:alpha|beta|gamma|(?:var)?theta|(?:var)?phi|psi)\s*")
 _OF_FRAME = re.compile(
     r"\b(?:origine? (?:of|de|du) (?:the )?(?:frame|repère)|Ursprung von System) \$?\\?\{?(\d)\b", re.IGNORECASE
 )
@@ -171,6 +172,7 @@ ASKED = "asked"  # what the reader is to call true or false
 EQUAL = "equal"  # lengths that are, where two letters have two lengths elsewhere
 SIGNED = "signed"  # a letter of the arm that may have either sign
 COLUMNS = "columns"  # J_1, J_2 that are columns of J
+FROM_SHOULDER = "from shoulder"  # seen from there, which an arm may have above its base
 BASE_AT = "base at"  # the height of a shoulder, which an arm may have
 ORDER = "order"  # the joint variables as q holds them
 ANEW = "anew"  # a letter that is something else for a while
@@ -401,6 +403,10 @@ def _of_places(line: int, plain: str, words: str, formulas: Sequence[str], text:
     if _IS_SIGNED.search(words):
         alone = tuple(f"{SIGNED} {each.strip()}" for each in formulas if _LETTER.fullmatch(each.strip()))
         yield Meaning(line, alone)
+    if says("ORIGIN_AT_SHOULDER", words):
+        yield Meaning(line, (FROM_SHOULDER,), reach=(line, _reach(line, text)[1]))
+    elif says("FROM_SHOULDER", words):
+        yield Meaning(line, (FROM_SHOULDER,), reach=(line, line + _NEAR_BELOW))
     by = shift_of_base(words, formulas)
     is_elsewhere = says("OTHER_ORIGIN", words) and not _is_in_a_row(by, text)
     if is_elsewhere and LETTER_OF_HEIGHT.fullmatch(by):
@@ -500,6 +506,7 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         if name == "LEVEL" and _is_of_a_sum(words[: begin.end()], formulas):
             continue
         subjects = [each for formula in formulas[:place] for each in _LETTER.findall(formula)]
+        subjects += [each.strip() for each in formulas[:place] if _BARE_ANGLE.fullmatch(each)]
         subjects = [each for each in subjects if name == "TURNED" or not _LENGTH.match(each)]
         if name != "TURNED":
             yield from (f"{BEHIND} {each}" for each in subjects)
@@ -515,7 +522,7 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
     for name in ("OTHER_LENGTH", "SWAPPED"):
         if (half := hears(name, words)) is not None:
             first = words.count("¤", 0, half.start())
-            within = formulas[first : first + (1 if name == "OTHER_LENGTH" else 2)]
+            within = formulas[first : first + (half.group().count("¤") or 1 if name == "OTHER_LENGTH" else 2)]
             yield from (f"{ALL} {each.strip()}" for each in within if _LETTER.fullmatch(each.strip()))
     yield from (
         f"{ALL} {letter}"

@@ -420,6 +420,9 @@ velocidades das juntas/articulações (…) constantes
 """
 NO_RATES = """
 start/starts/started/starting/begin/begins/beginning/released/set/sets/leave/leaves (out/off) (moving) from rest
+acceleration/accelerations … from rest
+accélération/accélérations … du/au repos/départ/démarrage
+beschleunigung/beschleunigungen … aus der ruhe
 arm/joints/robot/motors/axes/links/manipulator/mechanism/everything (…) at rest
 joints/motors/axes/links/arm/robot/manipulator (…) stand/stands/standing/is/are (all/both) still/motionless
 in/at/from (the) (very) (first) moment/instant of starting/departure
@@ -538,6 +541,32 @@ koordinatensystem/bezugssystem/system , das sich mit
 ^ & for/in/with/pour/dans/für/in/para/en (a/an/the/un/une/le/ein/einem/einen/das/el) frame/system/axes/repère/système/koordinatensystem/bezugssystem/sistema/marco (that) (which) (is) (das) (um) (¤) turned/rotated/tilted/shifted/tourné/incliné/décalé/gedreht~/gedrehtes/girado/rotado/ruotato
 another/different/second/autre/anderes/anderen/otro/altro (coordinate) frame/system/repère/koordinatensystem/sistema turned/rotated/tilted/tourné/gedreht/girado/ruotato (by/through/de/um/di) (¤)
 """
+ORIGIN_AT_SHOULDER = """
+origin/origine/ursprung/nullpunkt/origen/origem … at/in/into/to/à/dans/an/auf/en/nella/no (the/l'/die/der/el/la/o) shoulder/épaule/schulter/hombro/spalla/ombro
+as/comme/als/como/come (the) origin/origine/ursprung/origen/origem (the/l'/die/der/el/la/o) shoulder/épaule/schulter/hombro/spalla/ombro
+shoulder/épaule/schulter/hombro/spalla/ombro as/comme/als/como/come (the) origin/origine/ursprung/origen/origem
+"""
+FROM_SHOULDER = """
+counted/measured/relative/seen/viewed/reckoned/starting from/to the shoulder
+^ & from/above/below/over the shoulder
+height/altitude above/over/below the shoulder
+^ & depuis l' épaule
+^ & à partir de l' épaule
+mesuré~/compté~/vue~/part/partant/partir depuis/de l' épaule
+par rapport à l' épaule
+hauteur/altitude au-dessus de l' épaule
+^ & von der schulter (aus)
+von der schulter (aus) gemessen/gezählt/gesehen
+relativ zur schulter
+medida~/vista~/contada~ desde el hombro
+^ & desde el hombro
+respecto al/del hombro
+misurata~/vista~ dalla spalla
+^ & dalla spalla
+rispetto alla spalla
+medida~/vista~ a partir do ombro
+em relação ao ombro
+"""
 OTHER_ORIGIN = """
 origin (of) (the) (base) (frame) (is/lies/sits/stands) (placed/taken/put/chosen) at/in/into/to (the) elbow
 (seen/viewed/looked) (at) from the other/opposite/back side
@@ -584,6 +613,12 @@ x-axis … vers la gauche
 # -- angles that are not those of the arm
 
 LEVEL = """
+motor/motors/moteur/moteurs/motoren/motores/motori/actuators … in/on/at/dans/sur/im/an/en/nella/na (the/le/la/der/dem/den/el) base/ground/bâti/socle/embase/basis/gestell/sockel/basamento
+¤ * with/to/and/from (the/a) fixed direction/line/axis
+¤ * avec/et/à (la/l'/une/un) direction/droite/axe fixe
+¤ * mit/zur/und (der/einer) festen richtung/achse
+¤ … over/by/via/with/through (a/the) belt/belts/parallelogram
+¤ … par (une/un) courroie/parallélogramme
 ¤ is/are that/those/the (angle/direction/orientation/inclination) of (the) (first/second/third/last) forearm/link/bar/rod/segment in space
 ¤ est celui/celle/l' (angle/orientation/inclinaison) de (l'/la/le) (deuxième/dernier) avant-bras/segment/barre dans l' espace
 angle/angles/winkel/ángulo/ángulos/both/all/each/¤ * to/from/with/against/of/and/à/depuis/desde/avec/et/l'/gegen/zur/zum/con/mit/und/la/die (the/l'/la/le/die/der) (fixed/base/world) horizontal/horizontale/horizontalen/ground/floor/sol/boden/suelo/x-axis
@@ -603,6 +638,16 @@ is/are not relative/measured (to/from) the first/previous link
 TURNED = """
 measured/counted/mesuré~/compté~/gemessen/taken … from/depuis/desde/gegen/with (respect) (to) (the/la/die) vertical~/y-axis
 measured/counted/taken/mesuré~/compté~/pris … par/à/respecto/rispetto (rapport/partir) (à/de) (a/alla) (la) vertical~/y-axis
+counts/count/counting/measures/measure/measuring/compte/comptons/comptent/mesure/mesurons/zählt/zählen/cuenta/contamos/conta/contiamo … from/depuis/von/desde/dalla/da (the/la/der) vertical~/senkrechten/y-axis
+points/pointing/lies/lying/pointe/pointant/zeigt/zeigend/apunta/punta … along/in/to/selon/suivant/vers/entlang/in/según/lungo (the/l'/der/el/la) (axe) y-axis/y-achse (,) (at/for/when/if/with/pour/quand/lorsque/für/bei/wenn/para/per/con) ¤
+at/for/when/if/with/pour/quand/lorsque/für/bei/wenn/para/per/con ¤ (,) (the/it/le/il/der/er/el) (upper/first) (arm/link/bar/bras/barre/segment/stab/brazo/braccio) points/pointe/zeigt/apunta/punta … y-axis/y-achse
+turns/turn/turned/rotates/rotate/rotated/turning/rotating (by) ¤ in (the) opposite/contrary/reverse sense/direction
+¤ (is/are) counts/count/counted/measured/reckoned/positive in (the) opposite/contrary/reverse sense/direction
+tourne/tournent/pivote/tournant de/d' ¤ (dans/en) (le) sens inverse/contraire/opposé
+¤ (est/sont) (se) compte/compté/comptée/comptés/mesuré/mesurée/positif (dans/en) (le) sens inverse/contraire/opposé
+dreht/drehen (sich) um ¤ in entgegengesetzter/umgekehrter richtung
+¤ (wird) in entgegengesetzter/umgekehrter richtung gezählt/gemessen
+gira/giran/ruota ¤ en/in/no (el) sentido/senso contrario/opuesto/opposto/inverso/contrário/oposto
 measured/counted/taken clockwise
 ¤ … means/corresponds/signifies/signifie/correspond/bedeutet/entspricht/significa/corresponde … folded/replié~/gefaltet~/eingeklappt/plegado/ripiegato/hanging/upright/pendant
 angle * with/between/and/avec/et (the/la) vertical/verticale/y-axis
@@ -668,6 +713,7 @@ body axis/axes/frame/x-axis/y-axis/z-axis/¤
 
 OTHER_LENGTH = """
 ¤ is/denotes/est/ist (the) half/moitié/halbe
+¤ (and/et/und/y/e) ¤ (be/are/denote/sont/désignent/sind/bezeichnen/son/sono) (each) (the/la/les/die) half/halves/moitié/moitiés/twice/double/doubles
 ¤ … half-length/half-lengths
 ¤ is/denotes the distance * (to) the middle/centre/center
 ¤ est la moitié

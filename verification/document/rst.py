@@ -21,7 +21,7 @@ from armproof.verification.document.in_words import said_in_words
 from armproof.verification.document.model import INLINE, Display, Document, Piece
 from armproof.verification.document.postures import postures
 from armproof.verification.document.sentences import said_above, said_below, said_in_general
-from armproof.verification.document.units import with_unit
+from armproof.verification.document.units import MOST_BEHIND, with_unit
 
 _MATH = re.compile(r"(?P<margin>\s*(?:[-*+]\s+|\d+[.)]\s+)?)\.\. math::[ \t]*(?P<argument>.*)$")
 _ERRATUM = re.compile(r"\s*+\.\. (?:errat(?:um|a)|[\w-]+::\s*errat(?:um|a))\b|\s[*_\s]*+errat(?:um|a)\b", re.IGNORECASE)
@@ -124,7 +124,7 @@ def _displays(lines: list[str]) -> Iterator[Display]:
             is_behind = True
             continue
         for role in _ROLE.finditer(line):
-            latex = with_unit(role[1], line[role.end() :])
+            latex = with_unit(role[1], line[role.end() :][:MOST_BEHIND])
             yield Display(row + 1, latex, section=section, opening=INLINE)
             if (said := said_in_words(line, role.start())) is not None:
                 yield Display(row + 1, said, section=section, opening=INLINE)

@@ -132,7 +132,9 @@ def subjects(words: str, formulas: Sequence[str]) -> Iterator[str]:
     clause = said[len(said) - 1 - said[:-1][::-1].index(",") :] if "," in said[:-1] else said
     is_placed = _has(clause, "BE") and _is((spoken or [""])[-1], "AT")
     if is_placed:
-        yield from _of_place(_phrase(clause) or _phrase(said))
+        beside = " ".join(said).split(" , ")[1:-1]  # "The wrist, at the end of link 2, is at"
+        apposed = [number for each in beside if (number := _number(each.split()))]
+        yield from [f"{LINK} {apposed[0]}"] if apposed else _of_place(_phrase(clause) or _phrase(said))
     elif _moves(_unskipped(said)) and not _has(said, "TOOL"):
         yield OTHER_PLACE
     yield from _quantity(said)
@@ -297,6 +299,8 @@ def _of_place(phrase: Sequence[str]) -> Iterator[str]:
         if _is(word, "WRIST"):
             yield f"{LINK} {WRIST}"
             return
+        if _is(word, "TOOL") and not number and _is(behind, "OF") and _is((*phrase[place + 2 :], "")[0], "OTHER"):
+            continue  # the tip of the upper arm
         if _is(word, "TOOL") or _is(word, "NUMBERED"):
             if number:
                 yield f"{LINK} {number}"

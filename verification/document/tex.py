@@ -31,7 +31,7 @@ from armproof.verification.document.tex_definitions import find_macros, without_
 from armproof.verification.document.tex_macros import blank, closing_brace
 from armproof.verification.document.tex_project import Project
 from armproof.verification.document.tex_tables import read_tabular
-from armproof.verification.document.units import with_unit
+from armproof.verification.document.units import MOST_BEHIND, with_unit
 
 ENVIRONMENTS = (
     "equation align gather multline flalign alignat eqnarray displaymath dmath dgroup math xalignat IEEEeqnarray empheq"
@@ -256,7 +256,7 @@ class _Scanner:
     def _inline(self, start: int, begin: int, end: int, after: int) -> Iterator[Display]:
         """Yield a formula within a sentence, and what the words before it make of it."""
         latex, _ = self.macros.expanded(self.visible[begin:end], begin, self.place)
-        found = [with_unit(latex, self.visible[after : after + 40])]
+        found = [with_unit(latex, self.visible[after : after + MOST_BEHIND])]
         if (said := said_in_words(self.visible, start)) is not None:
             found.append(self.macros.expanded(said, begin, self.place)[0])
         for each in found:

@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from armproof.verification.document.told_sides import MAY_TELL_SIDE, UNCLEAR, told_side
+from armproof.verification.document.told_sides import LEFT_OF_LINE, MAY_TELL_SIDE, RIGHT_OF_LINE, UNCLEAR, told_side
 
 BRANCH = "branch"  # the comparison that the sentence makes, as LaTeX; without one nothing tells which branch it is
 MINUS_ROOT, PLUS_ROOT = "root -", "root +"  # that of any root
@@ -74,6 +74,9 @@ _UNCLEAR = re.compile(  # which solution is meant, in words that no formula says
 _OF_ELBOW = re.compile(  # on which side of the line to the tool the elbow is
     r"(?<!\S)(?:elbow|coude|ellbogen|ellenbogen|codo|gomito|cotovelo) (?:(?:is|lies|stays|stands|being|lying|est|reste|liegt|ist|bleibt|está|è|sta) )?(?:(?P<above>above|over|au-dessus|über|oberhalb|encima|por encima|sopra|acima)|below|under|underneath|au-dessous|en dessous|unter|unterhalb|debajo|sotto|abaixo)(?= )(?! \S*(?:table|floor|ground|shoulder|base))"
 )
+_ELBOW_IS = re.compile(  # "elbow-up": of a planar arm that reaches forward, its elbow above the line to the tool
+    r"(?<!\S)(?:elbow|coude|ellbogen|ellenbogen|codo|gomito|cotovelo)(?: |-)(?:(?:is|est|ist|está|è|en|vers le|para|hacia|verso l'|in) )*(?:(?P<up>up|haut|oben|arriba|alto|cima)|down|bas|unten|abajo|basso|baixo)(?![\w])"
+)
 _LINE_TO_TOOL = re.compile(
     r"(?<!\S)(?:line|chord|segment|straight line) (?:from|between|joining|through|of) (?:the )?(?:base|shoulder|origin)"
 )
@@ -116,6 +119,9 @@ def told_branches(words: str, formulas: Sequence[str]) -> Iterator[ToldBranch]:
         yield ToldBranch(bound=MINUS_ROOT if _MINUS.search(root.group()) else PLUS_ROOT, is_brief=True)
     elif not found and (elbow := _OF_ELBOW.search(small)) is not None:
         yield _of_elbow(elbow["above"] is not None, small)
+    elif not found and not re.search(_SIGN_WORD, small) and (called := [*_ELBOW_IS.finditer(small)]):
+        ups = {each["up"] is not None for each in called}
+        yield from [ToldBranch("2", LEFT_OF_LINE if True in ups else RIGHT_OF_LINE, is_brief=True)] * (len(ups) == 1)
     elif not found and (side := told_side(words)):
         yield ToldBranch("2", side, is_brief=is_brief)
     elif not found and (_UNCLEAR.search(small) or side == UNCLEAR):

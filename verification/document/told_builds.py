@@ -85,6 +85,11 @@ _BESIDE_TOOL = re.compile(
 _TABLE = re.compile(r"^[ \t>]*\|[^\n]*(?:α|alpha)|\\begin\{(?:array|tabular)\}[^$]{0,120}(?:α|\\alpha)", re.MULTILINE)
 
 
+_NEGATIVE_TURNS = re.compile(
+    r"(?<!\S)(?:negative[rns]?|négati(?:f|ve)|negativ[oa])(?: (?:value|values|wert|valeur|valor|valore)(?: of| von| de| di)?)? ¤ "
+)
+
+
 def turned_round(words: str, formulas: Sequence[str]) -> tuple[tuple[str, ...], str]:
     """Return the joints whose direction a sentence turns round, and since when: "from here", "now", or "beside" where it may be said of what is near alone."""
     small = words.lower()
@@ -96,6 +101,8 @@ def turned_round(words: str, formulas: Sequence[str]) -> tuple[tuple[str, ...], 
         return (), ""
     if _SEEN.search(small) and not (_FROM_HERE.search(small) or _NOW.search(small)):
         return (), ""  # where the sense is that of who looks, and none is turned round
+    if _NEGATIVE_TURNS.search(small) and not (_FROM_HERE.search(small) or _NOW.search(small)):
+        return (), ""  # as it does of any joint
     numbers = [str(_NUMBERS[each]) for each in said if each in _NUMBERS]
     which = tuple(f"{TURNED_ROUND} {each}" for each in (map(str.strip, of_part) if of_part else numbers))
     since = "from here" if _FROM_HERE.search(small) else "now" if _NOW.search(small) else "beside"

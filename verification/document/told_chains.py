@@ -57,6 +57,8 @@ ALONG along suivant entlang längs lungo le_long largo longo direction
 X x-axis
 Y y-axis own-y-axis
 OUTWARDS own-x-axis radial~ horizontally horizontal outward~ out horizontalement extend~ telescop~ télescop~ allonge~ s'allonge sort teleskop~ ausfahren ausgefahren ausfährt extiende~ estende~ prolonga~
+ACROSS perpendicular~ perpendiculaire~ transvers~ senkrecht normal orthogonal~ sideways
+BELT belt belts courroie~ riemen zahnriemen correa cinghia correia pulley~ parallelogram~ parallélogramme~ pantograph~
 MASS mass masse massen masa massa gravity pesanteur barycentre
 """)
 _is, _has = _lists.holds, _lists.has
@@ -78,6 +80,7 @@ _PLANE = re.compile(
 _LOCAL_AXIS = re.compile(r"(?:\\(?:vec|hat|mathbf|boldsymbol)\s*\{?\s*)?([xyz])\}?\s*_\s*\{?\s*[1-9]\s*\}?")
 _FENCE = re.compile(r"\\(?:left|right|big|Big)?\s*[()\[\]]|[()\[\]]|\\[,;:! ]|\\q?quad|\^\{?(?:T|\\top)\}?")
 _AND = frozenset("and et und y e ou or o oder".split())
+_BY = frozenset("by de d' um por di".split())
 _ENDS = frozenset(", ; : . ! ?".split())
 _NEAR, _FAR = 4, 7  # words between a letter and one before it, and between a letter and what calls it
 
@@ -108,6 +111,8 @@ def told_parts(sentence: str, place: tuple[int | None, int], before: tuple[int, 
 def _end(said: Sequence[Word], k: int) -> int:
     """Return where the clause of a letter ends: at a stop, at the next letter; behind "measured from …", if that follows."""
     end = next((j for j in range(k + 1, len(said)) if said[j][0] in _ENDS or said[j][1]), len(said))
+    if end < len(said) and said[end][1]:  # "along $y$ by $d_2$ and down by $d_3$"
+        end = next((j for j in range(max(k + 1, end - _NEAR), end) if said[j][0] in _AND), end)
     behind = said[end + 1][0] if end + 1 < len(said) and said[end][0] == "," else ""
     if not _is(behind, "MEASURED"):
         return end
@@ -213,6 +218,8 @@ def _kind(letter: str, left: Sequence[str], right: Sequence[str]) -> str:
         _is(word, "ALONG") and any(map(_is_axis, right[k + 1 : k + 4])) for k, word in enumerate(right)
     ):
         return SLIDE
+    if not kind and left[:1] and left[0] in _BY and any(map(_is_axis, left[1:3])) and _has(left[2:4], "ALONG"):
+        return SLIDE  # along y by d_2
     near = (*left, *right) if kind == DISTANCE else lead if kind in (HEIGHT, LENGTH) else ()
     if any(_is(word, each) for word in near for each in ("SLIDES", "RISES", "FALLS")):
         return SLIDE
@@ -252,6 +259,11 @@ def _has_upright_axis(clause: Sequence[str]) -> bool:
     return any(_is(one, "AXIS") and _is(other, "VERTICAL") for one, other in pairwise(clause))
 
 
+def _is_across(clause: Sequence[str]) -> bool:
+    """Whether something slides across a link: "perpendicular to the link"."""
+    return any(_is(word, "ACROSS") and _has(clause[at : at + _NEAR], "LINK") for at, word in enumerate(clause))
+
+
 def _marks(kind: str, clause: Sequence[str], right: Sequence[str]) -> Iterator[str]:
     """Yield what the words of a clause say of its letter besides."""
     has = {name for name in ("VERTICAL", "ABOUT", "BASE", "ELEVATION", "LEVEL", "SAME", "PREVIOUS", "RELATIVE", "RISES", "FALLS", "X", "Y", "OUTWARDS")
@@ -275,7 +287,7 @@ def _marks(kind: str, clause: Sequence[str], right: Sequence[str]) -> Iterator[s
             for k, word in enumerate(clause)
         ) and not has & {"ABOUT", "RELATIVE"}:
             yield FROM_VERTICAL
-        if has & {"LEVEL", "SAME"} and not has & {"RELATIVE", "ABOUT"}:
+        if (has & {"LEVEL", "SAME"} and not has & {"RELATIVE", "ABOUT"}) or _has(clause, "BELT"):
             yield ABSOLUTE
         if has & {"RELATIVE", "PREVIOUS"} and "LEVEL" not in has:
             yield RELATIVE
@@ -288,7 +300,7 @@ def _marks(kind: str, clause: Sequence[str], right: Sequence[str]) -> Iterator[s
         yield UP
     if "X" in has:
         yield ALONG_X
-    if "Y" in has:
+    if "Y" in has or (kind == SLIDE and _is_across(clause)):
         yield ALONG_Y
     if "OUTWARDS" in has and not has & {"RISES", "FALLS"}:
         yield OUTWARDS

@@ -12,11 +12,22 @@ TOLD_NUMBERS = "numbers told"  # and the words, behind a tab
 
 MAY_TELL_NUMBERS = re.compile(  # what no such sentence lacks, in small letters
     r"per second|/s\b|rpm|/min|per minute|per hour|par seconde|par minute|pro sekunde|je sekunde|pro minute|por segundo|por minuto|al secondo|per secondo|al minuto|scale|maßstab|échelle|escala|scala|\d\.\d{3}(?!\d)"
+    r"|°/s|tours|umdrehungen|giri\b|grad pro|\bin (?:milli|centi|deci)?m|\ben (?:milli|centi|déci)?m|zentimeter|millimeter|centím|milím|centim|millim"
 )
 _OTHER_UNIT = re.compile(  # of rates that are no radians per second, said of them all: no number stands before it
     r"(?<!\S)(?<!\d )(?<!¤ )(?:degrees? (?:per|a) (?:second|minute)|deg/s|°/s|rpm|(?:revolutions|turns|rotations) (?:per|a) (?:second|minute)|rev/(?:s|min)|r/min|degrés (?:par|à la) seconde|tours (?:par|à la) (?:minute|seconde)|tr/(?:min|s)|grad (?:pro|je) sekunde|(?:umdrehungen|drehungen) (?:pro|je) (?:minute|sekunde)|u/min"
     r"|grados por segundo|(?:vueltas|revoluciones) por (?:minuto|segundo)|gradi (?:al|per) secondo|giri (?:al|per) (?:minuto|secondo)|giri/min|graus por segundo|(?:voltas|rotações) por (?:minuto|segundo))(?!\w)"
 )
+_UNIT_OF_RATE = re.compile(_OTHER_UNIT.pattern.replace(r"(?<!\d )(?<!¤ )", ""))  # with a number before it, too
+_RATE_OF = re.compile(
+    r"\s*(?:\\dot\s*(?:\{[^{}]*(?:\{\w+\})?\}|\\\w+|\w)|\\(?:omega|Omega)|\\?varomega)(?:\s*_\s*(?:\w|\{\w+\}))?\s*=\s*(?P<number>-?\d+(?:[.,]\d+)?)\s*"
+)
+_LENGTH_UNITS = {
+    "mm": r"mm\b|millim\w+|milím\w+", "cm": r"cm\b|centim\w+|zentim\w+|centím\w+", "m": r"m\b|met(?:re|er)s?\b|mètres?\b|metros?\b|metri\b",
+    "inch": r"inch\w*|pouces?\b|zoll\b", "feet": r"feet\b|foot\b|pieds?\b",
+}  # fmt: skip
+_A_NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
+_BEFORE_UNIT = r"(?:\d|\d\$|(?<!\w)(?:in|en|em))[\s~]*(?:\\[,; ]\s*)?(?:\\(?:text|mathrm)\s*\{\s*)?"
 _RATIO = re.compile(r"(?<![\d:.,])(\d+) ?[:/] ?(\d+)(?![\d:])")
 _GROUPED = re.compile(r"(?<![\d.,])[1-9]\d{0,2}(?:\.\d{3})+(?![\d.,])")
 _POINT = re.compile(r"(?<![\d.,])(?:0\.\d+|\d+\.(?:\d{1,2}|\d{4,}))(?![\d.])")  # which parts no thousands off
@@ -42,6 +53,28 @@ def units_told(words: str, formulas: Sequence[str]) -> bool:
     said = small.split()
     is_converted = _has(said, "CONVERTED") and not _has(said, "NOT")
     return _has(said, "RATE") and not is_converted
+
+
+def rates_without_unit(words: str, formulas: Sequence[str]) -> bool:
+    """Whether a sentence prints a rate as the bare number of what it is in another unit: "at 30 degrees per second, $\\dot\\theta_1 = 30$"."""
+    small = words.lower()
+    said, told = small.split(), _UNIT_OF_RATE.search(small)
+    rates = {found["number"].replace(",", ".") for each in formulas if (found := _RATE_OF.fullmatch(each))}
+    is_converted = _has(said, "CONVERTED") and not _has(said, "NOT")
+    if told is None or not rates or is_converted:
+        return False
+    number = "".join(small[: told.start()].split()[-1:]).replace(",", ".")
+    return number in rates or _A_NUMBER.fullmatch(number) is None
+
+
+def in_two_units(sentence: str, before: str) -> bool:
+    """Whether a sentence says in which unit of length something is, and it, or the one before, has lengths in another: "$l_1 = 30$ cm, … (in metres)"."""
+    asked = {*_units(r"(?<!\w)(?:in|en|em) ", sentence.lower())}
+    return bool(asked) and len(asked | {*_units(_BEFORE_UNIT, f"{before} {sentence}".lower())}) > 1
+
+
+def _units(before: str, text: str) -> Iterator[str]:
+    yield from (unit for unit, name in _LENGTH_UNITS.items() if re.search(rf"{before}(?:{name})", text))
 
 
 def reads_scaled(sentence: str, words: str, behind: str) -> bool:

@@ -14,14 +14,19 @@ OPERATION = "operation"  # with its kind
 NEVER_NEGATIVE, LENGTH, SQUARE, SCALED, COMPOSED, TRACE = "never negative", "length", "square", "scaled", "composed", "trace"  # fmt: skip
 MAY_TELL_OPERATION = re.compile(  # what no such sentence lacks, in small letters
     r"manip|magnitude|modul|absol|assol|betrag|singul|speed|distan|abstand|entfernung|length|longueur|länge|longitud|lunghezz|comprimento|carré|square|quadr|cuadr|half|moiti|hälfte|mitad|metà|metade|twice|double|doppelt|doble|doppio|dobro|inverse|recipro|invers|kehrwert|area|aire|fläche|área|sum|somm|soma|product|produ|trace|spur|traza|traccia|traço|derivat|dériv|ableit|deriva|opposite|opposé|mean|average|moyenne|mittel|media|third|tiers|drittel"
+    r"|reach|\bfar\b|hypot|portée|radius|rayon|reichw|alcance|raggio|portata|volum"
 )
 _is = WordLists("""
-never_negative manipulability manipulabilité manipulierbarkeit manipulabilidad manipolabilità manipulabilidade magnitude modulus betrag absolute absolue absolutbetrag absoluto assoluto singular singulière~ singulär~ singolari
+never_negative manipulability manipulabilité manipulierbarkeit manipulabilidad manipolabilità manipulabilidade magnitude modulus betrag absolute absolue absolutbetrag absoluto assoluto singular singulière~ singulär~ singolari volume volumen
 length speed distance distances abstand entfernung distancia distanza distância length longueur länge longitud lunghezza comprimento norm norme
 square square squared carré quadrat cuadrado quadrato quadrado
 scaled half moitié hälfte mitad metà metade twice double doppelte doble doppio dobro inverse reciprocal kehrwert inverso reciproco opposite opposé area aire fläche área third tiers drittel
 composed sum somme summe suma somma soma difference différence differenz diferencia differenza product produit produkt producto prodotto produto derivative dérivée ableitung derivada derivata mean average moyenne mittelwert
 trace trace spur traza traccia traço
+FAR far reach hypotenuse hypoténuse hypothenuse hipotenusa ipotenusa portée radius rayon reichweite alcance raio raggio portata
+SIZE manipulability manipulabilité manipulierbarkeit manipulabilidad manipolabilità manipulabilidade magnitude modulus absolutbetrag volume volumen
+ABSOLUTE absolute absolue absoluto absoluten absoluta assoluto
+VALUE value values valeur valeurs wert werte valor valores valore valori
 ROOT root racine wurzel raíz radice raiz
 ANGLE angle~ winkel~ ángulo~ angol~ ângulo~ matrix matrice jacobian jacobienne kinematic~ kinematik~ problem model~ modèle transform~ pose
 ARTICLE the a an la le l' les un une der die das den el los las il lo o its his their son sa leur sein~ ihr~ su suo sua this that of de d' von di then so now hence thus here and finally
@@ -38,8 +43,18 @@ def told_operation(words: str) -> str:
     for place, word in enumerate(head):
         kind = next((each for each in _KINDS if _is(word, each)), "")
         if kind:
-            return kind.replace("_", " ") if _begins(head[:place]) else ""
-    return ""
+            return kind.replace("_", " ") if _begins(head[:place]) else _size_within(head)
+    return _size_within(head)
+
+
+def _size_within(head: Sequence[str]) -> str:
+    """Return the kind of a size that a sentence names anywhere, "We find for the distance", "the absolute value of": one that no square is said of."""
+    if any(_is(word, "square") for word in head):
+        return ""
+    of_value = any(_is(word, "VALUE") for word in head)
+    if any(_is(word, "SIZE") or (_is(word, "ABSOLUTE") and of_value) for word in head):
+        return NEVER_NEGATIVE
+    return LENGTH if any(_is(word, "length") or _is(word, "FAR") for word in head) else ""
 
 
 def _begins(before: Sequence[str]) -> bool:

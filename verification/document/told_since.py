@@ -51,7 +51,9 @@ from armproof.verification.document.told_notation import REACTION
 from armproof.verification.document.told_numbers import (
     MAY_TELL_NUMBERS,
     as_told,
+    in_two_units,
     may_be_grouped,
+    rates_without_unit,
     reads_scaled,
     units_told,
 )
@@ -81,7 +83,9 @@ MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
     f"|{MAY_AMEND.pattern}|{MAY_TELL_OPERATION.pattern}|{MAY_TELL_MOTION.pattern}|{MAY_CHANGE_ARM.pattern}|{MAY_LIMIT.pattern}|{MAY_BE_FIRST_ORDER.pattern}|{MAY_CONSTRAIN.pattern}"
 )
 _BESIDE = 12  # lines behind a sentence that may be said of what is near alone
-_PLAIN = re.compile(r"[{}\s]|\\(?:left|right|quad|qquad|begin|end|operatorname|mathrm|text)(?![A-Za-z])")
+_PLAIN = re.compile(
+    r"\\(?:begin|end)\s*\{\w+\*?\}(?:\{[lcr|\s]*\})?|[{}\s]|\\(?:left|right|quad|qquad|begin|end|operatorname|mathrm|text)(?![A-Za-z])"
+)
 _LETTER = re.compile(r"(?P<base>\\[A-Za-z]+|[A-Za-z])(?:_\w+)?")
 
 Reach = Callable[[int], tuple[int, float]]
@@ -155,7 +159,13 @@ def told_since(
         if MAY_TELL_OPERATION.search(words.lower()) and (operation := told_operation(words)):
             yield Since(f"{OPERATION} {operation}", line, heard[-1].until)
         behind = said[at + 1][1] if at + 1 < len(said) else ""
-        if units_told(words, formulas) or reads_scaled(sentence, words, behind) or may_be_grouped(formulas, text):
+        above_it = said[at - 1][1] if at else ""
+        is_of_units = (
+            units_told(words, formulas)
+            or rates_without_unit(words, [*formulas, *formulas_of(behind)])
+            or in_two_units(sentence, above_it)
+        )
+        if is_of_units or reads_scaled(sentence, words, behind) or may_be_grouped(formulas, text):
             yield Since(as_told(sentence), line, end)
         if tells_quantity(words):
             yield Since(TOLD_QUANTITY, line, heard[-1].until)

@@ -38,10 +38,9 @@ def settle_definitions(records: Iterable[Record], tells: Tells = lambda *_: True
     mistaken = _mistaken(claims, wrong)
     explained = {record.line for record in claims if any(_is_due_to(each, mistaken) for each in record.outcomes)}
     wrong = {key: lines for key, lines in wrong.items() if key in mistaken or not set(lines) <= explained}
-    alone = unsupported(claims)
-    against = alone | wrong  # these are not to pass
+    against = unsupported(claims) | wrong  # these are not to pass
     settled = [record if record.erratum else _unless_doubted(record, wrong, against) for record in records]
-    doubtful = {key: lines for key, lines in alone.items() if len(lines) > SEVERAL}
+    doubtful = {key: lines for key, lines in against.items() if len(lines) > SEVERAL}
     settled = [record if record.erratum else _unless_it_rests_on(record, doubtful) for record in settled]
     return tuple(_with_mistake(record, mistaken) for record in settled)
 

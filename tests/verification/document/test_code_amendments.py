@@ -72,3 +72,21 @@ def test_matlab_changes_a_table_too(statement: str) -> None:
 
 def test_rows_of_matlab_that_make_a_table_change_none() -> None:
     assert _amended("% alpha a d theta\nDH(1,:) = [0 l1 0 th1];\nDH(2,:) = [0 l2 0 th2];\n") == []
+
+
+LINKS = "robot = DHRobot([RevoluteDH(d=d1, alpha=pi/2), RevoluteDH(a=a2), RevoluteDH(a=a3)]"
+
+
+@pytest.mark.parametrize(
+    ("code", "tables"),
+    [
+        (f"{LINKS})", 1),
+        (f"{LINKS})\nrobot.tool = SE3()", 1),
+        (f"{LINKS}, name='tool holder')", 1),
+        (f"{LINKS})\nrobot.tool = SE3(0.1, 0, 0)", 0),
+        (f"{LINKS})\nrobot.base = SE3(0, 0, h)", 0),
+        (f"{LINKS}, tool=SE3(0, 0, 0.2))", 0),
+    ],
+)
+def test_code_with_a_base_or_a_tool_has_no_table_of_the_whole_arm(code: str, tables: int) -> None:
+    assert len([*code_tables([Display(1, code, opening=CODE)])]) == tables

@@ -24,6 +24,13 @@ from armproof.verification.document.units import with_unit
         (r"l_1 c_1 + 2", " degrees of freedom", "l_1 c_1 + 2"),
         (r"n = 2", " degrés de liberté", "n = 2"),
         (r"\theta_1 = \theta_2", " = 30°", r"\theta_1 = \theta_2"),
+        (r"\theta_1 = 30", r" and $\theta_2 = 60$ degrees", r"\theta_1 = 30^\circ"),
+        (r"\theta_1 = 30", r", $\theta_2 = 60$ et $\theta_3 = 10$ degrés", r"\theta_1 = 30^\circ"),
+        (r"\theta_1 = 30", r", $\theta_2 = 60$ (in degrees).", r"\theta_1 = 30^\circ"),
+        (r"\theta_1 = 1.57", " (in degrees 90)", r"\theta_1 = 1.57"),
+        (r"\theta_1 = 30", r" and $d_3 = 60$; degrees", r"\theta_1 = 30"),
+        ("d_3 = 2", r" and $\theta_2 = 60$ degrees", "d_3 = 2"),
+        ("l_1 = 30", r" and $l_2 = 20$ cm", r"l_1 = 30\,\text{cm}"),
     ],
 )
 def test_a_formula_has_the_value_and_the_unit_of_the_text_behind_it(latex: str, behind: str, whole: str) -> None:

@@ -120,7 +120,8 @@ class _Build:
         lifts = [LIFTS in each.marks for each in turns]
         raised = [_RAISED] if self.heights else []
         if UPRIGHT in turns[0].marks:
-            return [_TURNED, *([_FLAT] if not any(lifts[1:]) else [])] if len(turns) > 1 else [_FLAT]
+            is_level = not any(lifts[1:]) and not any(map(_is_absolute, turns[1:]))
+            return [_TURNED, *([_FLAT] if is_level else [])] if len(turns) > 1 else [_FLAT]
         if any(lifts):
             return [_UPRIGHT, *raised, *([_TURNED] if len(turns) > 1 and not lifts[0] else [])]
         plain = {"y": [_FLAT], "z": [_UPRIGHT]}.get("".join(sorted(self.written)), [_FLAT, _UPRIGHT])
@@ -257,7 +258,7 @@ def _build(document: Document, names: Names) -> _Build | None:
         joints.sort(key=lambda each: _index(each.key))
     turns = [each for each in joints if each.kind == TURN]
     in_plane = turns[1:] if turns and UPRIGHT in turns[0].marks else turns
-    if any(each.marks & {ABSOLUTE, FROM_VERTICAL} and RELATIVE not in each.marks for each in in_plane[1:]):
+    if any(map(_is_absolute, in_plane[1:])):
         return None
     if len(in_plane) - 1 > sum(each.kind == LENGTH for each in parts) + sum(each.kind == SLIDE for each in joints):
         return None  # the text does not tell all
@@ -275,6 +276,11 @@ def _turns_of_named(document: Document, parts: Sequence[_Part]) -> Iterator[_Par
     letter = "q" if any(_OF_Q.search(display.latex) for display in document.displays) else "theta"
     for number in range(1, len(lengths) + 1):
         yield _Part(f"{letter}_{number}", TURN, frozenset())
+
+
+def _is_absolute(part: _Part) -> bool:
+    """Whether the angle of a link counts from one direction, as the others do."""
+    return bool(part.marks & {ABSOLUTE, FROM_VERTICAL}) and RELATIVE not in part.marks
 
 
 def _is_of_each(told: ToldPart) -> bool:
