@@ -16,6 +16,7 @@ from armproof.verification.conditions.heeding import Heeding, unbraced, value_of
 from armproof.verification.conditions.holding_there import holds_where, postures_of
 from armproof.verification.conditions.implication import Implication
 from armproof.verification.conditions.postures import vanish_at_quarter_turns
+from armproof.verification.conditions.told_branches import ON_A_BRANCH, slides_pulled_out
 from armproof.verification.document.postures import THERE, names_singular_place, tells_kind
 from armproof.verification.document.sentences import FROM_VALUES, NOT_THERE
 from armproof.verification.document.told_singularities import TOLD_SINGULAR
@@ -28,11 +29,10 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import ReadError, WhereDefined
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
-from armproof.verification.latex.nodes import bare_key, is_number
+from armproof.verification.latex.nodes import bare_key, has_branches, is_number
 from armproof.verification.naming.state import Told
 from armproof.verification.verdict import HOLDS, Role, Verdict
 
-ON_A_BRANCH = (Kind.ON_A_BRANCH, Kind.TO_DECIMALS_ON_A_BRANCH)
 OF_A_SIGN = ("sqrt", "abs", *n.ARCS)  # a root or an angle that has another sign elsewhere
 
 
@@ -269,6 +269,7 @@ class Circumstances:
             from armproof.verification.equations.sampled_relations import (
                 fails_everywhere,
                 hold_everywhere,
+                holds_anywhere,
                 holds_somewhere,
                 holds_where,
             )
@@ -280,6 +281,10 @@ class Circumstances:
         is_refuted = not count and outcome.verdict is Verdict.REFUTED
         if is_refuted and fails_everywhere(self.checker, sampled, sides, outcome.pair):
             return outcome  # wherever the text means
+        if not count and outcome.tells(*ON_A_BRANCH):
+            holds = holds_anywhere if any(map(has_branches, outcome.nodes)) else holds_where
+            if holds(self.checker, sampled, sides, outcome.pair, [*where, *slides_pulled_out(self.checker)]):
+                return outcome
         if not count:
             return outcome.left_open(say(Kind.BOUND_IN_TEXT))
         found = (say(Kind.HOLDS_WHERE_SAID, count=count),)

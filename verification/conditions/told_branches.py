@@ -50,16 +50,12 @@ class ToldBranches:
                 if count
                 else outcome
             )
-        bounds += [(n.Name(*each.partition("_")[::2]), ">", n.Number(Fraction(0))) for each in self._slides()]
+        bounds += slides_pulled_out(self.checker)
         return outcome if all(map(self._read, told)) and self._meets(outcome, bounds) else outcome.left_open(is_open)
 
     def _may_turn(self, outcome: Outcome) -> bool:
         """Whether an equation without an arm would be another with the other sign of a root or of an arc function."""
         return outcome.verdict in (Verdict.CONFIRMED, Verdict.REFUTED) and _has_a_sign(outcome)
-
-    def _slides(self) -> list[str]:
-        """Return the sliding joints, which are taken as extended."""
-        return [symbol for symbol, joint in self.checker.names.joints.items() if joint.kind == "prismatic"]
 
     def _read(self, latex: str) -> list[Comparison]:
         with suppress(ReadError, RecursionError):
@@ -84,6 +80,12 @@ class ToldBranches:
         with self.checker.exact.budget.paused():
             from armproof.verification.equations.sampled_relations import holds_anywhere
         return holds_anywhere(self.checker, sampled, sides, outcome.pair, bounds)
+
+
+def slides_pulled_out(checker: ChainChecker) -> list[Comparison]:
+    """Return that the sliding joints are pulled out, as one branch of a solution takes them."""
+    slides = (symbol for symbol, joint in checker.names.joints.items() if joint.kind == "prismatic")
+    return [(n.Name(*each.partition("_")[::2]), ">", n.Number(Fraction(0))) for each in slides]
 
 
 def _sign_of_root(outcome: Outcome) -> str:

@@ -45,6 +45,7 @@ from armproof.verification.equations.outcome import Outcome, with_role
 from armproof.verification.equations.polar import gives_meanings, polar_pair
 from armproof.verification.equations.series import unless_added, written_out
 from armproof.verification.equations.shorthands import digits_of, is_among
+from armproof.verification.equations.worked_numbers import DEGREES
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
@@ -64,7 +65,6 @@ _ARC = re.compile(
 )  # where an inverse function may stand, however spelled, or a number of degrees in a cosine
 _ASIDE = re.compile(r"\s*\([^()]*\)\s*")
 _OF_OTHER = re.compile(r"'|\\prime|\^\s*\{\s*\(")  # a name with primes, or with a number in parentheses
-_DEGREES = 10  # a whole number from here on is hardly an angle in radians
 
 
 @dataclass
@@ -481,5 +481,5 @@ def _angle_without_unit(nodes: list[n.Statement]) -> str:
     """Return the whole number that a sine, cosine or tangent is taken of, as of an angle in degrees: 30 of cos 30; "" without."""
     calls = (b for node in nodes for b in n.walk(node) if n.is_call(b, "cos", "sin", "tan"))
     numbers = (n.ungrouped(argument) for call in calls for argument in call.arguments)
-    found = (each for each in numbers if isinstance(each, n.Number) and not each.decimals and each.value >= _DEGREES)
+    found = (each for each in numbers if isinstance(each, n.Number) and not each.decimals and each.value >= DEGREES)
     return next((str(each.value) for each in found), "")

@@ -18,6 +18,7 @@ SKIPPED the a an la le l' les el il lo das die den der dem des un une uno una it
 OPENING now then thus hence so finally similarly and or donc alors enfin ainsi et ou nun dann also somit und ahora entonces así y ora allora quindi e agora então :
 BE is are reads becomes equals est sont vaut ist lautet sind wird es son vale è sono são
 RATE rate rates taux
+PROBLEM problem problems kinematics mapping solution problème cinématique problema cinematica cinemática
 """).holds
 _FAR = 6  # words between a function and the quantity that it is of
 
@@ -34,5 +35,5 @@ def is_of_other_function(said: Sequence[str]) -> bool:
     end = next((place for place, word in enumerate(clause) if _is(word, "BE") or word in ":;."), len(clause))
     behind = clause[1 : min(end, 1 + _FAR)]
     return any(_is(word, "QUANTITY") or word.startswith("¤") for word in behind) and not any(
-        _is(word, "RATE") for word in behind
+        _is(word, "RATE") or _is(word, "PROBLEM") for word in behind
     )

@@ -86,6 +86,7 @@ _OF_Q = re.compile(r"(?:\\mathbf\{)?q\}?\s*=\s*\\?(?:left)?(?:[\[(]|\\begin\{[bp
 _ENTRIES = re.compile(  # (r, \theta)^T of a formula that is a tuple, or equates a name to one
     r"(?:^|(?P<name>[^=]*)=)\s*(?:\\left)?\s*(?:[\[(]|\\begin\{[bp]?matrix\})(?P<entries>[^()\[\]=]*?)(?:\\right)?\s*(?:[\])]|\\end\{)"
 )
+_DOT = re.compile(r"\\dot\s*(?:\{([^{}]*)\}|(?=[\\\s]))")
 _NAME_OF_JOINTS = re.compile(r"[\s{]*(?:\\(?:mathbf|boldsymbol|vec|bm|underline|dot)\s*[\s{]*)*(?:q|\\[tT]heta)[\s}]*")
 _ROW = re.compile(
     r"(?:[vV]_\{?|\\dot\s*\{?\s*)([xyz])\}?|\\omega_\{?([xyz])\}?|(\\omega|\\dot\s*\{?\s*\\(?:var)?(?:phi|psi|theta)\}?)"
@@ -579,7 +580,12 @@ def _orders(formulas: Sequence[str], words: str) -> Iterator[str]:
     of_joints = [entries for name, entries in tuples if _NAME_OF_JOINTS.fullmatch(name)]
     in_brackets = [entries for name, entries in tuples if not name and len(entries) > 1]
     for entries in [*of_joints, *(in_brackets or [listed]) * says("IN_ORDER", words)]:
-        yield " ".join((ORDER, *("".join(each.split()) for each in entries)))
+        yield " ".join((ORDER, *("".join(_DOT.sub(_undotted, each).split()) for each in entries)))
+
+
+def _undotted(dotted: re.Match[str]) -> str:
+    """Return the letter whose rate a formula has."""
+    return dotted[1] or ""
 
 
 def _tuples(formulas: Sequence[str]) -> Iterator[tuple[str, list[str]]]:

@@ -622,7 +622,7 @@ deduco definire degli dei del dell della delle dello denavit denominatore dentro
 dettaglio dette detti detto devi di diagonale diametro diamo diano diapositive dicembre dicendo diciamo didattica dieci dietro differenza dimensione
 diminuzione dimostra dinamica dipende diremo diretta direzione diriga dirige dirigibile dirigono disattivato discendente dischi disegno dispensa
 dispone disposizione distanze distesa disteso dita dito diventa diverse divida divide dividono dizionario dobbiamo documentazione dodici dolcemente
-domanda domani domenica dominio dopo dopodiché doppi doppia doppio dov dove dritta dritto droni due dunque durante durata e ecco ed editor efettore
+domanda domani domenica dominio dopo dopodiché doppi doppia doppio dov dove dritta dritto droni due dunque durante durata dà e ecco ed editor efettore
 effettore efficace egli elementi elencati elenchi elenco elettrica eleva elevando elevata elevazione elica elimina ella ellisse encoder energia entra
 entrambe entrano entrare entrata entrerà entri entriamo entrino entro entrò equazione equivale era erano eravamo esagono escano esce esco escono
 esegua esegue eseguita eseguono esempio esercizi esoscheletro espandere esperimenti esplicita esplorare esponenziale esporre esportazioni esposto

@@ -77,7 +77,7 @@ from armproof.verification.equations.spelt_names import with_spelt_names
 from armproof.verification.equations.table_angles import TableAngles
 from armproof.verification.equations.torques import Torques
 from armproof.verification.equations.torques_of_points import TorquesOfPoint
-from armproof.verification.equations.worked_numbers import as_added_up
+from armproof.verification.equations.worked_numbers import as_added_up, in_the_unit_behind
 from armproof.verification.errors import NotSampled, UnboundName
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, say
@@ -401,12 +401,23 @@ class ChainChecker:
             outcomes = self.rows.with_fewer(chain, first, check)
         if any(outcome.verdict is Verdict.REFUTED for outcome in outcomes):
             outcomes = self.readings.as_product_of_links(chain, outcomes, check)
+            outcomes = self._in_the_unit_behind(chain, outcomes, check)
         outcomes = self.readings.of_the_tool(chain, outcomes, now.settled, check)
         if outcomes is first and any(outcome.verdict is Verdict.REFUTED for outcome in first):
             outcomes = self._of_coordinates(chain, first, check)
         if outcomes is first:
             self.names.state.definitions = made
         return outcomes
+
+    def _in_the_unit_behind(self, chain: n.Chain, first: list[Outcome], check: Check) -> list[Outcome]:
+        """Return the outcomes where numbers are worked out in the degrees of what comes out, if fewer are refuted then."""
+        marked, unsure = in_the_unit_behind(chain)
+        tried = check(marked) if marked is not chain else first
+        refuted = [sum(each.verdict is Verdict.REFUTED for each in outcomes) for outcomes in (first, tried)]
+        if refuted[1] >= refuted[0]:
+            return first
+        doubt = say(Kind.DEGREES_UNMARKED, number=unsure)
+        return [each.left_open(doubt) for each in tried] if unsure else tried
 
     def _of_coordinates(self, chain: n.Chain, first: list[Outcome], check: Check) -> list[Outcome]:
         """Return the outcomes where x is a coordinate, and no vector as in an equation before, if none is refuted then."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.equations.decimals import fewest_decimals, roundings
@@ -14,11 +15,12 @@ from armproof.verification.evaluation.blocks import written_rows
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, is_number
-from armproof.verification.latex.units import is_length, size_of
+from armproof.verification.latex.units import is_length, read_unit, size_of
 from armproof.verification.naming.state import Stated
 from armproof.verification.verdict import Verdict
 
 FEWEST = 2  # decimals of a number that is rounded; 0.8 for 0.75 is another one
+DEGREES = 10  # a whole number from here on is hardly an angle in radians
 FEWEST_CELLS = 3  # such numbers in a matrix that is of values given under another heading
 
 
@@ -73,6 +75,37 @@ def without_unit(sides: Sequence[n.Node]) -> list[n.Node]:
     """Return the sides without the unit behind one of them, where none of the other's numbers has one."""
     marks = [any(isinstance(b, n.Postfix) and size_of(b.operator) for b in n.walk(side)) for side in sides]
     return [side if other else _plain(side) for side, other in zip(sides, reversed(marks), strict=True)]
+
+
+def in_the_unit_behind(chain: n.Chain) -> tuple[n.Chain, str]:
+    """Return 3 · 90 / 2 = 135° = 2.36 rad with the degrees of what comes out behind the numbers that it is worked out of.
+
+    And the first that may be in radians as well, "" where all are made of whole numbers that nobody means so.
+    """
+    members, unsure = list(chain.members), ""
+    for place, (one, other) in enumerate(pairwise(members)):
+        if _is_in_degrees(other) and _is_worked_out(one):
+            numbers = [b for b in n.walk(one) if isinstance(b, n.Number)]
+            members[place] = n.Postfix(n.Group(one, span=one.span), "deg", span=one.span)
+            if not any(not each.decimals and each.value >= DEGREES for each in numbers):
+                unsure = unsure or str(float(numbers[0].value))
+    return (replace(chain, members=tuple(members)) if members != [*chain.members] else chain), unsure
+
+
+def _is_in_degrees(node: n.Node) -> bool:
+    """Whether a side is one number of degrees, or of degrees in a time: 90°, 90°/s."""
+    node = bare(node)
+    marked = bare(node.numerator) if isinstance(node, n.Quotient) else node
+    if not isinstance(marked, n.Postfix) or not isinstance(bare(marked.base), n.Number):
+        return False
+    unit = read_unit(marked.operator)
+    return unit is not None and unit.of_pi == 1 and unit.length == 0
+
+
+def _is_worked_out(node: n.Node) -> bool:
+    """Whether a side is worked out of numbers without a unit, a function or π."""
+    plain = all(isinstance(b, n.Number | n.Sum | n.Product | n.Quotient | n.Group) for b in n.walk(node))
+    return plain and not isinstance(bare(node), n.Number)
 
 
 def _plain(node: n.Node) -> n.Node:

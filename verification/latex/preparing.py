@@ -19,7 +19,7 @@ _OVERLAY = r"<[\d\s+,.|:a-z-]*>"
 _ESCAPES = r"_*^()[]+="  # of Markdown: in a formula their backslash means nothing
 _SILENT = re.compile(
     rf"(?P<kept>\\\\)|(?P<escape>\\[{re.escape(_ESCAPES)}])|(?P<set>\\[NRCQZ](?![A-Za-z]))|(?P<unequal>\\not\s*(?:=|\\in(?![A-Za-z])))"
-    r"|(?P<degree>\^\s*\\(?:text)?degree(?![A-Za-z]))|(?P<differential>\\dd?(?![A-Za-z]))|\\(?:d?dot|hat|vec|bar)\s*\{\s*\}"
+    r"|(?P<degree>\^\s*\\(?:text)?degree(?![A-Za-z])|\^\s*\{?\\circ\}?\s*/\s*\\(?:text|mathrm|rm)\s*\{\s*s\s*\})|(?P<differential>\\dd?(?![A-Za-z]))|\\(?:d?dot|hat|vec|bar)\s*\{\s*\}"
     rf"|\\bf(?P<bold>[A-Za-z]|{'|'.join(sorted(greek.GREEK))})(?![A-Za-z])"
     rf"|\\(?:setlength|addtolength|settowidth|settoheight|settodepth){_COMMAND}{_ARGUMENT}|\\setcounter{_ARGUMENT}{_ARGUMENT}"
     rf"|\\(?:(?:re)?new|provide)command\*?{_COMMAND}(?:\s*\[[^\]]{{0,200}}\])*{_ARGUMENT}|\\def\s*\\[A-Za-z]+[^{{}}\\]*{_ARGUMENT}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from armproof.models.errors import ArmproofError
@@ -77,6 +78,7 @@ def _inferred(document: Document) -> Inference:
         return (
             of_table if of_table.problem is not None else Inference(document, None, problem, problem.terms.get("line"))
         )
+    found = [_with_rows_beyond(each, document) for each in found]
     if not found or all(
         each.lengths & rates_in(document.displays) for each in found
     ):  # a slide along x is no row of DH
@@ -91,6 +93,23 @@ def _inferred(document: Document) -> Inference:
     if settled.arm is None and found and found[0].source == "matrices" and (own := _of_words(document, ())) is not None:
         return own
     return settled if settled.arm is not None else of_table
+
+
+def _with_rows_beyond(found: Candidate, document: Document) -> Candidate:
+    """Return the arm of link matrices with the rows of the table beyond them, where one entry alone of the others differs."""
+    count = len(found.rows)
+    table = next((each for each in map(partial(arms_of, document), dh_tables(document)) if isinstance(each, list)), [])
+    for other in table:
+        fits = found.conventions[0] in other.conventions and found.joints == other.joints[:count]
+        if found.frames or other.frames or not fits or len(other.rows) <= count:
+            continue
+        apart = [
+            1 for own, row in zip(found.rows, other.rows, strict=False) for column in own if own[column] != row[column]
+        ]
+        if len(apart) == 1:
+            rows, joints = (*found.rows, *other.rows[count:]), (*found.joints, *other.joints[count:])
+            return replace(found, rows=rows, joints=joints, symbols={**other.symbols, **found.symbols})
+    return found
 
 
 def _of_code(document: Document, of_formulas: Sequence[Candidate]) -> Inference | None:

@@ -70,8 +70,8 @@ def _unit_blocks(node: n.Node) -> set[str]:
 
 def _is_of_half_an_angle(node: n.Node) -> bool:
     quotients = n.walk(node) if n.is_call(node, "cos", "sin", "tan") else ()
-    return any(isinstance(each, n.Quotient) and _holds_a_joint(each.numerator) for each in quotients)
+    return any(isinstance(each, n.Quotient) and _holds_a_letter(each.numerator) for each in quotients)
 
 
-def _holds_a_joint(node: n.Node) -> bool:
-    return any(isinstance(below, n.Name) and _JOINT.fullmatch(below.key) for below in n.walk(node))
+def _holds_a_letter(node: n.Node) -> bool:
+    return any(isinstance(below, n.Name) and below.key != "pi" for below in n.walk(node))
