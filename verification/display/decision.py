@@ -20,6 +20,7 @@ from armproof.verification.equations.any_jacobian import (
 )
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.compositions import is_composition
+from armproof.verification.equations.derivative_matrices import is_matrix_of_derivatives
 from armproof.verification.equations.differentials import is_of_rates, with_rates
 from armproof.verification.equations.each_joint import (
     holds_for_each_joint,
@@ -100,7 +101,7 @@ class Decision:
 
     def _of_any_jacobian(self, chain: n.Chain, outcomes: list[Outcome], define: bool) -> list[Outcome]:
         """Prove a law of any Jacobian; refute what is a slip away from one where the document has shown which matrix J is."""
-        if names_its_columns(chain, self.names):
+        if names_its_columns(chain, self.names) or is_matrix_of_derivatives(chain, self.names):
             known = (say(Kind.OF_ANY_JACOBIAN),)
             return [replace(each, verdict=Verdict.PROVED, findings=known, role=Role.LAW) for each in outcomes]
         if holds_of_any_jacobian(chain, self.names):

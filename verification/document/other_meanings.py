@@ -144,6 +144,10 @@ _PLURAL = re.compile(
     r"|(?:segundo|secondo) (?:motor|encoder|motore|actuador|attuatore)|both|all|each|every|chaque|rotations?|turns|positi[fv]e?|winkel|ángulos|deux|number(?:ed)?|roles)\b",
     re.IGNORECASE,
 )
+_OF_BOTH_KINDS = re.compile(  # "Joint and segment angles are also called relative and absolute angles": those of the joints are relative
+    r"(?i)(?<!\S)joint and (?:segment|link|limb) angles .*(?<!\S)relative and absolute\s"
+    r"|(?<!\S)joint angles .*(?<!\S)relative\s.*(?<!\S)(?:segment|link|limb) angles .*(?<!\S)absolute\s"
+)
 _OF_FIRST_ANGLE = re.compile(  # one that is no relative angle anyway: that of the shoulder
     r"(?<!\S)(?:shoulder angle|schulterwinkel|(?:angle|ángulo|angolo|ângulo|winkel) (?:of |at |d' |de |de l' |del |della |do |der )(?:the |l' |la )?(?:shoulder|épaule|schulter|hombro|spalla|ombro)) "
 )
@@ -500,6 +504,8 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
         begin = hears(name, words)
         is_denied = name != "NOT_RELATIVE" and hears_denied(name, words)
         if begin is None or is_denied or words[: begin.start()].rstrip().endswith(("counter", "anti")):
+            continue
+        if name == "LEVEL" and "¤" not in words and _OF_BOTH_KINDS.search(words):
             continue
         place = words.count("¤", 0, begin.end())
         if name == "LEVEL" and _IS.match(words[begin.end() :]) and _SUM.match(formulas[place].strip()):

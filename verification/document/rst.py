@@ -156,7 +156,7 @@ def _alone(line: str, row: int, erratum: bool, section: str) -> Display | None:
 
 
 def _block(lines: list[str], row: int, found: re.Match[str], erratum: bool, section: str) -> Iterator[Display]:
-    """Yield the equations of a math block: blank lines stand between them."""
+    """Yield the equations of a math block: blank lines stand between them, but behind a = it goes on, with another = or without."""
     margin = len(found.group("margin"))
     group: list[tuple[int, str]] = []
     if argument := found.group("argument").strip():
@@ -169,9 +169,10 @@ def _block(lines: list[str], row: int, found: re.Match[str], erratum: bool, sect
         if options and _OPTION.match(line):
             continue
         options = options and not line.strip() and not group
-        if line.strip():
-            group.append((number, line.strip()))
-        elif group and is_whole("\n".join(text for _, text in group)):
+        if text := line.strip():
+            goes_on = bool(group) and group[-1][1].endswith("=")
+            group.append((number, text.removeprefix("=").lstrip() or text if goes_on else text))
+        elif group and not group[-1][1].endswith("=") and is_whole("\n".join(text for _, text in group)):
             yield _display(lines, opening, group, erratum, section)
             group, opening = [], -1
     if group:

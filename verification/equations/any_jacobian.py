@@ -48,6 +48,7 @@ _SEEN = (
     "xi",
     *_TASK,
 )  # what is seen from a frame, as torques and joint rates are not
+_FREE = ("w", "z", "y", "u", "zeta")  # of what is projected into the null space of J
 _SIGNS = ("d", "delta")  # of what is small; Δq = J^+ e is one step, and Δx = J Δq holds nearly
 _DAMPING = ("lambda", "mu", "rho", "k", "alpha", "epsilon", "sigma")
 
@@ -119,7 +120,7 @@ def _law_of(chain: n.Chain, names: Names) -> _Law | None:
     if of_two and any(each.base == "J" and each.sub in of_two for member in chain.members for each in n.names(member)):
         return None  # of ω, and of another velocity: nobody knows which
     spoken: set[tuple[str, str]] = set()
-    chain = _with_jacobians(_of_one_frame(chain), names)
+    chain = _with_jacobians(_of_one_label(_of_one_frame(chain), names), names)
     members = [_usual(member, spoken) for member in chain.members]
     kinds = [kind for kind, _ in spoken]
     if any(
@@ -171,6 +172,22 @@ def _of_one_frame(chain: n.Chain) -> n.Chain:
     return replace(chain, members=tuple(n.substitute_each(member, plain) for member in chain.members))
 
 
+def _of_one_label(chain: n.Chain, names: Names) -> n.Chain:
+    r"""Return a chain without the letter that tells its Jacobian, and the velocity that this gives, from another one: \ddot r_ω = J_ω \ddot q + ….
+
+    One that has been given a value, and numbers, which are of points, stay.
+    """
+    named = [each for member in chain.members for each in n.names(member)]
+    told = [each for each in named if each.base == "J" or (each.dots and each.base in _TASK)]
+    labels = {each.sub for each in told}
+    label = next(iter(labels)) if len(labels) == 1 else ""
+    is_label = label.isalpha() and label not in _OF_TOOL and {"J"} < {each.base for each in told}
+    if not is_label or names.state.definitions.get(f"J_{label}") is not None:
+        return chain
+    plain = {id(each): replace(each, sub="") for each in told}
+    return replace(chain, members=tuple(n.substitute_each(member, plain) for member in chain.members))
+
+
 def _with_jacobians(chain: n.Chain, names: Names) -> n.Chain:
     """Return a chain with J for the derivatives of the task by all joints, as the chain names it: ∂x/∂q, ∂f(q)/∂q."""
     nodes = [each for member in chain.members for each in n.walk(member)]
@@ -215,6 +232,9 @@ def _usual(node: n.Node, spoken: set[tuple[str, str]]) -> n.Node:
         node = replace(name, dots=1) if in_time and not name.dots else node
     if isinstance(node, n.Product):
         node = _with_displacements(node)
+    if isinstance(node, n.Product) and _is_in_null_space(node):
+        spoken |= {(OTHER_RATES, node.factors[-1].key)}  # type: ignore[attr-defined]
+        node = replace(node, factors=(*node.factors[:-1], n.Name(OTHER_RATES)))
     if isinstance(node, n.Name):
         kind = _kind_of(node)
         spoken |= {(kind, node.key)} if kind else set()
@@ -234,6 +254,15 @@ def _with_displacements(node: n.Product) -> n.Node:
             factors[at - 1 : at + 1] = [replace(name, dots=1)]
             del operators[at]
     return factors[0] if len(factors) == 1 else replace(node, factors=tuple(factors), operators=tuple(operators[1:]))
+
+
+def _is_in_null_space(node: n.Product) -> bool:
+    """Whether a product is (I - J^+ J) w, of any vector w."""
+    *factors, last = map(bare, node.factors)
+    if len(factors) != 1 or not isinstance(last, n.Name) or not isinstance(factors[0], n.Sum) or any(last.scripts):
+        return False
+    terms = [bare(term) for _, term in factors[0].terms]
+    return last.base in _FREE and not (last.dots or last.primes) and n.Name("I") in terms and len(terms) == 2
 
 
 def _kind_of(name: n.Name) -> str:

@@ -51,8 +51,8 @@ _BROKEN = re.compile(  # a sum goes on: a - \\\\ b
     r"(?<=[\w)}])(?P<sign>\s*[-+]\s*)(?P<break>\\\\(?:\[[^\]]{0,20}\])?(?:\s*&(?=[^\\&=]*(?:\\(?!\\)[^\\&=]*)*(?:\\\\|\\end|\Z)))?)(?=\s*(?:[\w({]|\\(?!\\|begin|end|hline)))"
 )
 _REPEATED = re.compile(
-    r"(?P<sign>\\(?:cdot|times)(?![A-Za-z]))(?P<again>\s*\\\\(?:\[[^\]]{0,20}\])?[\s&]*(?P=sign)(?![A-Za-z]))"
-)  # A \cdot \\ \cdot B
+    r"(?P<sign>\\(?:cdot|times)(?![A-Za-z])|=)(?P<again>\s*\\\\(?:\[[^\]]{0,20}\])?[\s&]*(?P=sign)(?![A-Za-z]))"
+)  # A \cdot \\ \cdot B, A = \\ = B
 _PRODUCT_BROKEN = re.compile(  # A \\ &\quad \cdot B and A \cdot \\ B: a product goes on; \cdot alone in a cell are dots
     r"(?<=[\w)}\]])(?P<sign>\s*(?:\\cdot|\\times)(?![A-Za-z]))?(?P<break>\s*\\\\(?:\[[^\]]{0,20}\])?(?:[\s&~]|\\q?quad(?![A-Za-z])|\\[,;:! ])*)"
     r"(?(sign)(?=[\w({]|\\(?!\\|begin|end|hline|cdot|times|[lv]?dots))|(?=(?:\\cdot|\\times)(?![A-Za-z])\s*(?:[\w({]|\\(?!\\|end|hline|cdot|[lv]?dots))))"
@@ -69,6 +69,14 @@ _NUMBERED = re.compile(r"\A\s*\d{1,2}\.\s+(?=[\\A-Za-z])")  # 1. θ_1 = 0: an it
 _DELIMITED = re.compile(
     r"\A(\s*)\\(?:\[(?=.*\\\]\s*\Z)|\((?=.*\\\)\s*\Z))(.*)\\[\])](\s*)\Z", re.DOTALL
 )  # $\[ x = 1 \]$
+_DELIMITER_ESCAPED = (
+    re.compile(  # \\left\\\{, as Markdown wants it: nobody sets a new line between \left and what it opens
+        r"(?P<size>\\(?:left|right)(?![A-Za-z])\s*)\\\\(?P<delimiter>\\?[{}])"
+    )
+)
+_SPACED_INDEX = re.compile(
+    r"(?<=\\theta)\s(?P<index>\s*[1-9])(?=\s*[)+-])"
+)  # \cos(\theta 1): nobody writes θ times one
 _BARS = re.compile(r"\\(?:abs|(?P<norm>norm))\*?\s*(?P<brace>\{)")
 
 
@@ -83,6 +91,10 @@ def prepared(text: str) -> str:
         "\\begin" in text and re.search(r"(?<!\\)\\begin", text) is None
     ):  # \\begin{matrix} a \\\\ b, from a string of Python
         text = _DOUBLED.sub(lambda found: found.group()[: len(found.group()) // 2].rjust(len(found.group())), text)
+    text = _DELIMITER_ESCAPED.sub(
+        lambda found: found["size"] + f"\\{found['delimiter'][-1]}".rjust(len(found.group()) - len(found["size"])), text
+    )
+    text = _SPACED_INDEX.sub(lambda found: "_" + found["index"], text)
     text = _DELIMITED.sub(lambda found: f"{found[1]}  {found[2]}  {found[3]}", text)
     text = _NUMBERED.sub(lambda found: _blank(found.group()), text)
     if "&" in text:

@@ -189,13 +189,18 @@ def is_inverse_link(node: n.Node, transforms: str) -> bool | None:
     return {(f"{i}-1", i): False, (i, f"{i}-1"): True}.get(pair)
 
 
+_ALL_JOINTS = ("q", "theta", "Theta")
+
+
 def _of_its_parameters(node: n.Node) -> n.Node:
-    """Return the A_i of A_i(θ_i, d_i, α_i, a_i), which is of all four, and of A_i(q_i): what is of some alone is another matrix."""
+    """Return the A_i of A_i(θ_i, d_i, α_i, a_i), which is of all four, and of A_i(q_i), A_i(θ_i) and A_i(Θ): what is of some lengths is another matrix."""
     if not n.is_call(node, "name"):
         return node
     name, *given = node.arguments
+    if len(given) == 1 and isinstance(given[0], n.Name) and given[0].key in _ALL_JOINTS:
+        return name
     bases = sorted(each.base for each in given if isinstance(each, n.Name) and each.sub)
-    return name if bases in (["a", "alpha", "d", "theta"], ["a", "alpha", "d", "q"], ["q"]) else node
+    return name if bases in (["a", "alpha", "d", "theta"], ["a", "alpha", "d", "q"], ["q"], ["theta"]) else node
 
 
 def _implied_transform(name: n.Name, arm: Arm, transforms: str) -> Quantity | None:

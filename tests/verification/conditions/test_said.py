@@ -219,3 +219,16 @@ def test_what_says_itself_where_it_holds_needs_no_words_for_it(said: str, displa
 )
 def test_what_stands_beside_a_sum_of_angles_is_said_of_that_sum(said: str, verdict: str) -> None:
     assert verdicts_of(said, "", r"$$ x = l_1 c_1 + l_2 c_{12} $$") == [verdict]
+
+
+@pytest.mark.parametrize(
+    ("said", "verdict"),
+    [
+        ("Joint and segment angles are also referred to as relative and absolute angles, respectively.", "proved"),
+        ("Joint angles are called relative angles, and segment angles are called absolute angles.", "proved"),
+        ("Segment and joint angles are also referred to as relative and absolute angles, respectively.", "unchecked"),
+        ("The angles are given as absolute angles.", "unchecked"),
+    ],
+)
+def test_joint_angles_beside_absolute_ones_are_relative(said: str, verdict: str) -> None:
+    assert verdicts_of(said, "", r"$$ x = l_1 c_1 + l_2 c_{12} $$") == [verdict]

@@ -545,3 +545,13 @@ def test_a_line_of_rst_that_holds_an_equation_alone_is_a_display() -> None:
         ["proved", "proved"],
         ["refuted", "proved"],
     ]
+
+
+def test_an_equation_of_rst_goes_on_behind_its_sign_of_equality(tmp_path: Path) -> None:
+    text = ".. math::\n\n   a =\n\n   = b\n\n   c = d\n\n   e =\n\n   f\n"
+    (tmp_path / "sheet.rst").write_text(text)
+    assert [(each.line, each.latex.split()) for each in read_document(tmp_path / "sheet.rst").displays] == [
+        (1, ["a", "=", "b"]),
+        (7, ["c", "=", "d"]),
+        (9, ["e", "=", "f"]),
+    ]

@@ -15,21 +15,23 @@ from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
+from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.naming.names import Names
 
 _JOINT = re.compile(r"(?:theta|Theta|q|[dr](?=_))(?:_\d+)?")  # what a pose or a position is a function of
 
 
 def equations_of(display: Display, names: Names) -> Iterator[n.Chain]:
-    """Yield the chains of = of a display, their sums with known limits written out; none of an erratum, or of what cannot be read."""
+    """Yield the chains of = of a display, sums with known limits written out; none of an erratum, or of what cannot be read."""
     if display.erratum or display.denied or not display.closed:
         return
+    latex = normalise_unicode(display.latex)
     try:
-        statements = names.reader.read(display.latex)
+        statements = names.reader.read(latex)
     except (ReadError, RecursionError):
         return
     for statement in statements:
-        each = written_out(statement, display.latex, names)
+        each = written_out(statement, latex, names)
         if isinstance(each, n.Chain):
             equal = len(list(takewhile("=".__eq__, each.relations)))  # T = […] ∈ SE(3)
             if equal:

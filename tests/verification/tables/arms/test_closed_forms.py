@@ -479,3 +479,17 @@ def test_a_hand_behind_a_slide_downwards_turns_as_two_lines_say() -> None:
     assert wrong == ["unchecked"] * 4  # of two lines one is wrong, and nothing tells which
     alone = verify_text(SCARA.partition("$$ J")[0] + r"$$ p_x^2 + p_y^2 = a_1^2 + a_2^2 + 2 a_1 a_2 c_2 $$").equations
     assert alone[1].verdict.value == "unchecked"
+
+
+def test_coordinates_that_are_sums_with_known_limits_give_the_arm() -> None:
+    x, y = (rf"\sum_{{k=1}}^{{3}} L_k \{each}\!\left( \sum_{{i=1}}^{{k}} \theta_i \right)" for each in ("cos", "sin"))
+    derived = r"\frac{{\partial x}}{{\partial\theta_2}} = -L_2 \sin(\theta_1 + \theta_2) {} L_3 \sin(\theta_1 + \theta_2 + \theta_3)".format
+    shown = [f"x = {x}, \\quad y = {y}", r"\phi = \theta_1 + \theta_2 + \theta_3", derived("-"), derived("+")]
+    result = verify_text("\n\n".join(f"$$ {each} $$" for each in shown))
+    assert [arm.source for arm in result.arms] == ["closed form"]
+    assert [each.verdict.value for each in result.equations] == ["proved", "proved", "proved", "refuted"]
+
+
+def test_a_sum_to_an_unknown_number_gives_no_arm() -> None:
+    text = r"$$ x = \sum_{k=1}^{N} L_k \cos\theta_k, \quad y = \sum_{k=1}^{N} L_k \sin\theta_k $$"
+    assert not verify_text(text).arms
