@@ -139,7 +139,7 @@ def _words(sentence: str) -> list[Word]:
     numbers = iter(formulas)
     found: list[Word] = []
     for place, word in enumerate(said):
-        if place and _is(word, "UNIT") and _SIZE.fullmatch(said[place - 1].replace("¤", "0")) and found[-1][1]:
+        if place and _is(word, "UNIT") and found[-1][1] and found[-1][1][0][0].isdigit():
             continue
         formula = next(numbers) if word == "¤" else word
         size = _size(formula, (*said[place + 1 :], "")[0])
