@@ -284,6 +284,8 @@ class Heeding:
             return
         members, value = self.checker.members, chain.members[1]
         usual = self.names.usual(name) if is_usual(name) else ()
+        if any(self.names.quantity(each) in usual for each in n.names(value) if each.key != name.key):
+            usual = ()  # z = P_z - h: who has another name for the coordinate means something else by this one
         is_speed = n.has_rates(value) and not any(each.scalar for each in usual[:1])  # ω_1 = \dot θ_1 is no vector
         is_name_of_other = isinstance(bare(value), n.Name) and not self._is_joint(bare(value))
         if not is_speed and (is_name_of_other or any(each.kind not in _MATRICES or each.scalar for each in usual)):

@@ -34,6 +34,14 @@ def test_a_letter_of_the_text_has_its_meaning(said: str, display: str, verdict: 
     assert verdicts_of(f"{said}", f"$$ {display} $$")[-1] == verdict
 
 
+@pytest.mark.parametrize(("printed", "verdict"), [("l_2 c_{12}", "proved"), ("l_1 c_1 + l_2 c_{12}", "unchecked")])
+def test_who_has_another_name_for_a_coordinate_means_something_else_by_the_usual_one(
+    printed: str, verdict: str
+) -> None:
+    lines = ["$$ p_x = l_1 c_1 + l_2 c_{12} $$", "with $x = p_x - l_1 c_1$", f"$$ x = {printed} $$"]
+    assert verdicts_of(*lines) == ["proved", verdict]
+
+
 def test_a_display_gives_a_letter_of_the_text_another_meaning() -> None:
     lines = ["with $k = l_1 c_1$", "$$ k = l_1 s_1 $$", "$$ y = k + l_2 s_{12} $$", "$$ x = k + l_2 c_{12} $$"]
     assert verdicts_of(*lines) == ["defined", "proved", "unchecked"]  # the text has the last one right

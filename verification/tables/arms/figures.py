@@ -151,7 +151,8 @@ def figure_arms(document: Document, names: Names) -> tuple[list[Candidate], list
 
     Nothing where they make no chain, or where an angle is one between other axes.
     """
-    turns, vectors = [], []
+    turns: list[_Turn] = []
+    vectors: list[_Vector] = []
     for place, latex, is_shown in _formulas(document):
         with suppress(ReadError, RecursionError):
             for statement in names.reader.read(_OF_TIME.sub(" ", latex)):
@@ -247,7 +248,11 @@ def _points(node: n.Node) -> tuple[str, str] | None:
     one, other = pair if len(pair) == 2 else (None, None)
     if not (isinstance(one, n.Name) and isinstance(other, n.Name) and one.base == other.base == "O"):
         return None
-    return tuple(f"O_{each.sub}" if each.sub else "O" for each in (one, other))  # type: ignore[return-value]
+    return _origin(one), _origin(other)
+
+
+def _origin(name: n.Name) -> str:
+    return f"O_{name.sub}" if name.sub else "O"
 
 
 def _terms(node: n.Node) -> tuple[tuple[str, str, str], ...]:
@@ -255,13 +260,13 @@ def _terms(node: n.Node) -> tuple[tuple[str, str, str], ...]:
     inner = n.bare(node)
     found = []
     for sign, term in inner.terms if isinstance(inner, n.Sum) else (("+", inner),):
-        factors = n.bare(term).factors if isinstance(n.bare(term), n.Product) else ()  # type: ignore[union-attr]
-        if len(factors) != 2 or sign not in ("+", "-"):
+        product_of = n.bare(term)
+        if not isinstance(product_of, n.Product) or len(product_of.factors) != 2 or sign not in ("+", "-"):
             return ()
-        size, axis = n.bare(factors[0]), _axis(factors[1])
+        size, axis = n.bare(product_of.factors[0]), _axis(product_of.factors[1])
         if axis is None or not isinstance(size, n.Name) or size.dots or size.primes:
             return ()
-        found.append((("-" if sign == "-" else "") + size.key, *axis))
+        found.append((("-" if sign == "-" else "") + size.key, axis[0], axis[1]))
     return tuple(found)
 
 
