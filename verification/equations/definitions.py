@@ -10,7 +10,7 @@ from functools import partial
 from itertools import permutations
 from typing import Any
 
-from armproof.verification.algebra.calculus import symbols_in
+from armproof.verification.algebra.calculus import angles_in, symbols_in
 from armproof.verification.algebra.matrix import Matrix, as_scalar, stacked
 from armproof.verification.algebra.protocol import OutsideAlgebra, Value
 from armproof.verification.algebra.ring import Scalar
@@ -207,7 +207,7 @@ class Definitions:
     ) -> None:
         """Compare what is known of an entry with what stands in its place; a bare name is defined by that."""
         cell, key = self.members.evaluate(block.cell), bare_key(block.cell)
-        if key in self.fresh or self._is_letter_of_block(cell, block):
+        if key in self.fresh or self._is_letter_of_block(cell, block, value):
             cell = Member(block.cell, None, UnboundName(str(key)))
         if cell.known or isinstance(cell.problem, NoValue):
             if not (cell.known and self.readings.equality.equals_block(block.of(value), cell.value)):
@@ -226,14 +226,18 @@ class Definitions:
                 meaning = self.members.meaning(true.node, block)
                 of_section = block.is_larger and not self.members.is_of_tool(true.node)
                 self.names.define(key, meaning, self.line, by_place=True, of_section=of_section, whole=true.node)
-                self._define_components(block, value)
+                self._define_components(block)
 
-    def _is_letter_of_block(self, cell: Member, block: Block) -> bool:
-        """Whether a letter that would be a number, in a document without an arm, stands for a block of more: the p of [R, p; 0, 1]."""
+    def _is_letter_of_block(self, cell: Member, block: Block, value: Matrix) -> bool:
+        """Whether a letter that would be a number, in a document without an arm, stands for a block of more: the p of [R, p; 0, 1].
+
+        A matrix of letters alone, r_11 … p_z, is a pattern, and its rotation obeys more than they do.
+        """
         key = bare_key(block.cell)
         if self.names.arm is not None or key is None or not block.is_larger or key in self.names.state.definitions:
             return False
-        return isinstance(cell.value, Scalar) and symbols_in([cell.value]) == {key}
+        is_letter = isinstance(cell.value, Scalar) and symbols_in([cell.value]) == {key}
+        return is_letter and any(map(angles_in, value.cells))
 
     def _is_nothing(self, block: Block, blocks: Iterable[Block], value: Matrix) -> bool:
         """Whether a letter without a usual meaning stands beside formulas where a value has a zero: nobody writes a length that is none."""
@@ -256,13 +260,11 @@ class Definitions:
                 return say(Kind.SECOND_MEANING, name=name.key, line=before.line if before else self.line)
         return None
 
-    def _define_components(self, block: Block, value: Matrix) -> None:
-        """s, n, a of [s n a P]: the components of a column that a letter stands for have its letter, s_x, s_y, s_z, unless it is made of these."""
+    def _define_components(self, block: Block) -> None:
+        """s, n, a of [s n a P]: the components of a column that a letter stands for have its letter, s_x, s_y, s_z."""
         letter = bare(block.cell)
         is_column = (len(block.rows), len(block.columns)) == (3, 1)
         if not is_column or not isinstance(letter, n.Name) or letter != n.Name(letter.base):
-            return
-        if symbols_in(value.cells) & {n.Name(letter.base, axis).key for axis in AXES}:
             return
         for row, axis in enumerate(AXES):
             component = partial(self._component, letter.base, row)

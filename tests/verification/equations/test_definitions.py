@@ -146,10 +146,3 @@ def test_blocks_of_a_matrix_have_letters_without_an_arm_and_are_names_of_their_o
         ["defined", "proved", "refuted"],
         ["unchecked", "unchecked"],  # what is told in a section alone
     ]
-
-
-def test_the_columns_of_a_rotation_may_be_made_of_their_own_components() -> None:
-    pose = r"\begin{bmatrix} n_x & o_x & a_x & p_x \\ n_y & o_y & a_y & p_y \\ n_z & o_z & a_z & p_z \\ 0 & 0 & 0 & 1 \end{bmatrix}"
-    text = rf"$$ T = {pose} = \begin{{bmatrix}} R & p \\ 0 & 1 \end{{bmatrix}}, \quad R = \begin{{bmatrix}} n & o & a \end{{bmatrix}} $$"
-    (record,) = verify_text(text).equations
-    assert record.verdict is Verdict.UNCHECKED and "deeply" not in record.message
