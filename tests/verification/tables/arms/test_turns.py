@@ -28,13 +28,19 @@ def test_where_the_wrist_is_tells_nothing_of_how_its_first_row_turns() -> None:
 
 
 HEAD = "The modified DH parameters are\n\n| $i$ | $a_{i-1}$ | $\\alpha_{i-1}$ | $d_i$ | $\\theta_i$ |\n|---|---|---|---|---|\n"
-SLIDE = HEAD + "| 1 | 0 | $\\pi/2$ | $%s$ | $\\theta_1$ |\n| 2 | 0 | $\\pi/2$ | 0 | $\\theta_2$ |\n| 3 | 0 | 0 | $d_3$ | 0 |\n\n"
+SLIDE = (
+    HEAD
+    + "| 1 | 0 | $\\pi/2$ | $%s$ | $\\theta_1$ |\n| 2 | 0 | $\\pi/2$ | 0 | $\\theta_2$ |\n| 3 | 0 | 0 | $d_3$ | 0 |\n\n"
+)
 SLIDES = r"""$$ A_2 = \begin{bmatrix} c_2 & -s_2 & 0 & 0 \\ 0 & 0 & -1 & 0 \\ s_2 & c_2 & 0 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$
 
 $$ p_2 = \begin{bmatrix} 0 \\ -d_1 \\ 0 \end{bmatrix} $$
 
 $$ J_v = \begin{bmatrix} d_3 \cos\theta_1 & 0 & \sin\theta_1 \\ 0 & 0 & 0 \\ d_3 \sin\theta_1 & 0 & -\cos\theta_1 \end{bmatrix} $$"""
-PLANAR = HEAD + "| 1 | $a_1$ | 0 | 0 | $\\theta_1$ |\n| 2 | $%s$ | 0 | $%s$ | $\\theta_2$ |\n| 3 | $a_3$ | 0 | 0 | $\\theta_3$ |\n\n"
+PLANAR = (
+    HEAD
+    + "| 1 | $a_1$ | 0 | 0 | $\\theta_1$ |\n| 2 | $%s$ | 0 | $%s$ | $\\theta_2$ |\n| 3 | $a_3$ | 0 | 0 | $\\theta_3$ |\n\n"
+)
 LINKS = r"""$$ A_1 = \begin{bmatrix} c_1 & -s_1 & 0 & a_1 \\ s_1 & c_1 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$
 
 $$ A_3 = \begin{bmatrix} c_3 & -s_3 & 0 & a_3 \\ s_3 & c_3 & 0 & 0 \\ 0 & 0 & 1 & 0 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$
