@@ -157,8 +157,8 @@ _ONE_WORD = re.compile(r"[^\W\d_]+(?:[./·^-]?(?:[^\W\d_]+|-?\d))*\.?")
 _NUMBER_ENDS = re.compile(
     r"(?:\s|~|\\[,;:! ])*(?:[.,;&=)}\]]|\\(?:\\|[,;:}!]|(?:q?quad|end|right|text|approx|to|tag|hfill|[A-Z]\w*arrow|iff|implies)(?![a-z]))|\Z)"
 )
-_NUMBERS_END = re.compile(  # a column of numbers, behind which \mathrm{m} is metres
-    r"\\begin\s*\{(?P<matrix>[bpvBV]?matrix|array)\}(?:\{[clr|]*\})?(?:[^A-Za-z\\]|\\[\\,;!: ]|\\(?:[td]?frac|sqrt|hfill)(?![A-Za-z]))*"
+_NUMBERS_END = re.compile(  # a column or a tuple of numbers, behind which \mathrm{m} is metres
+    r"\((?:[^A-Za-z\\(),]|\\[,;!: ])*(?:,(?:[^A-Za-z\\(),]|\\[,;!: ])*)+(?:\\right\s*)?\)(?:\s|~|\\[,;:! ])*\Z|\\begin\s*\{(?P<matrix>[bpvBV]?matrix|array)\}(?:\{[clr|]*\})?(?:[^A-Za-z\\]|\\[\\,;!: ]|\\(?:[td]?frac|sqrt|hfill)(?![A-Za-z]))*"
     r"\\end\s*\{(?P=matrix)\}(?:\s*\\right\s*[\])])?(?:\s*\^\s*(?:T|\{\s*(?:T|\\top)\s*\}|\\top))?(?:\s|~|\\[,;:! ])*\Z"
 )
 _RUN = re.compile(r"(?=[A-Za-z]*[aeiouy])(?=[A-Za-z]*[^aeiouyA-Z])[A-Za-z][a-z]{3,}(?![A-Za-z])")
