@@ -227,7 +227,8 @@ def _named(document: Document) -> Iterator[Document]:
 
 def _starts(document: Document) -> Iterator[Place]:
     """Yield where the second arm and each one after it begin."""
-    table = link = before = left = None  # left: a table behind which link matrices are of another arm
+    table = link = before = None
+    left: _Source | None = None  # a table behind which link matrices are of another arm
     for source in sorted(_sources(document), key=lambda one: one.place):
         if source.arm is not None:
             last = left if table is None and source.arm.source == "table" else table
