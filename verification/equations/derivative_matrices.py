@@ -38,8 +38,9 @@ def _is_whole_derivative(node: n.Node) -> bool:
     of, by = bare(node.operand), bare(node.variable)
     of = bare(of.arguments[0]) if n.is_call(of, "name") else of
     by = bare(by.base) if isinstance(by, n.Postfix) and by.operator == "T" else by
-    are_vectors = isinstance(of, n.Name) and isinstance(by, n.Name) and not (of.sub or of.dots or by.sub or by.dots)
-    return are_vectors and of.base in _TASK and by.base in _JOINTS  # type: ignore[union-attr]
+    if not (isinstance(of, n.Name) and isinstance(by, n.Name)) or of.sub or of.dots or by.sub or by.dots:
+        return False
+    return of.base in _TASK and by.base in _JOINTS
 
 
 def _is_of_derivatives(matrix: n.Matrix, names: Names) -> bool:

@@ -14,6 +14,7 @@ from armproof.verification.document import Display, Document, Table
 from armproof.verification.document.heading import encloses
 from armproof.verification.errors import EvaluationError, TooComplex
 from armproof.verification.latex.nodes import bare_key
+from armproof.verification.naming.moving import index_of
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import WITH_ITS_ARM
 from armproof.verification.tables.arms.candidate import Candidate
@@ -234,14 +235,18 @@ def _named(document: Document) -> Iterator[Document]:
 def _starts(document: Document) -> Iterator[Place]:
     """Yield where the second arm and each one after it begin."""
     table = link = before = None
+    left: _Source | None = None  # a table behind which link matrices are of another arm
     for source in sorted(_sources(document), key=lambda one: one.place):
         if source.arm is not None:
-            is_new = table is not None and table.arm is not None and _is_other(source.arm, table.arm)
+            last = left if table is None and source.arm.source == "table" else table
+            is_new = last is not None and last.arm is not None and _is_other(source.arm, last.arm)
             is_new = is_new and not _is_given_to(table, source)
             is_new = is_new or (link is not None and table is None and _is_of_other_joints(document, link, source))
             table, link = source, None if is_new else link
         else:
             is_new = link is not None and source.section != link.section and _is_of_other_links(source, link)
+            if table is not None and _turn_otherwise(document, table, source):
+                is_new, left = True, table
             table, link = None if is_new else table, source if is_new or link is None else link
         if is_new and before is not None:
             yield _start(document, before, source)
@@ -253,6 +258,21 @@ def _is_of_other_links(source: _Source, before: _Source) -> bool:
     if 1 not in before.links:
         return are_of_other_chain(source.links, before.links)
     return not are_among(source.links, before.links)
+
+
+def _turn_otherwise(document: Document, table: _Source, source: _Source) -> bool:
+    """Whether a joint turns in the link matrices of a later section that slides in a table, which has a matrix of its own below: they are of another arm."""
+    if table.arm is None or source.section == table.section or encloses(table.section, source.section):
+        return False
+    own = [each.latex for each in document.displays if each.section == table.section and _place(each) > table.place]
+    if not any("matrix}" in each for each in own):
+        return False
+    sliding = {number for number, kind in zip(table.arm.indices, table.arm.kinds, strict=False) if kind == "P"}
+    return any(
+        number in sliding and number in map(index_of, angles_in(cell))
+        for number, matrix in source.links.items()
+        for cell in matrix.cells
+    )
 
 
 def _is_given_to(table: _Source | None, source: _Source) -> bool:

@@ -213,3 +213,25 @@ def test_a_closed_form_that_takes_too_long_to_be_an_arm_costs_no_other_display_i
     )
     result = verify_text("## Exercise 1\n\n$$ \\cos^2 a + \\sin^2 a = 1 $$\n\n" + large)
     assert verdicts(result)[0] == "proved" and len(result.equations) == 5
+
+
+SLIDING = "| i | a | alpha | d | theta |\n|---|---|---|---|---|\n| 1 | 0 | 0 | 0 | $\\theta_1$ |\n| 2 | 0 | $\\pi/2$ | $d_2$ | 0 |\n\n"
+OF_SLIDING = (
+    r"$$ {}^0T_2 = \begin{bmatrix} c_1 & 0 & s_1 & 0 \\ s_1 & 0 & -c_1 & 0 \\ 0 & 1 & 0 & d_2 \\ 0 & 0 & 0 & 1 \end{bmatrix} $$"
+    + "\n\n"
+)
+
+
+def test_link_matrices_whose_joint_slides_in_the_table_of_another_exercise_are_of_another_arm() -> None:
+    others = "# B\n\n" + link(1, FIRST) + link(2, SECOND) + whole()
+    result = verify_text("# A\n\n" + SLIDING + OF_SLIDING + others)
+    assert [arm.source for arm in result.arms] == ["table", "matrices"]
+    assert verdicts(result) == ["proved"] * 4
+    third = "# C\n\n" + PLAIN.replace("l_", "b_") + "\n" + CLASSIC.replace("l_", "b_")
+    assert [arm.source for arm in verify_text("# A\n\n" + SLIDING + OF_SLIDING + others + third).arms] == [
+        "table",
+        "matrices",
+        "table",
+    ]
+    wrong = verify_text("# A\n\n" + SLIDING + OF_SLIDING.replace("d_2", "-d_2") + others)
+    assert verdicts(wrong)[0] != "proved" and verdicts(wrong)[1:] == ["proved"] * 3
