@@ -6,7 +6,6 @@ witness beside these lines, and so is the coordinate along another axis, which h
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -17,12 +16,13 @@ from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import as_front_matter
 from armproof.verification.findings import MISPRINTS, OTHER_ANGLES, Kind
 from armproof.verification.naming.shown import point_of
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import HOLDS, EquationResult, Record, Verdict
 
-_COORDINATE = re.compile(r"[xyzXYZ]|[pP]_[xyz]")
+_COORDINATE = regex(r"[xyzXYZ]|[pP]_[xyz]")
 # slips by which a coordinate is not counted from another origin
 _OF_ALL_TERMS = MISPRINTS - OTHER_ANGLES | {Kind.WRONG_SIGNS_OF_TERMS, Kind.WRONG_POWER}
-_NAME = re.compile(r"\w+")  # what front matter can bind as it is
+_NAME = regex(r"\w+")  # what front matter can bind as it is
 MOST_TRIALS = 4  # each judges the document again
 SEVERAL = 2  # displays that hold
 Bound = Mapping[str, Any]  # names, each with the quantity that it stands for as front matter writes it

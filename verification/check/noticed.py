@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -18,10 +17,11 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.settled import Key, rests_through
 from armproof.verification.naming.state import Told
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import HOLDS, EquationResult, Record, Verdict
 
 MOST_SLIPS = 8  # in one definition
-_COORDINATE = re.compile(r"[xyzXYZ](?:_\w+)?")
+_COORDINATE = regex(r"[xyzXYZ](?:_\w+)?")
 _TURNED = {"+": "-", "-": "+"}
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -19,9 +18,10 @@ from armproof.verification.latex.reader import key_as_latex
 from armproof.verification.naming.conventions import AXES, WRIST
 from armproof.verification.naming.quantities import numbered_frames
 from armproof.verification.naming.shown import letters_of_point
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import DECIDED, HOLDS, EquationResult, Record
 
-_OF_WRIST = re.compile(rf"(?:.+_(?:{'|'.join(sorted(WRIST))})|WC|wc)(?:[_,]?[{AXES}])?")
+_OF_WRIST = regex(rf"(?:.+_(?:{'|'.join(sorted(WRIST))})|WC|wc)(?:[_,]?[{AXES}])?")
 _HAND = {3: 1, 5: 2, 6: 3}  # joints behind the wrist: of a planar arm with three, of arms with five and six
 Usual = Callable[[str], Sequence[Quantity]]
 Point = tuple[str, str]  # a frame and the one in which it is seen

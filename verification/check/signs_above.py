@@ -2,7 +2,6 @@ r"""Signs ± of equations one below the other: "$\theta_2 = \pm\arccos D$. With 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 
@@ -13,9 +12,10 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import ReadError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import HOLDS
 
-_SIGN = re.compile(r"\\pm(?![A-Za-z])|\\mp(?![A-Za-z])|[±∓]")
+_SIGN = regex(r"\\pm(?![A-Za-z])|\\mp(?![A-Za-z])|[±∓]")
 
 
 def has_sign(latex: str) -> bool:

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from armproof.verification.document import Display, Document, Table
 from armproof.verification.document.heading import encloses
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.latex.reader import key_as_latex
+from armproof.verification.patterns import regex
 from armproof.verification.tables import check_table
 from armproof.verification.tables.arms import Inference
 from armproof.verification.tables.columns import read_columns
 from armproof.verification.verdict import Record
 
-_NUMBER = re.compile(r"[-+]?\s*(?:\d+(?:\.\d+)?|\.\d+)")
-_ANGLE = re.compile(  # in degrees, a part of π, or none
+_NUMBER = regex(r"[-+]?\s*(?:\d+(?:\.\d+)?|\.\d+)")
+_ANGLE = regex(  # in degrees, a part of π, or none
     r"[-+]?\s*(?:(?:\d+(?:\.\d+)?|\.\d+)\s*(?:\^\s*\{?\s*\\circ\s*\}?|°)|0|(?:\d+\s*)?\\?pi(?:\s*/\s*\d+)?|\\frac\s*\{\s*\d*\s*\\pi\s*\}\s*\{\s*\d+\s*\})"
 )
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from armproof.verification.document import Display
 from armproof.verification.document.model import Listing
+from armproof.verification.patterns import regex
 
-_VALUE = re.compile(r"(?P<name>\\?[A-Za-z]+(?:\s*_\s*(?:\{[^{}]*\}|\w))?(?:\s*=\s*\\?[A-Za-z]+(?:\s*_\s*(?:\{[^{}]*\}|\w))?)*)\s*=\s*(?P<value>[^=]*\d[^=]*)")  # fmt: skip
+_VALUE = regex(r"(?P<name>\\?[A-Za-z]+(?:\s*_\s*(?:\{[^{}]*\}|\w))?(?:\s*=\s*\\?[A-Za-z]+(?:\s*_\s*(?:\{[^{}]*\}|\w))?)*)\s*=\s*(?P<value>[^=]*\d[^=]*)")  # fmt: skip
 
 
 def values_in_text(displays: Sequence[Display], display: Display) -> Listing | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from armproof.verification.conditions.circumstances import ON_A_BRANCH
+from armproof.verification.conditions.told_branches import ON_A_BRANCH
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.equations.outcome import Outcome
 from armproof.verification.equations.second_route import TOLERANCE

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -34,13 +33,14 @@ from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.latex.reader import key_as_latex
 from armproof.verification.naming.conventions import is_usual
 from armproof.verification.naming.state import Stated, Told
+from armproof.verification.patterns import regex
 
 POSTURE = r"\text{posture}"  # one that the text names, and nobody can tell
-_NEARLY = re.compile(r"[≈≃∼]|\\(?:approx|simeq|sim|to|rightarrow)(?![A-Za-z])")
+_NEARLY = regex(r"[≈≃∼]|\\(?:approx|simeq|sim|to|rightarrow)(?![A-Za-z])")
 _ANGLES = (*greek.ANGLES, *greek.VARIANTS, "delta", "epsilon")
 _MATRICES = ("rotation", "pose")  # which a number that the text tells cannot be
 _CLOSE = 1e-9
-_HELD = re.compile(r"\s*(?:\\\{(?P<set>(?:(?!\\[{}]).)*=(?:(?!\\[{}]).)*)\\\}|\((?P<list>[^()]*=[^()]*)\))\s*")
+_HELD = regex(r"\s*(?:\\\{(?P<set>(?:(?!\\[{}]).)*=(?:(?!\\[{}]).)*)\\\}|\((?P<list>[^()]*=[^()]*)\))\s*")
 
 
 @dataclass

@@ -50,15 +50,16 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.conventions import ORIENTATIONS, is_entry
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import DECIDED, Verdict
 
 _VELOCITIES = ("v", "V")
 _MOVING = (*_VELOCITIES, *"xyzpPXYZ")  # what has an acceleration
 _TWIST = (6, 1)
-_PAIR = re.compile(r"\w,?\w")
+_PAIR = regex(r"\w,?\w")
 _IN_ORDER = ("J", "tau", "q")  # what has a column or an entry for each joint
 _RUNNING = "ijkn"  # the index of θ_i, which is any number
-_DOTS = re.compile(r"\\d?dot(?![A-Za-z])")
+_DOTS = regex(r"\\d?dot(?![A-Za-z])")
 _TURNS = (*ORIENTATIONS, "omega", "Omega", "beta")
 _OTHERS = {ABSCISSA: "yz", ORDINATE: "x", DISTANCE: "xyz", ORIENTATION: "xyz"}  # coordinates that are not what is named
 

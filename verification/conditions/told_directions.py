@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
@@ -17,9 +16,10 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.errors import EvaluationError, UnboundName
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import DECIDED
 
-_HANGS = re.compile(  # what angles are counted from that are zero where the arm hangs
+_HANGS = regex(  # what angles are counted from that are zero where the arm hangs
     r"downward vertical|vertical(?:ly)? down|verticale? (?:descendante?|(?:dirigée? )?vers le bas)|senkrechten nach unten|nach unten (?:zeigenden|gerichteten) senkrechten|vertical (?:descendente|hacia abajo)|verticale (?:discendente|verso il basso)"
 )
 

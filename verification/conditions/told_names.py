@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
@@ -17,9 +16,10 @@ from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.conventions import is_usual
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import numbered_frames
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import DECIDED, Role, Verdict
 
-_RUNNING = re.compile(r"[ijkn](?:[+-]1)?")  # the index of ω_i, which is any number
+_RUNNING = regex(r"[ijkn](?:[+-]1)?")  # the index of ω_i, which is any number
 _TRANSFORMS = ("T", "A", "H", "R")
 _LONGEST = 80  # characters of what is quoted
 

@@ -14,9 +14,10 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.statements import ARROWS, UNREAD
 from armproof.verification.latex.vocabulary import JOINING, SPOKEN
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import DECIDED, Role, Verdict
 
-CHANGES = re.compile(
+CHANGES = regex(
     r"\b(?:not|never|nowhere|cannot|no longer|except|unless|only (?:if|for|when|where|at)|otherwise|false|wrong|incorrect|impossible|untrue|invalid|erroneous|fails"
     r"|neither|nor|contradicts?|without|instead of|rather than|unlike|exceeds?|differs?|ignor\w+|neglect\w*|approximat\w+|small|up to (?:a|an|the)|(?:first|second) order"
     r"|(?:seulement|uniquement) (?:si|pour|quand|lorsque)|sauf|ne|n'|ni|pas|jamais|faux|fausse|erronée?|incorrecte|inexacte?|non|sinon|sans|au lieu de|plutôt que|néglige\w*"
@@ -24,19 +25,19 @@ CHANGES = re.compile(
     re.I,
 )
 
-_PREDICATE = re.compile(  # "… is nonsense": what is said of an equation, unless that it is so, or what it is called
+_PREDICATE = regex(  # "… is nonsense": what is said of an equation, unless that it is so, or what it is called
     r"\W*(?:is|are|was|were|est|sont|ist|es)\s+(?!(?:the|an?|our|thus|then|also|known|true|correct|right|valid|exact|obtained|given|called|found|le|la|un|une|donc|aussi|vraie?"
     r"|juste|correcte?|exacte?|connue?|donnée?|appelée?|obtenue?)\b|l['’])\w",
     re.I,
 )
 
-_WORD = re.compile(r"[^\W\d_][^\W\d_]+(?:[-'][^\W\d_]+)*")
-_NO_WORDS = re.compile(
+_WORD = regex(r"[^\W\d_][^\W\d_]+(?:[-'][^\W\d_]+)*")
+_NO_WORDS = regex(
     r"\$[^$]*\$|\\[A-Za-z]+|(?<=[a-z])'|(?<!\w)[ldcnsLDCNS]['’]|forall|exists|because|\b(?:ref|eqref|cite|autoref)\b"
 )
-_OF_OTHER_LETTERS = re.compile(r"[^a-zà-ÿœ'-]")  # of a script in which no words are known
+_OF_OTHER_LETTERS = regex(r"[^a-zà-ÿœ'-]")  # of a script in which no words are known
 # "opposite of", before an equation: it is said of something else than what stands there
-_OF_EQUATION = re.compile(
+_OF_EQUATION = regex(
     r"\b(?<!\bvalue )(?<!\bvalues )(?<!\bexpression )(?<!\bcomponent )(?<!\bcomponents )(?<!\bcoordinates )(?<!\bsolution )(?<!\bsolutions )"
     r"(?<!\bvaleur )(?<!\bexpression )(?<!\bcase )(?<!\bcas )(?<!\bdefinition )(?:of|de|von)\s*$",
     re.IGNORECASE,

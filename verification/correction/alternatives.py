@@ -13,9 +13,10 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.writer import Notation
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import Correction, WrongEntry
 
-IDENTITY = re.compile(r"(?P<letter>(?:\\math(?:bf|rm|bb)\s*)?\{?\s*(?:I|1)\s*\}?)\s*_\s*(?:\d|\{\d+\})")
+IDENTITY = regex(r"(?P<letter>(?:\\math(?:bf|rm|bb)\s*)?\{?\s*(?:I|1)\s*\}?)\s*_\s*(?:\d|\{\d+\})")
 Corrections = tuple[Correction, ...]
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 
@@ -11,8 +10,9 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.names import Names
+from armproof.verification.patterns import regex
 
-_LAYOUT = re.compile(r"\\(?:left|right|[,;:! ])|[&\s(){}]")
+_LAYOUT = regex(r"\\(?:left|right|[,;:! ])|[&\s(){}]")
 
 
 def quantities(names: Names, statements: Sequence[n.Statement], outcomes: Sequence[Outcome]) -> list[n.Name]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from armproof.models.errors import ArmproofError
@@ -11,11 +10,12 @@ from armproof.verification.correction.alternatives import Corrections
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import Correction
 
-_RELATIONS = re.compile(r"\\(?:neq|ne|leq?|geq?|l[te]|g[te])(?![A-Za-z])|[<>]|\\not\s*=")
+_RELATIONS = regex(r"\\(?:neq|ne|leq?|geq?|l[te]|g[te])(?![A-Za-z])|[<>]|\\not\s*=")
 _OTHER = {"le": r"\geq", "leq": r"\geq", "lt": ">", "<": ">", "ge": r"\leq", "geq": r"\leq", "gt": "<", ">": "<"}
-_SIZE = re.compile(r"\d+(?=\s*\\times)|(?<=\\times)\s*\d+")
+_SIZE = regex(r"\d+(?=\s*\\times)|(?<=\\times)\s*\d+")
 
 
 def rephrasings(latex: str, statements: list[n.Statement], checker: ChainChecker) -> Iterator[Corrections]:

@@ -24,13 +24,14 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import ANGLES
 from armproof.verification.latex.writer import Notation, Writer, symbol_as_latex
 from armproof.verification.naming.names import Names
+from armproof.verification.patterns import regex
 
 MAX_EDITS = 600
 MAX_NODES = 60_000  # of the trees of all edits together: those of a long formula take their time
 MAX_NUMBERS = 4  # in a cell, of which one may be wrong
 MAX_TERMS = 60  # of what a cell lacks, written out: of more nothing comes that is one term
-PLAIN = re.compile(r"[A-Za-z]+(?:_[A-Za-z0-9]+)?")
-INDEXED = re.compile(r"[A-Za-z]+_[A-Za-z0-9]")
+PLAIN = regex(r"[A-Za-z]+(?:_[A-Za-z0-9]+)?")
+INDEXED = regex(r"[A-Za-z]+_[A-Za-z0-9]")
 
 Agreement = Callable[[Scalar], Callable[[n.Node], bool] | None]  # whether trees may have a value, as samples tell
 

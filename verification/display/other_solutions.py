@@ -6,7 +6,6 @@ does not, another point, or another task, may be meant.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -22,9 +21,10 @@ from armproof.verification.errors import EvaluationError, WhereDefined
 from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import Role, Verdict
 
-_NUMBER = re.compile(r"\((?:2|3|4|ii|II|b)\)")  # \theta_1^{(2)}
+_NUMBER = regex(r"\((?:2|3|4|ii|II|b)\)")  # \theta_1^{(2)}
 _TASKS = (("pose", Kind.OTHER_SOLUTION_OF_POSE), ("origin", Kind.OTHER_SOLUTION_OF_POSITION))
 
 

@@ -53,18 +53,19 @@ from armproof.verification.latex.statements import PREVIOUS
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.naming.conventions import is_usual
 from armproof.verification.naming.shown import letters_of_point
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import DECIDED, HOLDS, Role, Verdict
 
-SCRIPTED = re.compile(r"\\?[A-Za-z.…⋯]+(?:\s*[_^]\s*(?:\{[^{}]*\}|[^\\{]))*")  # \sum_{i=1}^{2}
-_OF_LETTERS = re.compile(
+SCRIPTED = regex(r"\\?[A-Za-z.…⋯]+(?:\s*[_^]\s*(?:\{[^{}]*\}|[^\\{]))*")  # \sum_{i=1}^{2}
+_OF_LETTERS = regex(
     r"\((?:q|t|\\?[tT]heta|\\\w+\s*\{q\})\).*matrix|matrix.*\((?:q|t|\\?[tT]heta|\\\w+\s*\{q\})\)|^\s*\\(?:mathbf|boldsymbol|bm|vec|overrightarrow|underline|textbf)\b.*matrix",
     re.DOTALL,
 )
-_ARC = re.compile(
+_ARC = regex(
     r"arc|tan|acos|asin|\^\s*\{?\s*-|(?:cos|sin)[\s{(]*(?:\\left)?[\s({]*-?\d\d", re.IGNORECASE
 )  # where an inverse function may stand, however spelled, or a number of degrees in a cosine
-_ASIDE = re.compile(r"\s*\([^()]*\)\s*")
-_OF_OTHER = re.compile(r"'|\\prime|\^\s*\{\s*\(")  # a name with primes, or with a number in parentheses
+_ASIDE = regex(r"\s*\([^()]*\)\s*")
+_OF_OTHER = regex(r"'|\\prime|\^\s*\{\s*\(")  # a name with primes, or with a number in parentheses
 
 
 @dataclass
@@ -228,8 +229,9 @@ class Statements:
         self, statements: list[n.Statement], line: int
     ) -> tuple[list[Outcome], dict[str, float]] | None:
         """Decide a display of conditions that begins with words: "Singularities: θ_2 = 0 or θ_2 = π"."""
-        label, *conditions = statements or [None]
-        told = [*singularities_told(label.text)] if isinstance(label, n.Connective) else []
+        if not statements or not isinstance(statements[0], n.Connective):
+            return None
+        told, conditions = [*singularities_told(statements[0].text)], statements[1:]
         arrow = next((at for at, each in enumerate(conditions) if _is_arrow(each)), len(conditions))
         if not told or not self._are_conditions(conditions[:arrow]):
             return None

@@ -8,7 +8,6 @@ method finds from them. Every other number of the example is that of a quantity 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -29,12 +28,13 @@ from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, is_number
 from armproof.verification.naming.conventions import is_usual
+from armproof.verification.patterns import regex
 
 KINDS = ("origin", "pose", "rotation", "angle")
 MOST_STARTS = 16
 SAME = 1e-5  # of one angle to another
 FEWEST = 2  # joints whose printed numbers are those of the configuration
-_DIGIT = re.compile(r"\d")
+_DIGIT = regex(r"\d")
 Numbers = dict[str, float]
 Asked = tuple[Scalar, float]  # an entry of a quantity of the arm, and the value that it is to have
 

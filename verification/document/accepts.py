@@ -17,15 +17,16 @@ from armproof.verification.document.front_matter import split_front_matter
 from armproof.verification.document.markdown import markdown_reader, without_labels
 from armproof.verification.document.model import Accept, Display, Document, Table
 from armproof.verification.document.notebook import read_cells, split_cells
+from armproof.verification.patterns import regex
 
 MARK = "armproof:"  # in the text of a document with such comments
 FARTHEST = 3  # lines between a comment's last and the display or table that it is about
 _ACCEPT = r"armproof:\s*accept\b[ \t:]*"
 _LINES = {
-    ".tex": re.compile(rf"(?<!\\)%+\s*{_ACCEPT}([^\n]*)"),
-    ".rst": re.compile(rf"^[ \t]*\.\.\s+{_ACCEPT}([^\n]*)", re.MULTILINE),
+    ".tex": regex(rf"(?<!\\)%+\s*{_ACCEPT}([^\n]*)"),
+    ".rst": regex(rf"^[ \t]*\.\.\s+{_ACCEPT}([^\n]*)", re.MULTILINE),
 }
-_HTML = re.compile(rf"<!--\s*{_ACCEPT}(.*?)-->", re.DOTALL)
+_HTML = regex(rf"<!--\s*{_ACCEPT}(.*?)-->", re.DOTALL)
 
 
 def with_accepts(document: Document, text: str, suffix: str) -> Document:

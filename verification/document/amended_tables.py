@@ -11,9 +11,10 @@ from dataclasses import dataclass
 
 from armproof.verification.document.model import Document
 from armproof.verification.document.word_lists import WordLists
+from armproof.verification.patterns import regex
 
 AMENDED = "amended"  # the table of the arm is, with what the text says
-MAY_AMEND = re.compile(  # what no such sentence lacks, in small letters
+MAY_AMEND = regex(  # what no such sentence lacks, in small letters
     r"table|tableau|\brows?\b|lignes?\b|zeile|tabla|tabela|\bfilas?\b|tabella|\brigh?[ae]\b|linha|these (?:length|angle)|ces (?:longueur|angle)|diese[rn]? (?:länge|winkel)|headings?\b|headers?\b|en-t[êe]tes?|überschrift|cabecera|encabez|intestazion|column|colonne|spalte|colonna|coluna|est[ao]s (?:longitud|ángul|comprim|ângul)|quest[ei] (?:lunghezz|angol)"
     r"|(?:angle|twist|offset|length|winkel|länge|longueur|ángulo|longitud|angolo|lunghezza|ângulo) (?:of|de|du|von|des|del|della|do) .{0,20}?(?:link|joint|segment|corps|articulation|glied|gelenk|eslabón|articulación|giunto|membro|junta)|^\W*[*†‡§¹²³]"
 )
@@ -48,20 +49,20 @@ IN_SPACE vertical horizontal~ verticale horizontale senkrechten vertikalen waage
 UNLIKE unlike contrary contrairement anders entgegen diferencia differenza contrariamente contrario contraire contrário diferente differs differ differently abweichend
 """)
 _is, _has = _lists.holds, _lists.has  # fmt: skip
-_MARK = re.compile(r"\W*(?:\*|†|‡|§|¹|²|³)")
-_AMOUNT = re.compile(r"\d+\s*(?:°|\^|\\circ|deg|grad|rad)|\\pi|π|\d\s*\\?(?:mm|cm|m)\b|^\s*[-−+]?\s*\d+(?:\.\d+)?\s*$")
-_IN_WORDS = re.compile(
+_MARK = regex(r"\W*(?:\*|†|‡|§|¹|²|³)")
+_AMOUNT = regex(r"\d+\s*(?:°|\^|\\circ|deg|grad|rad)|\\pi|π|\d\s*\\?(?:mm|cm|m)\b|^\s*[-−+]?\s*\d+(?:\.\d+)?\s*$")
+_IN_WORDS = regex(
     r"(?<!\S)[-−+±]?\d+(?:[.,]\d+)? ?(?:°|degrees?|degrés|grad|grados|gradi|graus|mm|cm) |(?<!\S)[-−+±]\d|π|right angle|quarter turn|angle droit|rechten winkel|ángulo recto|angolo retto"
 )
 _QUARTERS = {"90": r"\pi/2", "180": r"\pi", "45": r"\pi/4", "270": r"3\pi/2"}
-_RIGHT = re.compile(r"\\d?frac\s*\{?(\d*)\s*\\pi\s*\}?\s*\{?\s*(\d)\s*\}?|\\tfrac\s*\{?(\d*)\\pi\}?\s*\{?(\d)\}?")
-_TOO = re.compile(
+_RIGHT = regex(r"\\d?frac\s*\{?(\d*)\s*\\pi\s*\}?\s*\{?\s*(\d)\s*\}?|\\tfrac\s*\{?(\d*)\\pi\}?\s*\{?(\d)\}?")
+_TOO = regex(
     r"(?<!\S)(?:too (?:large|big|small|long|short|high|low|great)|trop (?:grande?|petite?|longue?|courte?|haute?)|zu (?:groß|klein|lang|kurz)|demasiado (?:grande|pequeñ[oa]|larg[oa]|cort[oa])|troppo (?:grande|piccol[oa]|lung[oa]|cort[oa])) "
 )
-_OF_ERRATUM = re.compile(r"\W*errat", re.IGNORECASE)  # what is quoted as such, and no sentence
+_OF_ERRATUM = regex(r"\W*errat", re.IGNORECASE)  # what is quoted as such, and no sentence
 _FAR = 4  # words between what is ignored and its noun
 _NEAR_ABOVE, _NEAR_BELOW = 8, 12  # lines between a sentence of rows, or a note, and its table
-_OF_ARM = re.compile(r"alpha|α|theta|θ|twist", re.IGNORECASE)  # in the header of a DH table
+_OF_ARM = regex(r"alpha|α|theta|θ|twist", re.IGNORECASE)  # in the header of a DH table
 
 
 @dataclass(frozen=True)

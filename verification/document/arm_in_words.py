@@ -4,23 +4,25 @@ from __future__ import annotations
 
 import re
 
+from armproof.verification.patterns import regex
+
 _COUNTS = {
     2: "2|two|deux|dos|zwei|due|dois",
     3: "3|three|trois|tres|drei|tre|três",
     4: "4|four|quatre|cuatro|vier|quattro|quatro",
 }
-MAY_NAME = re.compile(r"\bplan(?!ar_)|[ -]link\b", re.IGNORECASE)  # what no text lacks that names one
-_PLANAR = re.compile(r"\bplan(?:ar|aire|e|o|a|ares|arer|aren|ari)?\b|\b(?:two|2|three|3)[ -]link\b")
-_ARM = re.compile(
+MAY_NAME = regex(r"\bplan(?!ar_)|[ -]link\b", re.IGNORECASE)  # what no text lacks that names one
+_PLANAR = regex(r"\bplan(?:ar|aire|e|o|a|ares|arer|aren|ari)?\b|\b(?:two|2|three|3)[ -]link\b")
+_ARM = regex(
     r"\b(?:robot(?:ic|ique|s)?|arm|manipulator|manipulateur|manipulador|bras|brazo|braccio|braço|mechanism|linkage)\b"
 )
 _PARTS = (
     r"(?:links?|segments?|(?:revolute |rotary )?joints?|dof|ddl|gdl|r|eslabones|liaisons rotoïdes|rotations|articulations"
     r"|articulaciones|bielles|elos|bracci)"
 )
-_PARTS_OF = {n: re.compile(rf"(?<![\w.])(?:{words})[ -]?{_PARTS}\b|\br{{{n}}}\b") for n, words in _COUNTS.items()}
-_MARKS = re.compile(r"[*_`$]|\\\w+")
-_STOP = re.compile(r"[.;:!?](?:\s|$)|\n\s*\n|\n\s*#")
+_PARTS_OF = {n: regex(rf"(?<![\w.])(?:{words})[ -]?{_PARTS}\b|\br{{{n}}}\b") for n, words in _COUNTS.items()}
+_MARKS = regex(r"[*_`$]|\\\w+")
+_STOP = regex(r"[.;:!?](?:\s|$)|\n\s*\n|\n\s*#")
 
 
 def planar_arms(text: str) -> frozenset[int]:

@@ -6,6 +6,7 @@ import re
 
 from armproof.verification.document.hearing import STOP, words_of
 from armproof.verification.document.other_arms import compares
+from armproof.verification.patterns import regex
 
 CALLED = r"\text{called: "  # what an arm is called in a sentence, and a brace
 
@@ -23,9 +24,9 @@ _ORDINALS = {
     )
     for word in words.split()
 }
-_ORDINAL = re.compile(rf"(?<!\S)({'|'.join(_ORDINALS)}) (?:[^\W\d]+ )?{_NOUN} ", re.IGNORECASE)
-_NUMBER = re.compile(rf"(?<!\S)(?i:{_NOUN}|robot) (?:(?i:no|nr|n°) )?(\d|[A-H])(?= )")
-_KIND = re.compile(rf"(?<!\S)([^\W\d]{{4,}}) {_NOUN} |(?<!\S){_NOUN} ([^\W\d]{{4,}}) ", re.IGNORECASE)
+_ORDINAL = regex(rf"(?<!\S)({'|'.join(_ORDINALS)}) (?:[^\W\d]+ )?{_NOUN} ", re.IGNORECASE)
+_NUMBER = regex(rf"(?<!\S)(?i:{_NOUN}|robot) (?:(?i:no|nr|n°) )?(\d|[A-H])(?= )")
+_KIND = regex(rf"(?<!\S)([^\W\d]{{4,}}) {_NOUN} |(?<!\S){_NOUN} ([^\W\d]{{4,}}) ", re.IGNORECASE)
 _NO_KINDS = frozenset(
     "robot robots this that same whole entire other with avec plan's where which dieser ganze link links linked joint joints axis segment segments your their these those every each some many such both given general generic typical simple robotic robotique robótico robotico industrial industriel serial série arbitrary considered cette notre votre chaque quelconque seinem einem diesem unser jeder este esta nuestro cada questo nostro ogni nosso".split()
 )

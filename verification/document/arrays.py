@@ -6,18 +6,19 @@ import re
 from dataclasses import dataclass
 
 from armproof.verification.document.model import Display, Table
+from armproof.verification.patterns import regex
 
-_OPENING = re.compile(
+_OPENING = regex(
     r"\s*(?:(?:\\text\w*\s*\{[^{}]*\}|[A-Za-z]|\s)+(?:=|:)\s*)?(?:\\(?:displaystyle|small|footnotesize|normalsize|centering|large)\s*)*(?:\\left\s*\\?[\[({|.]\s*)?\\begin\s*"
     r"\{(?:(?P<ruled>array|tabular)\}\s*(?:\[\w\])?\s*\{(?:[^{}]|\{[^{}]*\})*\}|(?P<plain>[bpvB]?matrix|aligned)\})"
 )
-_CLOSING = re.compile(
+_CLOSING = regex(
     r"\\end\s*\{(?P<name>\w+)\}\s*(?:\\right\s*\\?[\])}|.]\s*)?[.,;]?\s*(?:\\(?:tag|label)\{[^}]*\}\s*)?[.,;]?\s*"
 )
-_RULE = re.compile(
+_RULE = regex(
     r"\\(?:hline|toprule|midrule|bottomrule|hdashline|(?:cline|cmidrule)\s*(?:\([^)]*\))?\s*\{[^}]*\}|addlinespace)(?![A-Za-z])"
 )
-_TOKEN = re.compile(r"\\begin\s*\{|\\end\s*\{|\\\\(?:\s*\[[^\]]*\])?|\\.|[{}&]", re.DOTALL)
+_TOKEN = regex(r"\\begin\s*\{|\\end\s*\{|\\\\(?:\s*\[[^\]]*\])?|\\.|[{}&]", re.DOTALL)
 
 
 @dataclass(frozen=True)

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from markdown_it.token import Token
 
+from armproof.verification.patterns import regex
+
 _EMPHASIS = frozenset(["strong_open", "strong_close", "em_open", "em_close"])
-_OPERATOR = re.compile(r"\s*(?:[=+≈≃·×−–-])?\s*")
-_GOES_ON = re.compile(r"(?:[=+\-≈]|\\(?:approx|simeq|equiv|cdot|times)(?![A-Za-z]))(?:\s|\\[,;:! ])*\Z")
-_CONTINUES = re.compile(r"(?:\s|\\[,;:! ])*(?:[=+\-≈]|\\(?:approx|simeq|equiv|cdot|times)(?![A-Za-z]))")
+_OPERATOR = regex(r"\s*(?:[=+≈≃·×−–-])?\s*")
+_GOES_ON = regex(r"(?:[=+\-≈]|\\(?:approx|simeq|equiv|cdot|times)(?![A-Za-z]))(?:\s|\\[,;:! ])*\Z")
+_CONTINUES = regex(r"(?:\s|\\[,;:! ])*(?:[=+\-≈]|\\(?:approx|simeq|equiv|cdot|times)(?![A-Za-z]))")
 _SIGNS = str.maketrans({"−": "-", "–": "-"})
 _STOPS = " .,;，。；"
 

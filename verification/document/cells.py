@@ -11,12 +11,14 @@ from itertools import pairwise
 from tokenize import TokenError, generate_tokens
 from typing import Any
 
+from armproof.verification.patterns import regex
+
 # jupytext's rule, and "# %%[markdown]" as editors take it; "# %%time" is a magic in a cell
-_MARKER = re.compile(r"#\s*%%(?:%*\s|$|(?=\[(?:markdown|md|raw)\]))")
-_KIND = re.compile(r"\[(markdown|md|raw)\]")
-_OPTION = re.compile(r"(\w+)=(\[.*?\]|\"[^\"]*\"|true|false|\d+)")
-_MAGIC = re.compile(r"^(\s*)# (?=(?:!|%%?)[A-Za-z])", re.MULTILINE)
-_COMMENT = re.compile(r"# ?")
+_MARKER = regex(r"#\s*%%(?:%*\s|$|(?=\[(?:markdown|md|raw)\]))")
+_KIND = regex(r"\[(markdown|md|raw)\]")
+_OPTION = regex(r"(\w+)=(\[.*?\]|\"[^\"]*\"|true|false|\d+)")
+_MAGIC = regex(r"^(\s*)# (?=(?:!|%%?)[A-Za-z])", re.MULTILINE)
+_COMMENT = regex(r"# ?")
 
 
 @dataclass(frozen=True)

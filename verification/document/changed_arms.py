@@ -10,8 +10,9 @@ from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
 
 from armproof.verification.document.word_lists import WordLists
+from armproof.verification.patterns import regex
 
-MAY_CHANGE_ARM = re.compile(  # what no such sentence lacks, in small letters
+MAY_CHANGE_ARM = regex(  # what no such sentence lacks, in small letters
     r"robot|\barms?\b|manipul|\bbase\b|\bbras\b|roboter|\bit\b|\bil\b|link|bar\b|bars\b|length|forearm|segment|longueur|barre|länge|glied|unterarm|longitud|brazo|lunghezz|bracci|tool|outil|foot|model|maquet|scale|échelle|maßstab|escala|scala|stab|stäbe|stange|asta|aste\b|elos?\b|forearm|spindle|\bnut\b|pitch|hélico|helic|elico|\bvis\b|schraub|spindel|tornillo|\bvite\b|parafuso|replac|remplac|ersetz|sustitu|reemplaz|sostitu|substitu|pen\b|stylo|screw|tube|long\b|avant-bras|antebra|avambrac|mirror|miroir|spiegel|espejo|specchio|espelho"
 )
 _lists = WordLists("""
@@ -47,33 +48,33 @@ LOOK look~ see sees seen watch~ view~ regard~ voit voyons observe~ sehen sieht b
 MIGHT can could may might often usually typically generally peut peuvent souvent kann können oft puede pueden può possono pode podem
 """)
 _is, _has = _lists.holds, _lists.has
-_LENGTH_LETTER = re.compile(
+_LENGTH_LETTER = regex(
     r"\s*(?:\\(?:mathrm|mathit|text)\s*\{\s*)?(?:\\(?:varepsilon|epsilon|ell|lambda|delta|Delta|kappa|eta|rho)|[a-zA-Z])(?:\s*_\s*(?:\{[^{}]*\}|\w))?\s*\}?\s*"
 )
 _BY = frozenset("by of de d' um von por di height hauteur höhe altura altezza".split())
-_OF_LENGTH = re.compile(
+_OF_LENGTH = regex(
     r"(?<!\S)(?:(?:of|with|whose|the|de|d' une|der|mit der|von der|con|di|da|la|a|is|has|and) )*(?:length|height|longueur|hauteur|länge|höhe|longitud|altura|lunghezza|altezza|comprimento) (?:of |is |de |est |von |ist |es |di |è |é )?¤ |¤ (?:long|lang|de long|de longueur|largo|lungo) "
 )
-_OF_SIZE = re.compile(
+_OF_SIZE = regex(
     r"(?<!\S)(?:of|de|von|di|with) (?:(?:length|longueur|länge|longitud|lunghezza) )?(?:of |de |di )?(?:\d+(?:[.,]\d+)?|¤) ?(?:mm|cm|m|millim\w+|centim\w+|zentim\w+|metres?|meters?|mètres?|metros?|metri)(?= )"
 )
-_AT_SCALE = re.compile(r"(?<![\d:])(?:1 ?: ?(?:[2-9]|[1-9]\d+)|(?:[2-9]|[1-9]\d+) ?: ?1)(?![\d:])")
-_MODEL = re.compile(
+_AT_SCALE = regex(r"(?<![\d:])(?:1 ?: ?(?:[2-9]|[1-9]\d+)|(?:[2-9]|[1-9]\d+) ?: ?1)(?![\d:])")
+_MODEL = regex(
     r"\b(?:models?|mock-?up|maquette|modell\w*|maqueta|modello|maquete)\b|\b(?:measure|read|lit|lisons|mesur\w+|messen|lesen|medimos|leemos|misuriamo|leggiamo|lemos)\b"
 )
-_AS_LONG = re.compile(
+_AS_LONG = regex(
     r"(?<!\S)(?:(?:just )?as long as (?:itself|it|the|this)|of (?:the same|its own) length|(?:de|d' une) (?:la )?même longueur|aussi longue? que|(?:gleich|ebenso) lang\w*|(?:von )?gleicher länge|de la misma longitud|tan larg[oa] como|lung[oa] quanto|della stessa lunghezza|do mesmo comprimento|tão long[oa] quanto) "
 )
-_TIMES_AS_LONG = re.compile(  # and not "as long as the upper arm"
+_TIMES_AS_LONG = regex(  # and not "as long as the upper arm"
     r"(?<!\S)(?:(?:twice|half|double|(?:two|three|four|\d) times|one third|a third) (?:as long|the length|longer)|(?:two|three|four|\d) times (?:as )?(?:long|longer|shorter)|(?:deux|trois|quatre|\d) fois (?:plus|aussi|moins) (?:longu?e?|courte?)|(?:doppelt|halb|dreimal) so (?:lang|kurz)|(?:el )?doble de larg[oa]|dos veces más larg[oa]|lung[oa] il doppio|due volte più lung[oa]|duas vezes mais long[oa]) (?!as |que |wie |come |quanto |como )"
 )
-_REPLACED = re.compile(
+_REPLACED = regex(
     r"¤ (?:\S+ ){0,2}?(?:replaced|remplacée?|ersetzt|sustituid[oa]|reemplazad[oa]|sostituit[oa]|substituíd[oa]|changed|increased|grows) (?:\S+ )?¤|(?<!\S)(?:replac\w+|remplaç\w+|remplac\w+|ersetz\w+|sustitu\w+|reemplaz\w+|sostitu\w+|substitu\w+) ¤ (?:by|with|par|durch|por|con|com) ¤|¤ durch ¤ (?:ersetzt|zu ersetzen)"
 )
-_EACH_OTHERS_PLACE = re.compile(
+_EACH_OTHERS_PLACE = regex(
     r"(?<!\S)(?:in the place of the other|(?:each|one) other'? s places?|places? of each other|à la place de l' autre|an die stelle (?:des|der) anderen|en (?:el )?lugar (?:de la|del) otr[oa]|al posto dell' altr[oa]|no lugar d[oa] outr[oa])(?!\S)"
 )
-_NEW_ANGLE = re.compile(r"\s*\\(?:alpha|beta|gamma|psi|(?:var)?phi|delta|epsilon|eta)(?:\s*_\s*(?:\{[^{}]*\}|\w))?\s*")
+_NEW_ANGLE = regex(r"\s*\\(?:alpha|beta|gamma|psi|(?:var)?phi|delta|epsilon|eta)(?:\s*_\s*(?:\{[^{}]*\}|\w))?\s*")
 _OF_SCREW = frozenset("la una della a di con".split())  # before Italian "vite", which is "fast" in French
 _OF_PITCH = frozenset("de du le un son".split())  # before "pas", which denies nothing then
 _ON = frozenset(

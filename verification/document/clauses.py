@@ -9,14 +9,15 @@ from functools import cache, lru_cache
 
 import armproof.verification.document.word_classes as word_classes
 from armproof.verification.document.word_lists import classes_of
+from armproof.verification.patterns import regex
 
 Kinds = frozenset[str]
 
 LANGUAGES = ("ENGLISH", "FRENCH", "GERMAN", "SPANISH", "ITALIAN", "PORTUGUESE")
-_NO_LONGER = re.compile(r"(?<!\S)((?:ne|n') \S+ )plus ")  # "ne vaut plus" denies, "plus" does not
-_ONLY = re.compile(r"(?<!\S)((?:ne|n') \S+ (?:(?!pas|jamais|plus)\S+ )?)qu(?:e|') ")
+_NO_LONGER = regex(r"(?<!\S)((?:ne|n') \S+ )plus ")  # "ne vaut plus" denies, "plus" does not
+_ONLY = regex(r"(?<!\S)((?:ne|n') \S+ (?:(?!pas|jamais|plus)\S+ )?)qu(?:e|') ")
 SUBJECTS = ("this", "display", "part", "letter", "person", "writer", "arm", "formula")
-_POLITE = re.compile(r"^(?:(?:please|bitte|veuillez|prière de|por favor|per favore|si prega di) (?:, )?)+")
+_POLITE = regex(r"^(?:(?:please|bitte|veuillez|prière de|por favor|per favore|si prega di) (?:, )?)+")
 _WEIGHED = frozenset("part person must only general given neutral use counted claim".split())
 _IT_IS = frozenset(
     "es son è sono é são".split()

@@ -10,20 +10,19 @@ import re
 from collections.abc import Collection, Iterator, Sequence
 
 from armproof.verification.document.code_columns import NAMES, OF_A_TABLE
+from armproof.verification.patterns import regex
 
-MAY_AMEND = re.compile(r"\]\s*[-+*/]?=(?!=)|\)\s*=(?!=)|\.(?:append|insert|pop|reverse|remove|extend|offset)\b|=[^=\n]*\b(?:m?dh|DH|flip)|\bdel\b", re.IGNORECASE)  # fmt: skip
+MAY_AMEND = regex(r"\]\s*[-+*/]?=(?!=)|\)\s*=(?!=)|\.(?:append|insert|pop|reverse|remove|extend|offset)\b|=[^=\n]*\b(?:m?dh|DH|flip)|\bdel\b", re.IGNORECASE)  # fmt: skip
 _ROW = 4  # entries
 _HARMLESS = frozenset(
     "array asarray Matrix matrix ImmutableMatrix DataFrame copy deepcopy list tuple astype subs evalf xreplace simplify round nsimplify lambdify print display vpa double".split()
 )  # what changes no entry, or gives letters numbers
-_VARIABLE = re.compile(r"(?:q|th|theta|thetas|qs|joints?|joint_\w+|angles?|t|d|conf\w*)_?\d*(?:_\w+)?")
+_VARIABLE = regex(r"(?:q|th|theta|thetas|qs|joints?|joint_\w+|angles?|t|d|conf\w*)_?\d*(?:_\w+)?")
 _EMPTY = frozenset(["zeros", "empty", "ones", "zeros_like", "dict", "list", "full", "DataFrame"])
-_FRAME = re.compile(
-    r"table|dh|param|tab\b", re.IGNORECASE
-)  # what a frame of pandas is called that is a table of an arm
+_FRAME = regex(r"table|dh|param|tab\b", re.IGNORECASE)  # what a frame of pandas is called that is a table of an arm
 _OF_PANDAS = frozenset(["loc", "iloc", "at", "iat"])
 _METHODS = frozenset(["append", "insert", "pop", "reverse", "remove", "extend", "sort", "row_swap", "col_swap", "row_del", "drop", "row_op", "col_op"])  # fmt: skip
-_OF_MATLAB = re.compile(
+_OF_MATLAB = regex(
     r"^[ \t]*(?P<name>[A-Za-z]\w*)[ \t]*\((?P<place>[^()=\n]*)\)[ \t]*(?:\.(?P<field>offset|alpha|theta|a|d)[ \t]*)?=(?!=)|^[ \t]*(?P<whole>[A-Za-z]\w*)[ \t]*=(?P<value>[^=\n][^\n]*)",
     re.MULTILINE,
 )

@@ -6,6 +6,8 @@ import ast
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
+from armproof.verification.patterns import regex
+
 NAMES = {
     "alpha": "alpha",
     "twist": "alpha",
@@ -16,20 +18,18 @@ NAMES = {
     "q": "theta",
     "th": "theta",
 }
-OF_A_TABLE = re.compile(  # what a table of DH parameters is called in code: DH, dh_params, MDHtable, robotDH
+OF_A_TABLE = regex(  # what a table of DH parameters is called in code: DH, dh_params, MDHtable, robotDH
     r"_?(?:[a-z]+_?)?(?:m?dh|DH|MDH|Dh)(?:_?(?:param(?:s|eters?)?|table|tab|mat(?:rix)?|rows?))?\d?|denavit\w*",
     re.IGNORECASE,
 )
 _GREEK = str.maketrans({"α": "alpha", "θ": "theta"})
-_TURNS = re.compile(r"(?:q|th|theta|t)_?\d{1,2}|(?:q|th|theta)")
-_LENGTH = re.compile(r"[ad](?:_?\d{1,2})?")
-_OF_MATHWORKS = re.compile(r"\bsetFixedTransform\s*\([^;\n]*'m?dh'", re.IGNORECASE)  # [a alpha d theta], by its manual
-_SLIDES = re.compile(r"'prismatic'", re.IGNORECASE)
-_FILLED = re.compile(
-    r"^[ \t]*([A-Za-z]\w{0,30})[ \t]*(?:\([ \t]*\d+[ \t]*,[ \t]*:[ \t]*\))?[ \t]*=[ \t]*\[", re.MULTILINE
-)
-_LINKED = re.compile(r"\b(?:(?:DH)?Link|(?:Revolute|Prismatic)(?:M?DH)?)\(\s*(?:\[|'|[a-z]+\s*=)")
-_FOUR = re.compile(r"[#%\s]*\w+(?:\s*[,|]\s*\w+){3}\s*[,|]?\s*")
+_TURNS = regex(r"(?:q|th|theta|t)_?\d{1,2}|(?:q|th|theta)")
+_LENGTH = regex(r"[ad](?:_?\d{1,2})?")
+_OF_MATHWORKS = regex(r"\bsetFixedTransform\s*\([^;\n]*'m?dh'", re.IGNORECASE)  # [a alpha d theta], by its manual
+_SLIDES = regex(r"'prismatic'", re.IGNORECASE)
+_FILLED = regex(r"^[ \t]*([A-Za-z]\w{0,30})[ \t]*(?:\([ \t]*\d+[ \t]*,[ \t]*:[ \t]*\))?[ \t]*=[ \t]*\[", re.MULTILINE)
+_LINKED = regex(r"\b(?:(?:DH)?Link|(?:Revolute|Prismatic)(?:M?DH)?)\(\s*(?:\[|'|[a-z]+\s*=)")
+_FOUR = regex(r"[#%\s]*\w+(?:\s*[,|]\s*\w+){3}\s*[,|]?\s*")
 _IN_DEGREES = frozenset([30, 45, 60, 90, 120, 135, 180, 270])
 
 

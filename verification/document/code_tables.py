@@ -20,18 +20,19 @@ from armproof.verification.document.code_columns import (
 )
 from armproof.verification.document.code_values import NoEntry, Values, entry, parsed
 from armproof.verification.document.model import Display, Table
+from armproof.verification.patterns import regex
 
 HEADER = ("sigma", "alpha", "a", "d", "theta")
 LONGEST = 40_000  # characters of a piece of code
-_LINKS = re.compile(r"(?:(?:DH)?Link|(Revolute|Prismatic)(?:M?DH)?)")
-_HAS_ENDS = re.compile(  # robot.tool = SE3(0.1, 0, 0), DHRobot(links, base=…), SerialLink(L, 'tool', …)
+_LINKS = regex(r"(?:(?:DH)?Link|(Revolute|Prismatic)(?:M?DH)?)")
+_HAS_ENDS = regex(  # robot.tool = SE3(0.1, 0, 0), DHRobot(links, base=…), SerialLink(L, 'tool', …)
     r"(?:\.(?:tool|base)\s*=|[(,]\s*(?:tool|base)\s*=|'(?:tool|base)'\s*,)(?!=)\s*(?!(?:None|SE3\(\)|(?:np\.|sp\.)?(?:eye|identity)\(4\)|sm\.SE3\(\))\s*(?:[,;)\n]|$))\S"
 )
-_PARAMETER = re.compile(r"'?(alpha|a|d|q|theta)_?(\d)'?")
-_OF_MATLAB = re.compile(r"(?<!\w)(?:Revolute|Prismatic|Link)(?:M?DH)?\s*\(([^()]*(?:\([^()]*\)[^()]*)*)\)")
-_ROWS = re.compile(r"(?:(?<!\w)([A-Za-z]\w*)\s*)?=\s*\[([^\[\]]*)\]", re.DOTALL)
+_PARAMETER = regex(r"'?(alpha|a|d|q|theta)_?(\d)'?")
+_OF_MATLAB = regex(r"(?<!\w)(?:Revolute|Prismatic|Link)(?:M?DH)?\s*\(([^()]*(?:\([^()]*\)[^()]*)*)\)")
+_ROWS = regex(r"(?:(?<!\w)([A-Za-z]\w*)\s*)?=\s*\[([^\[\]]*)\]", re.DOTALL)
 # DH(1,:) = […]
-_ROW = re.compile(r"(?<!\w)([A-Za-z]\w*)\s*\(\s*(\d{1,2})\s*,\s*:\s*\)\s*=\s*\[([^\[\]]*)\]", re.DOTALL)
+_ROW = regex(r"(?<!\w)([A-Za-z]\w*)\s*\(\s*(\d{1,2})\s*,\s*:\s*\)\s*=\s*\[([^\[\]]*)\]", re.DOTALL)
 
 Row = Mapping[str, ast.expr]
 

@@ -7,14 +7,15 @@ from collections.abc import Iterable, Iterator, Mapping
 from xml.etree import ElementTree
 
 from armproof.verification.document.model import BuiltJoint, CodeRobot, Display
+from armproof.verification.patterns import regex
 
 LONGEST = 40_000  # characters of a piece of code
 _TURNS, _SLIDES = ("revolute", "continuous"), ("prismatic",)
-_PREFIX = re.compile(r"(?<=[</\s])(?:xacro|xi|gazebo):(?=\w)")
-_DECLARED = re.compile(r"<\?xml.*?\?>|<!--.*?-->", re.DOTALL)
-_OF_TOOL = re.compile(r"tool|tip|tcp|flange|ee\b|end_?eff|gripper|hand", re.IGNORECASE)
-_ENTRY = re.compile(r"-?\$\{\s*-?\w+\s*\}|[-+\w.${}*/]+")
-_NAMED = re.compile(r"(-?)\$\{\s*(-?)\s*([A-Za-z]\w*)\s*\}")
+_PREFIX = regex(r"(?<=[</\s])(?:xacro|xi|gazebo):(?=\w)")
+_DECLARED = regex(r"<\?xml.*?\?>|<!--.*?-->", re.DOTALL)
+_OF_TOOL = regex(r"tool|tip|tcp|flange|ee\b|end_?eff|gripper|hand", re.IGNORECASE)
+_ENTRY = regex(r"-?\$\{\s*-?\w+\s*\}|[-+\w.${}*/]+")
+_NAMED = regex(r"(-?)\$\{\s*(-?)\s*([A-Za-z]\w*)\s*\}")
 _ZERO = ("0", "0", "0")
 
 

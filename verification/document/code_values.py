@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import ast
-import re
 from collections.abc import Mapping
 from decimal import Decimal
 from types import MappingProxyType
+
+from armproof.verification.patterns import regex
 
 MOST = 200  # characters of an entry
 _DEGREES = ("deg2rad", "radians")
@@ -21,7 +22,7 @@ _GREEK = {
     "phi": "phi",
     "beta": "beta",
 }
-_NAME = re.compile(r"([A-Za-z]+?)_?(\d{1,2})_?(?:_var|_sym)?")
+_NAME = regex(r"([A-Za-z]+?)_?(\d{1,2})_?(?:_var|_sym)?")
 _OPERATORS: dict[type[ast.operator], str] = {ast.Add: " + ", ast.Sub: " - ", ast.Mult: r" \cdot "}
 
 Values = Mapping[str, ast.expr]

@@ -24,9 +24,10 @@ from armproof.verification.document.hearing import (
     words_of,
 )
 from armproof.verification.document.marked_wrong import WRONG
+from armproof.verification.patterns import regex
 
-_WORDS_WITHIN = re.compile(r"\\(tag\*?|text(?:rm|bf|it|sf|up|normal)?|mbox)\s*\{([^{}]*)\}")
-_NOT_TO_COPY = re.compile(  # what a heading or a title says of what is no claim
+_WORDS_WITHIN = regex(r"\\(tag\*?|text(?:rm|bf|it|sf|up|normal)?|mbox)\s*\{([^{}]*)\}")
+_NOT_TO_COPY = regex(  # what a heading or a title says of what is no claim
     r"\b(?:(?:do not|don't|never) (?:copy|use|write|memori[sz]e|repeat)|not to be (?:copied|used)|withdrawn|superseded|(?:ne|à ne) (?:pas|jamais) (?:re)?(?:copie[rz]|utilise[rz]|écri\w+|faire)|nicht (?:so )?(?:schreiben|kopieren|verwenden|abschreiben)"
     r"|no (?:copiar|usar|copie|copies)\b|non (?:copiare|usare)|não (?:copiar|usar|copie))",
     re.IGNORECASE,

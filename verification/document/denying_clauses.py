@@ -6,11 +6,11 @@ What is wrong, or "not", denies where a clause is of the display or a part of it
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from itertools import pairwise, takewhile
 
 from armproof.verification.document.clauses import OF_DISPLAY, Clause, clauses, goes_on
+from armproof.verification.patterns import regex
 
 _FAR = 14  # words from a denial to the display that its sentence leads to
 _LAST = 3  # words of a clause that lead to a display
@@ -49,7 +49,7 @@ _PROVIDED = frozenset(
 _IF_AND_ONLY_IF = frozenset(
     "if_and_only_if iff si_et_seulement_si genau_dann dann_und_nur_dann si_y_solo_si sí_y_solo_si se_e_solo_se se_e_somente_se se_e_só_se".split()
 )
-_ONLY_SINGULAR = re.compile(  # "so the only singularity is at": what it says of the arm denies no display
+_ONLY_SINGULAR = regex(  # "so the only singularity is at": what it says of the arm denies no display
     r"(?<!\S)(?:the only|la seule|l' unique|les seules|die einzige|la única|l' unica) (?:singularit|singular (?:configuration|posture|position)|(?:configuration|position)s? singuli|singularidad)"
 )
 _AND = frozenset("and et und y e ed sowie & plus".split())

@@ -85,8 +85,9 @@ from armproof.verification.document.told_since import MAY_SAY_SINCE
 from armproof.verification.document.told_variables import MAY_TELL_VARIABLE
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
+from armproof.verification.patterns import regex
 
-_WORDS = re.compile(r"(?<![_{^])\\(?:text\w*|mbox|tag)\*?\{([^{}]+)\}")  # that are no index
+_WORDS = regex(r"(?<![_{^])\\(?:text\w*|mbox|tag)\*?\{([^{}]+)\}")  # that are no index
 _READERS: dict[str, Callable[[Path, str], Document]] = {
     ".md": read_markdown_file,
     ".ipynb": read_notebook,
@@ -96,20 +97,20 @@ _READERS: dict[str, Callable[[Path, str], Document]] = {
     ".rst": read_rst,
 }
 _MARKS = {".tex": ("$$", "\\[", *(f"\\begin{{{name}" for name in ENVIRONMENTS)), ".rst": (".. math::",)}
-_SAYS = re.compile(
+_SAYS = regex(
     r"[=≈<>≠]|\\(?:approx|simeq|equiv|[lg]eq?|neq?)(?![A-Za-z])|(?:∈|\\in(?![A-Za-z]))\s*(?:\\left\s*)?[(\[]|^\\text\{"
 )
 _TELLS_LANGUAGE = 8000  # characters of a text
 _EQUATION = r"[^\])\"'\s]{0,300}(?:equation|\beqn?s?[\d_-]|formula|formule|ecuaci|gleichung|latex|codecogs|render/math|matri[xcz])[^\])\"']*"
-_DEFINES = re.compile(r"\\(?:(?:re|provide)?newcommand|def|let|DeclareMathOperator|newenvironment)(?![A-Za-z])")
-_OPTION = re.compile(r"\s*\\(?:text\w*|mathrm|mbox)\s*\{\s*\(?([A-Za-z1-9])\s*[).:]")
-_INTERTEXT = re.compile(r"\\(?:short)?intertext\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
-_IMAGE = re.compile(  # by what it is called or where it is made: ![equation 3](eq3.png), <img src="…codecogs.com…">
+_DEFINES = regex(r"\\(?:(?:re|provide)?newcommand|def|let|DeclareMathOperator|newenvironment)(?![A-Za-z])")
+_OPTION = regex(r"\s*\\(?:text\w*|mathrm|mbox)\s*\{\s*\(?([A-Za-z1-9])\s*[).:]")
+_INTERTEXT = regex(r"\\(?:short)?intertext\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
+_IMAGE = regex(  # by what it is called or where it is made: ![equation 3](eq3.png), <img src="…codecogs.com…">
     rf"!\[(?=[^\])\"']{{1,2000}}\]\(){_EQUATION}\]\([^)\n]{{1,2000}}\)|!\[[^\]\n]{{0,200}}\]\({_EQUATION}\)|<img\b[^>]{{0,500}}?(?:src|alt)=\\?[\"']{_EQUATION}"
     rf"|\\includegraphics\s*(?:\[[^\]]{{0,200}}\])?\{{{_EQUATION}\}}",
     re.IGNORECASE,
 )
-_HEADING = re.compile(r"[ ]{0,3}#{1,6}[ \t]+(.*?)[ \t#]*$|[ \t]*\\(?:chapter|(?:sub)*section|paragraph)\*?\s*\{(.*)\}")
+_HEADING = regex(r"[ ]{0,3}#{1,6}[ \t]+(.*?)[ \t#]*$|[ \t]*\\(?:chapter|(?:sub)*section|paragraph)\*?\s*\{(.*)\}")
 SUFFIXES = tuple(_READERS)
 OF_QUANTITY = tuple(MEANT + each for each in (NAMED, OPERATED, ACCELERATION, OTHER_FUNCTION))
 

@@ -8,21 +8,23 @@ from urllib.parse import unquote, unquote_plus
 
 from markdown_it.token import Token
 
+from armproof.verification.patterns import regex
+
 _PAIRS = r"(?:[\w-]+=[^&]*&(?:amp;)?)*?"
-_ADDRESS = re.compile(  # what follows the ? is all LaTeX, or one value of several
+_ADDRESS = regex(  # what follows the ? is all LaTeX, or one value of several
     rf"https?://(?:(?:latex\.codecogs\.com/[\w./]*\?|(?:tex\.s2cms\.ru|i\.upmath\.me)/(?:svg|png)/)(?P<all>.*)"
     rf"|(?:render\.githubusercontent\.com/render/math\?{_PAIRS}math|(?:chart\.googleapis|chart\.apis\.google)\.com/chart\?{_PAIRS}chl"
     rf"|(?:www\.)?zhihu\.com/equation\?{_PAIRS}tex|math\.now\.sh/?\?{_PAIRS}from)=(?P<one>[^&]*).*)",
     re.DOTALL,
 )
-_OPTIONS = re.compile(
+_OPTIONS = regex(
     r"\s*\\(?:inline|dpi\s*\{\d+\}|(?:bg|fn)_\w+|bg\s*\{\w+\}|(?:tiny|small|normal|large|Large|LARGE|huge)(?![A-Za-z]))\s*"
 )
 _ENTITIES = {"space": " ", "nbsp": " ", "plus": "+", "amp": "&", "lt": "<", "gt": ">", "quot": '"', "hash": "#"}
-_ENTITY = re.compile(rf"&({'|'.join(_ENTITIES)});")
-_PICTURE = re.compile(r"<img\b[^>]*?\bsrc\s*=\s*(?:\"([^\"]*)\"|'([^']*)')[^>]*>", re.IGNORECASE | re.DOTALL)
+_ENTITY = regex(rf"&({'|'.join(_ENTITIES)});")
+_PICTURE = regex(r"<img\b[^>]*?\bsrc\s*=\s*(?:\"([^\"]*)\"|'([^']*)')[^>]*>", re.IGNORECASE | re.DOTALL)
 _NO_TEXT = ("image", "html_inline", "link_open", "link_close")
-_TAG = re.compile(r"<[^<>]*>")
+_TAG = regex(r"<[^<>]*>")
 
 
 def latex_of(address: str) -> str:

@@ -16,6 +16,7 @@ import yaml
 from armproof.models.dh.entry import as_typed
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Finding, Kind, say
+from armproof.verification.patterns import regex
 
 MAX_BYTES = 20_000_000
 ATTEMPTS = 5  # at a file that changes while it is read
@@ -35,10 +36,10 @@ FRONT_MATTER_KEYS = (
 )
 _SHARED = ("title", "source")  # with other tools: any text will do
 QUIET_KEYS = frozenset(["lang", "figures", "jupyter", "jupytext", "kernelspec"])  # read elsewhere, or a notebook's own
-_OURS = re.compile(r"^[\s-]*[\"']?(?:%s)[\"']?\s*:" % "|".join(FRONT_MATTER_KEYS[2:]), re.MULTILINE)
-_KEY = re.compile(r"[\"']?([^\s\"'#:{}\[\],&*-][^:]*?)[\"']?\s*:(?=\s|$)")
-_TOML = re.compile(r"\+\+\+[ \t]*\n.*?^\+\+\+[ \t]*(?:\n|\Z)", re.DOTALL | re.MULTILINE)
-_BINARY = re.compile("[\x00-\x08\x0e-\x1f]")
+_OURS = regex(r"^[\s-]*[\"']?(?:%s)[\"']?\s*:" % "|".join(FRONT_MATTER_KEYS[2:]), re.MULTILINE)
+_KEY = regex(r"[\"']?([^\s\"'#:{}\[\],&*-][^:]*?)[\"']?\s*:(?=\s|$)")
+_TOML = regex(r"\+\+\+[ \t]*\n.*?^\+\+\+[ \t]*(?:\n|\Z)", re.DOTALL | re.MULTILINE)
+_BINARY = regex("[\x00-\x08\x0e-\x1f]")
 
 
 @dataclass(frozen=True)

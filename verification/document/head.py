@@ -10,8 +10,9 @@ from armproof.verification.document.front_matter import suffix_of
 from armproof.verification.document.model import Document
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Kind, say
+from armproof.verification.patterns import regex
 
-_FENCE = re.compile(r"(?:---|\.\.\.)[ \t]*$")
+_FENCE = regex(r"(?:---|\.\.\.)[ \t]*$")
 
 
 def with_front_matter(document: Document, text: str, block: str) -> str:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import re
+from armproof.verification.patterns import regex
 
-RULE = re.compile(r"([=\-`:'\"~^_*+#<>.])\1{2,}\s*$")
+RULE = regex(r"([=\-`:'\"~^_*+#<>.])\1{2,}\s*$")
 
 
 class Heading(str):

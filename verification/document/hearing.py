@@ -9,22 +9,23 @@ import re
 from functools import cache
 
 import armproof.verification.document.phrases as phrases
+from armproof.verification.patterns import regex
 
-DELIMITED = re.compile(r"\$([^$]*)\$|\\\((.*?)\\+\)|:math:`([^`]*)`")  # a formula of a sentence, its LaTeX in a group
-FORMULA = re.compile(r"\$\$?[^$]*\$\$?|\\\(.*?\\\)|:math:`[^`]*`")
-AXIS = re.compile(
+DELIMITED = regex(r"\$([^$]*)\$|\\\((.*?)\\+\)|:math:`([^`]*)`")  # a formula of a sentence, its LaTeX in a group
+FORMULA = regex(r"\$\$?[^$]*\$\$?|\\\(.*?\\\)|:math:`[^`]*`")
+AXIS = regex(
     r"\$\s*([xyz])(?:_0)?\s*\$[ -]?(?:axis|achse|direction|coordinate)|\b([xyz])[ -](?:axis|achse|direction)|\b(?:axe|eje|asse|eixo)(?: des| de las| delle| dos)? \$\s*([xyz])(?:_0)?\s*\$"
     r"|(?<=with )\$\s*(y)\s*\$",
     re.IGNORECASE,
 )
-_LAYOUT = re.compile(
+_LAYOUT = regex(
     r"\\(?:begin|end)\s*\{\w+\*?\}|\\[A-Za-z]+\*?|[{}()\[\]\"“”«»*~>|¿¡]|(?<!\w)_+(?=\w)|(?<=\w)_+(?!\w)|(?<!\S)[-–—]+(?!\S)"
 )
-STOP = re.compile(r"(?<!\\)[.;!?](?=\s+\S)")
-_LABEL = re.compile(
+STOP = regex(r"(?<!\\)[.;!?](?=\s+\S)")
+_LABEL = regex(
     r"(?<=\n)[ \t]*(?:[-*+][ \t]+)?(?:\(?[A-Za-z0-9]{1,2}[.)]|\\item(?:\[[^\]\n]*\])?)?\s*\Z"
 )  # "A." of an item that is a display
-IS_OVER = re.compile(r"[.!]\W*\Z")
+IS_OVER = regex(r"[.!]\W*\Z")
 _GAP = r"(?<![,:;] )(?:(?!(?:true|right|correct|valid|holds?|vraie?|exacte?|correcte|richtig|wahr) )[^\s,:;.!?]\S* ){0,4}?"  # no comma, no verdict
 MOST_CHARACTERS = 500  # of a sentence that is read
 _SHORT = 6  # words of one that is heard with the one before it

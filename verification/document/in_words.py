@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 
 from armproof.verification.document.postures import bent_to
+from armproof.verification.patterns import regex
 
 _FORMULA = r"(?:\$`?(?P<{0}>[^$`]{{1,200}})`?\$|\\\((?P<{0}_tex>.{{1,200}}?)\\\)|:math:`(?P<{0}_rst>[^`]{{1,200}})`)"
-_WRITE = re.compile(
+_WRITE = regex(
     r"\b(?:writ(?:e|ing|ten)|abbreviat(?:e|es|ing|ed)|denot(?:e|es|ing|ed)|use|using|not(?:e|ons|ant)|écri(?:t|vons|vant)|abr[eèé]g(?:e|eons|eant)|schreib(?:e|en)(?: wir)?|escrib(?:e|imos|iremos)|escreve(?:mos)?|scriv(?:e|iamo))\s*\Z",
     re.IGNORECASE,
 )
@@ -25,30 +26,30 @@ _KIND = (  # of what a formula is: "the difference $\\theta_1 - \\theta_2$"
     r"(?: (?:angle|of the angles|des angles|der Winkel|de los ángulos))?,?\s+"
 )
 _TURN = r"(?:(?:the |le )?(?P<turn>cos|sin)(?:ine|inus|e|us) (?:of|de) (?:(?:the|the angle|the sum|la somme|l['’]angle) )?)?"
-_SAID = re.compile(
+_SAID = regex(
     rf"{_FORMULA.format('name')}\s+(?:(?P<verb>{_IS}|(?P<behind>{_IS_WRITTEN})|is|est|ist|es|for|pour|für|para|per|by|par|as)\s+{_TURN}(?P<kind>{_KIND})?|{_KIND}){_FORMULA.format('value')}",
     re.DOTALL,
 )
-_TWO_SAID = re.compile(
+_TWO_SAID = regex(
     rf"{_FORMULA.format('name')}{_AND}{_FORMULA.format('other')}\s+{_IS}\s+{_FORMULA.format('value')}{_AND}{_FORMULA.format('second')}",
     re.DOTALL,
 )
-_BESIDE = re.compile(  # a shorthand and the sine or cosine that words join to it, whatever they are
+_BESIDE = regex(  # a shorthand and the sine or cosine that words join to it, whatever they are
     rf"{_FORMULA.format('name')}(?P<between>[^$`.;]{{1,40}}){_FORMULA.format('value')}", re.DOTALL
 )
 _THE = r"(?:(?:the|both|le|la|les|l['’]|der|die|das|den|dem|des|el|los|las|il|lo|gli|i|os?|as?)\s*)?"
 _OF = r"(?:of|de|du|des|der|von|del|della|dell['’]|dei|di|da|do|dos)\s*"
-_OF_TWO_ANGLES = re.compile(
+_OF_TWO_ANGLES = regex(
     rf"{_FORMULA.format('name')}\s+(?:[\w'’]+\s+){{0,3}}?{_THE}(?P<factors>(?:product|produit|produkt|producto|prodotto|produto)\s+{_OF}{_THE})?"
     rf"(?P<turn>(?:cosine|sine|cosinus|kosinus|sinus|coseno|cosseno|seno|cosen|sen)\w{{0,2}})(?(factors)|\s+{_OF}{_THE}(?P<kind>difference|différence|differenz|diferencia|differenza|diferença|sum|somme|summe|suma|somma|soma)\b)",
     re.IGNORECASE,
 )
-_LISTS = re.compile(
+_LISTS = regex(
     r"(?:\s|[,()])*(?:and|or|et|ou|und|oder|y|o|plus|minus|times|in|into|with|by|par|avec|then|[,()])(?:\s|[,()])*"
 )
-_SHORTHAND = re.compile(r"\s*[cCsS]\s*_\s*(?:\d|\{\s*[\dijk\s]+\}|[ijk])\s*")
-_SECOND = re.compile(rf"[$)`]{_AND}\Z")
-_ONE_NAME = re.compile(r"\s*\\?[A-Za-z]+(?:\s*_\s*(?:\{[\w\s,]+\}|\\?\w+))?\s*")
+_SHORTHAND = regex(r"\s*[cCsS]\s*_\s*(?:\d|\{\s*[\dijk\s]+\}|[ijk])\s*")
+_SECOND = regex(rf"[$)`]{_AND}\Z")
+_ONE_NAME = regex(r"\s*\\?[A-Za-z]+(?:\s*_\s*(?:\{[\w\s,]+\}|\\?\w+))?\s*")
 
 
 def said_in_words(text: str, at: int) -> str | None:

@@ -6,25 +6,26 @@ import re
 from collections.abc import Iterator
 
 from armproof.verification.document.hearing import formulas_of, says, words_of
+from armproof.verification.patterns import regex
 
 REFERENCE = "reference"  # which index is the reference: upper or lower, first or second
 LEFT_LOWER = "left lower"  # of the scripts before a letter the lower one is the reference: {}^A_BT is A in B
 LEFT_UPPER = "left upper"  # the upper one is, as it mostly is
 ROWS = "rows"  # points are rows, and matrices stand behind them
 
-MAY_INDEX = re.compile(  # what no such sentence lacks, in small letters
+MAY_INDEX = regex(  # what no such sentence lacks, in small letters
     r"frame|rep[eè]re|system|sistema|marco|terna|referencial|coord|koord|\brows?\b|zeilen|lignes?\b|\bfilas?\b|\brig[ah]e?\b|linha|[tahr]\s*_"
 )
 _INDEX, _ANY = r"\{?\s*(\w)\s*\}?", r"\{?\s*\w\s*\}?"
 _LETTER = r"(?:\\\w+\s*\{)?[TAHR]\}?\s*"
-_MATRIX = re.compile(
+_MATRIX = regex(
     rf"{_LETTER}(?:_\s*{_INDEX}\s*\^\s*{_INDEX}|\^\s*{_INDEX}\s*_\s*{_INDEX}|_\s*\{{\s*(\w)\s*,?\s*(\w)\s*\}})"
 )
 _BEFORE = rf"(?:\{{\}}\s*\^\s*{_INDEX}\s*)?"
-_LEFT = re.compile(
+_LEFT = regex(
     rf"\{{\}}\s*\^\s*{_INDEX}(?:\s*_\s*{_INDEX}\s*{_LETTER}|\s*{_LETTER}_\s*{_INDEX})|\{{\}}\s*_\s*{_INDEX}\s*\^\s*{_INDEX}\s*{_LETTER}"
 )
-_MAPS = re.compile(  # p_i = T_{ij} p_j, {}^j p = T_i^j {}^i p
+_MAPS = regex(  # p_i = T_{ij} p_j, {}^j p = T_i^j {}^i p
     rf"\s*{_BEFORE}([a-z])(?:_\s*{_INDEX})?\s*=\s*(?P<matrix>{_LETTER}(?:_\s*{_ANY}\s*\^\s*{_ANY}|\^\s*{_ANY}\s*_\s*{_ANY}|_\s*\{{[^{{}}]*\}}))"
     rf"\s*(?:\\,|\\;|\\cdot)?\s*{_BEFORE}\2(?:_\s*{_INDEX})?\s*"
 )
@@ -34,25 +35,25 @@ _ARTICLE = (
 )
 _PLACE = rf"{_ARTICLE}(?:coordinate )?({_FRAME})(?: (\w)(?!\w))?"
 _AS_SEEN = r"(?:is|are|as|expressed|described|written|given|seen|viewed|exprimé|décrit|vu|ausgedrückt|beschrieben|gesehen|expresado|visto|espresso|relative|relativ|with|respect|par|rapport|con|respecto|rispetto)"
-_SEEN = re.compile(  # "from frame 0 to frame 1" says neither
+_SEEN = regex(  # "from frame 0 to frame 1" says neither
     rf"(?<!\S){_PLACE} (?:(?:{_AS_SEEN} )*(?:in|im|en|dans|nel|nella|no|na|bezüglich)|(?:{_AS_SEEN} )+(?:to|al|a|à|au|from|aus|von|desde|depuis|dal|dalla)) {_PLACE}"
 )
-_TURNS = re.compile(
+_TURNS = regex(
     rf"(?<!\S)(?:coordinates|coordonnées|koordinaten|coordenadas|coordinate) {_ARTICLE}(?:in |im |en |dans |from |aus )?{_PLACE} (?:in |into |to |en |a |à |auf )(?:those|celles|jene|die|las|los|quelle|coordinates|coordonnées|koordinaten|coordenadas)(?: in| im| en| dans)? {_PLACE}"
 )
-_INTO = re.compile(  # "coordinates in A into coordinates in B"
+_INTO = regex(  # "coordinates in A into coordinates in B"
     r"(?<!\S)(?:coordinates|components|coordonnées|composantes|koordinaten|coordenadas|coordinate) (?:in|of|dans|en|im|von|de) (\w) (?:in|into|to|en|auf|a) (?:coordinates|components|those|coordonnées|composantes|celles|koordinaten|die|solche|coordenadas|las|coordinate|quelle) (?:in|of|dans|en|im|von|de) (\w)(?!\w)"
 )
 _SCRIPT = r"(?:left |leading |gauche |linke )?(?:{} (?:left |leading |linke )?(?:index|script)|{}|indice {}(?: gauche| de gauche)?)"
 _UPPER = _SCRIPT.format("(?:upper|top|obere)", "superscript|exposant", "supérieur")
 _LOWER = _SCRIPT.format("(?:lower|bottom|untere)", "subscript", "inférieur")
 _NAMES_FRAME = rf"(?:names|is|denotes|gives|tells|désigne|est|donne|nennt|ist|bezeichnet) {_ARTICLE}(?:frame|repère|system|koordinatensystem)"
-_SEEN_ABOVE = re.compile(  # "the upper index names the frame that is described", "the lower one that in which it is"
+_SEEN_ABOVE = regex(  # "the upper index names the frame that is described", "the lower one that in which it is"
     rf"(?<!\S){_UPPER} {_NAMES_FRAME} (?:,? ?(?:that|which) is (?:being )?(?:described|located)|being described|described|décrit|qui est décrit|, das beschrieben wird)(?! in )"
     rf"|(?<!\S){_LOWER} {_NAMES_FRAME} (?:(?:in|with respect to|relative to) which|of reference|de référence|dans lequel|par rapport auquel|, in dem)"
 )
-_BEFORE_LETTER = re.compile(r"(?<!\S)(?:left|leading|gauche|linke)(?!\S)")
-_TELLS_OF = re.compile(
+_BEFORE_LETTER = regex(r"(?<!\S)(?:left|leading|gauche|linke)(?!\S)")
+_TELLS_OF = regex(
     r"(?<!\S)(?:columns?|axes|pose|position|orientation|expres\w*|express\w*|describ\w*|décrit|beschreibt|gives|giving|donne|gibt|expresa|esprime|descrive|transform\w*|trasforma\w*|turns?|maps?|rotates?|takes?|überführt|convierte|converte|convertit|denotes|is|are|est|ist|es|è)(?!\S)"
 )
 _BASE = ("base", "world", "basis")

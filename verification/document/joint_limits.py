@@ -5,12 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
+from armproof.verification.patterns import regex
+
 LIMITED = "limited"  # joints are
 
-MAY_LIMIT = re.compile(
+MAY_LIMIT = regex(
     r"stop|limit|limite|límite|range|travel|butée|débattement|course|anschl|bereich|grenze|tope|finecorsa|batente|fold|side|côté|seite|lado|lato|\\le|\\ge|\\in|≤|≥|∈|<|>"
 )
-_LIMITS = re.compile(
+_LIMITS = regex(
     r"(?<!\S)(?:(?:mechanical |hard |end )?(?:stops|end-stops?|endstops?)|(?:joint|angle|mechanical|axis) (?:limit|range|stop|travel)s?|(?:limits?|ranges?|travel) (?:of|for) (?:the |each |motion |this )*(?:joints?|elbow|axis|axes|wrist|shoulder|¤|first|second|third|fourth|fifth|sixth|last)"
     r"|range of motion|within (?:its|their|the) (?:ranges?|limits?)|butées?(?: (?:mécaniques?|articulaires?))?|limites? (?:articulaires?|mécaniques?|des? (?:l' )?(?:articulation|axe|coude|joint)s?)|débattements?|(?:end)?anschläge?n?|(?:gelenk|winkel|achs)(?:grenzen?|bereiche?)|bewegungsbereiche?"
     r"|topes|límites? (?:articular(?:es)?|mecánicos?)|finecorsa|limiti (?:di giunto|meccanici|articolari)|batentes?"
@@ -18,22 +20,20 @@ _LIMITS = re.compile(
     r"|ne (?:se )?(?:plie|plient|tourne|tournent|replie|replient|peut|peuvent) (?:pas|que|jamais)|(?:only|nur|solo|sólo) (?:bends?|folds?|turns?|beugt|knickt|dobla|piega) (?:\S+ ){0,3}?(?:one|einer?|un|one) (?:side|way|direction|seite|lado|lato)"
     r"|(?:bends?|folds?) (?:only )?(?:to|in|on) (?:one|a single) (?:side|way|direction)) "
 )
-_NONE = re.compile(
+_NONE = regex(
     r"(?<!\S)(?:no|not|without|ignor\S*|neglect\S*|unlimited|sans|aucune?s?|néglig\S*|ohne|keine?n?|sin|senza|sem|non|any) "
 )
 _JOINT = r"(?:\\(?:var)?(?:theta|phi|alpha|beta|chi|psi)|[qθ])(?:\s*_\s*\{?\s*\w+\s*\}?)?"
 _FULL = r"(?:-?\s*(?:2\s*)?(?:\\pi|π)|-?\s*(?:180|360)\s*(?:°|\^\s*\{?\s*\\circ\s*\}?)|0)"
-_BOUND = re.compile(
+_BOUND = regex(
     rf"(?:\||\\lvert|\\left\|)\s*{_JOINT}\s*(?:\||\\rvert|\\right\|)\s*(?:\\leq?(?:slant)?(?![A-Za-z])|≤|<)|(?:\\leq?(?:slant)?(?![A-Za-z])|≤|<)\s*{_JOINT}\s*(?:\\leq?(?:slant)?(?![A-Za-z])|≤|<)"
     rf"|{_JOINT}\s*(?:\\in(?![A-Za-z])|∈)\s*(?:\\left\s*)?[\[(\]]"
 )
-_CLAIMS = re.compile(
-    r"\\(?:iff|implies|impliedby|text|mathrm|(?:Long)?(?:left)?rightarrow)(?![A-Za-z])|[⇒⇔]", re.IGNORECASE
-)
-_ALL_ROUND = re.compile(
+_CLAIMS = regex(r"\\(?:iff|implies|impliedby|text|mathrm|(?:Long)?(?:left)?rightarrow)(?![A-Za-z])|[⇒⇔]", re.IGNORECASE)
+_ALL_ROUND = regex(
     rf"\s*(?:{_FULL}\s*(?:\\leq?|≤|<)\s*{_JOINT}\s*(?:\\leq?|≤|<)\s*{_FULL}|{_JOINT}\s*(?:\\in|∈)\s*(?:\\left\s*)?[\[(\]]\s*{_FULL}\s*[,;]\s*{_FULL}\s*(?:\\right\s*)?[\])\[]|(?:\||\\lvert)\s*{_JOINT}\s*(?:\||\\rvert)\s*(?:\\leq?|≤|<)\s*(?:\\pi|π|180\S*))\s*"
 )
-_COLUMN = re.compile(
+_COLUMN = regex(
     r"^[ \t]*\|.*\|\s*\W*(?:joint |mechanical )?(?:range|limits?|stops?|travel|butées?|débattement|course|bereich|anschläge?|grenzen?|rango|límites?|limiti|corsa)\b[^|\n]*\||&\s*(?:\\text\w*\{)?\s*(?:range|limits?|butées?|débattement|bereich|anschläge?|límites?|limiti)\b[^&\n]*(?:&|\\\\)",
     re.IGNORECASE | re.MULTILINE,
 )

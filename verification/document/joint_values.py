@@ -5,14 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
+from armproof.verification.patterns import regex
+
 _BEGIN = r"\text{joint "  # and the joint's number, "last" or "all"
-_VALUE = re.compile(re.escape(_BEGIN) + r"(?:\d|last|all)\} = ")
+_VALUE = regex(re.escape(_BEGIN) + r"(?:\d|last|all)\} = ")
 _ORDINALS = {
     "1": "first|premier|première", "2": "second|deuxième|seconde?", "3": "third|troisième", "4": "fourth|quatrième", "5": "fifth|cinquième",
     "6": "sixth|sixième", "last": "last|dernier|dernière", "all": "both|all|all the|(?:les )?deux|toutes les",
 }  # fmt: skip
 _HELD = r"held|kept|set|fixed|locked|blocked|clamped|turned|maintenue?s?|fixée?s?|bloquée?s?"
-_AT_VALUE = re.compile(
+_AT_VALUE = regex(
     rf"\b(?:(?P<which>{'|'.join(_ORDINALS.values())}) (?:joints?|axes|axis|motors?|articulations?|liaisons?|axes?|moteurs?|one)"
     r"|(?:joint|axis|motor|articulation|axe) (?P<number>\d))"
     rf"(?: (?:is|are|being|est|sont|étant))?(?: (?:{_HELD}))? (?:at|to|by|à)"

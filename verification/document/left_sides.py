@@ -6,15 +6,16 @@ import re
 from dataclasses import replace
 
 from armproof.verification.document.model import Display, Document
+from armproof.verification.patterns import regex
 
-MAY_LEAD = re.compile(r"=[ \t]*(?:\$[ \t]*)?(?:\*\*|__)?[ \t]*\\{0,2}$", re.MULTILINE)
-_SAYS = re.compile(r"=|\\(?:approx|equiv|[lg]eq?|neq?|to|rightarrow)(?![A-Za-z])|[<>≈≠≤≥]")
+MAY_LEAD = regex(r"=[ \t]*(?:\$[ \t]*)?(?:\*\*|__)?[ \t]*\\{0,2}$", re.MULTILINE)
+_SAYS = regex(r"=|\\(?:approx|equiv|[lg]eq?|neq?|to|rightarrow)(?![A-Za-z])|[<>≈≠≤≥]")
 _PLAIN = r"[A-Za-z](?:[_^](?:\{\w+\}|[A-Za-z0-9]+))*"  # T_0_1, T_{01}, T^0_1, J
-_LEFT = re.compile(
+_LEFT = regex(
     rf"\s*(?:[-*+]\s+|\d+[.)]\s+)?(?:\*\*|__)?(?:(?P<plain>{_PLAIN})\s*:?=|\$(?P<within>[^$=]+?):?=\s*\$|\$(?P<before>[^$=]+)\$\s*:?=)"
     r"\s*(?:\*\*|__)?[ \t]*\\{0,2}"
 )
-_SUBSCRIPTS = re.compile(r"(?:_(?:\{\w+\}|[A-Za-z0-9]+)){2,}")
+_SUBSCRIPTS = regex(r"(?:_(?:\{\w+\}|[A-Za-z0-9]+)){2,}")
 _LINES = 2  # above the display, of which all but the one with the left side are empty
 
 

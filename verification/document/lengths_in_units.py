@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-_LENGTH = re.compile(r"[aAdDlLrRhH]_\{?\d\}?")
-_SAID = re.compile(
+from armproof.verification.patterns import regex
+
+_LENGTH = regex(r"[aAdDlLrRhH]_\{?\d\}?")
+_SAID = regex(
     r"\$([^$]*)\$|\\\((.*?)\\+\)|(?<!\S)(?:in|en|em) (inch|feet|foot|pieds?|pouce|fuß|zoll|pulgada|pies|piedi|pollic|mm|millim|cm|centim|zentim|m\b|met|mèt)|\d\s*(mm|cm|m)(?!\w)",
     re.IGNORECASE,
 )

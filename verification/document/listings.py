@@ -13,26 +13,25 @@ from math import pi
 from armproof.verification.document.heading import encloses
 from armproof.verification.document.model import Display, Listing
 from armproof.verification.document.moving_on import RESIZED
+from armproof.verification.patterns import regex
 
 _LETTERS = {"theta": r"\theta", "th": r"\theta", "alpha": r"\alpha", "beta": r"\beta", "phi": r"\phi"}
 _LETTERS |= {letter: letter for letter in "adhlLqr"}
-_ASSIGNED = re.compile(
-    rf"(?<![\w.\[(])({'|'.join(sorted(_LETTERS, key=len, reverse=True))})_?(\d{{1,2}})\s*=(?!=)\s*(.+)"
-)
-_NAMED = re.compile(rf"(?<![\w.])({'|'.join(sorted(_LETTERS, key=len, reverse=True))})_?(\d{{1,2}})(?!\w)")
-_GIVES = re.compile(r"(?P<names>[^=()<>!\[\]]*?)\s*(?:[-+*/]|\*\*|//)?=(?!=)")  # l1, l2 = …; l2 *= 2
-_COMMENT = re.compile(r"[#%].*|//.*")
-_PREFIX = re.compile(r"(?<![\w.])(?:numpy|np|math|sympy|sp)\.")
-_DEGREES = re.compile(r"(?<!\w)(?:deg2rad|radians)\(")
+_ASSIGNED = regex(rf"(?<![\w.\[(])({'|'.join(sorted(_LETTERS, key=len, reverse=True))})_?(\d{{1,2}})\s*=(?!=)\s*(.+)")
+_NAMED = regex(rf"(?<![\w.])({'|'.join(sorted(_LETTERS, key=len, reverse=True))})_?(\d{{1,2}})(?!\w)")
+_GIVES = regex(r"(?P<names>[^=()<>!\[\]]*?)\s*(?:[-+*/]|\*\*|//)?=(?!=)")  # l1, l2 = …; l2 *= 2
+_COMMENT = regex(r"[#%].*|//.*")
+_PREFIX = regex(r"(?<![\w.])(?:numpy|np|math|sympy|sp)\.")
+_DEGREES = regex(r"(?<!\w)(?:deg2rad|radians)\(")
 _OPERATORS: dict[type[ast.operator], str] = {ast.Add: "{} + {}", ast.Sub: "{} - {}", ast.Mult: r"{} \cdot {}"}
 NEAREST = 4  # pieces of code that are looked at for a display
 MOST = 40  # assignments of a listing that are looked at
-_WORKED = re.compile(
+_WORKED = regex(
     r"\s*(\\theta|q)\s*_\s*\{?(\d)\}?\s*=(?P<between>[^,;&]*[^\W\d_][^,;&]*)=\s*(?P<number>-?\s*\d+\.\d+)\s*(?:\\[ ,;:]|~)*\s*"
     r"(?:(?:\\(?:text|mathrm|rm)\s*\{?\s*)?(?P<unit>rad|deg|°|\^\{?\\circ\}?|\^\{?°\}?)[a-zé]*\s*\}?)?\s*[.,;]?\s*",
     re.DOTALL,
 )
-_SEVERAL = re.compile(r"\\\\|\\q?quad|\\text|\\begin|\n\s*\n")  # no single chain
+_SEVERAL = regex(r"\\\\|\\q?quad|\\text|\\begin|\n\s*\n")  # no single chain
 FEWEST_DECIMALS = {"rad": 3, "deg": 1}
 
 

@@ -5,14 +5,14 @@ Which joint is held is not read: whatever it is, an equation of rates behind it 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from armproof.verification.document.word_lists import WordLists
+from armproof.verification.patterns import regex
 
 LOCKED = "locked"  # joints: rates behind it are those of others; with the letter that is said to be constant
 
-MAY_LOCK = re.compile(
+MAY_LOCK = regex(
     r"lock|block|brak|clamp|jam|stuck|broken|froz|freez|fixed|[ck]onst|costant|unchang|inchang|unver|only|alone|keep|held|holds?\b|still|immobil|stand|verrou|bloqu|frein|panne|seul|garde|figé|gesperrt|sperr|gebremst|brems|blockier|fest|verriegel|arretier|behält|nur\b|allein|fren|solo|sólo|inmóvil|quiet|conserva|mantien|rest|trav|apenas|só\b|reste|fail|dead|defekt|ausgefallen|switched off|averi"
 )
 _lists = WordLists("""
@@ -22,11 +22,11 @@ HOLDS is are stays stay remains remain kept keeps keep held holds hold stands st
 PART joint joints elbow shoulder wrist axis motor motors slide telescope forearm drive actuator articulation~ coude épaule poignet axe moteur~ glissière~ liaison~ gelenk~ ellbogen schulter handgelenk achse~ motor motoren schub schubgelenk antrieb unterarm articulaci~ codo hombro muñeca eje motor giunt~ gomito spalla polso asse motore motori junta~ cotovelo ombro punho eixo
 """)
 _is, _has = _lists.holds, _lists.has
-_JOINT = re.compile(r"(?:\\(?:var)?(?:theta|phi)|[qdr])(?:\s*_\s*(?:\{\s*\w+\s*\}|\w))?")
-_BRAKE = re.compile(
+_JOINT = regex(r"(?:\\(?:var)?(?:theta|phi)|[qdr])(?:\s*_\s*(?:\{\s*\w+\s*\}|\w))?")
+_BRAKE = regex(
     r"(?<!\S)(?:brakes?|locks?|pins?|bolts?|freins?|bremsen?|frenos?|freni|freno|freios?) (?:\S+ )?(?:holds?|keeps?|locks?|blocks?|tient|bloque|retient|immobilise|hält|halten|blockiert|sperrt|sujeta|mantiene|bloquea|tiene|blocca|segura|on) "
 )
-_ALONE = re.compile(
+_ALONE = regex(
     r"(?<!can )(?<!may )(?<!\S)(?:(?:only|seule?s?|nur|solo|sólo|solamente|soltanto|apenas|somente|só) (?:[^,;:.\s]+ ){0,4}?(?:moves?|turns?|rotates?|slides?|varies|vary|runs?|works?|changes?|bouge|tourne|varie|se déplace|bewegt|dreht|ändert|läuft|mueve|gira|varía|muove|ruota|varia|move|is driven|is actuated)"
     r"|(?:moves?|turns?|bouge|tourne|bewegt sich|dreht sich|se mueve|si muove|gira) (?:only|alone|seule?|nur|allein|solo|da solo)"
     r"|(?:does not|do not|doesn' t|don' t|cannot|can' t|no longer) (?:\S+ )?(?:move|turn|rotate|slide|change|vary)(?! (?:its|the|this|a))|ne (?:bouge|tourne|varie|se déplace|bougent|tournent) (?:pas|plus)|(?:bewegt|dreht|ändert) sich (?:nicht|nicht mehr)|no (?:se )?(?:mueve|gira|cambia)|non (?:si )?(?:muove|gira|cambia)) "
@@ -49,7 +49,7 @@ _FASTENED = (
     "en",
 )  # and no joint that is held
 _JOINING = (",", "and", "et", "und", "y", "e")
-_BY_RATE = re.compile(r"\\dot\s*\{?\s*(?:\\(?:var)?theta|[qdr])[^=]*=\s*0\s*\Z")
+_BY_RATE = regex(r"\\dot\s*\{?\s*(?:\\(?:var)?theta|[qdr])[^=]*=\s*0\s*\Z")
 
 
 def locks(words: str, formulas: Sequence[str]) -> bool:

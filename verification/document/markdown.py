@@ -31,72 +31,69 @@ from armproof.verification.document.model import CODE, INLINE, Display, Document
 from armproof.verification.document.postures import postures
 from armproof.verification.document.sentences import said_above, said_below, said_in_general
 from armproof.verification.document.units import MOST_BEHIND, with_unit
+from armproof.verification.patterns import regex
 
 PICTURE = "<img"  # the opening of a display whose LaTeX stands in the address of a picture
 _AFTER_A_LEAD = frozenset("math_block math_block_label amsmath html_block fence colon_fence".split())
-_INDENTED_BOX = re.compile(  # of MkDocs: what is indented behind it is its text
+_INDENTED_BOX = regex(  # of MkDocs: what is indented behind it is its text
     r"^(?:(?P<tab>===)[+!]{0,2}|!!!|\?\?\?\+?)[ \t]+(?P<title>[^\n]*)", re.MULTILINE
 )
 _OF_TAB = 6  # level of the section that a tab is
-_INDENTED = re.compile(
-    r"\s*\$\$[ \t]*\n(?:(?!\$\$).)+\n[ \t]*\$\$[ \t]*(?:\n|$)", re.DOTALL
-)  # a display below "Step 3."
+_INDENTED = regex(r"\s*\$\$[ \t]*\n(?:(?!\$\$).)+\n[ \t]*\$\$[ \t]*(?:\n|$)", re.DOTALL)  # a display below "Step 3."
 _STOPS = " .,;，。；"
-_NUMBERED = re.compile(r"\s*\(?(?:[IVX]{1,5}|[ivx]{1,5}|\d{1,2}|[A-Za-z])\s*[.):–-]\s*")  # I. $x = …$
-_JOINS = re.compile(
+_NUMBERED = regex(r"\s*\(?(?:[IVX]{1,5}|[ivx]{1,5}|\d{1,2}|[A-Za-z])\s*[.):–-]\s*")  # I. $x = …$
+_JOINS = regex(
     r"[\s.,;]*(?:and|et|und|y|e)?[\s.,;:]*"
 )  # what stands behind one of several formulas, each in its paragraph
-_LISTS = re.compile(r",.*=", re.DOTALL)  # a_1 = 0, d_1 = 2: what is given
+_LISTS = regex(r",.*=", re.DOTALL)  # a_1 = 0, d_1 = 2: what is given
 ALONE = "$ "  # the opening of a formula between single dollars that has a line of its own
-_DERIVED = re.compile(  # a matrix, or a function of an angle or of a length: no value that is given
+_DERIVED = regex(  # a matrix, or a function of an angle or of a length: no value that is given
     r"\\begin\{\w*matrix|\\begin\{array|(?=.*=).*(?:\\(?:cos|sin|tan|arc[a-z]{3}|sqrt)(?![A-Za-z])|atan_?2|arctan_?2|(?<![A-Za-z\\])[cCsS]_)",
     re.DOTALL,
 )
-_MATRIX = re.compile(r"\\begin\{\w*matrix|\\begin\{array")
-_FENCES = re.compile(r"\\(?:begin|end)\{\w*\*?\}(?:\{[|clr ]*\})?")
-_LEADS_ON = re.compile(  # in the languages in which such lines were met
+_MATRIX = regex(r"\\begin\{\w*matrix|\\begin\{array")
+_FENCES = regex(r"\\(?:begin|end)\{\w*\*?\}(?:\{[|clr ]*\})?")
+_LEADS_ON = regex(  # in the languages in which such lines were met
     r"(?:[:：.;,为是為]|\b(?:is|are|as|gives?|gets?|becomes?|obtains?|yields?|equals|est|sont|donne|donnent|obtient|obtenons|vaut|devient|es|son|queda|obtiene|obtenemos|resulta|será|è|sono|diventa|otteniamo|ist|sind|lautet|ergibt|é|são|fica|là))\s*\Z",
     re.IGNORECASE,
 )
-_SAYS = re.compile(r"[=<>≈]|\\(?:approx|simeq|equiv|[lg]eq?)(?![A-Za-z])|(?:∈|\\in(?![A-Za-z]))\s*(?:\\left\s*)?[(\[]")
+_SAYS = regex(r"[=<>≈]|\\(?:approx|simeq|equiv|[lg]eq?)(?![A-Za-z])|(?:∈|\\in(?![A-Za-z]))\s*(?:\\left\s*)?[(\[]")
 AMS = "\\begin"  # the opening of an environment that stands in the text without dollars
-_ENVIRONMENT = re.compile(
+_ENVIRONMENT = regex(
     r"\\begin\{((?:equation|align|gather|multline|flalign|alignat|eqnarray)\*?|(?:align|gather)ed|split)\}"
 )
-_WHOLE_ENVIRONMENT = re.compile(rf"{_ENVIRONMENT.pattern}(?:(?!\n[ \t]*\n).)*?\\end\{{\1\}}", re.DOTALL)
-_LITERAL = re.compile(r"\s*<(?:pre|script|style|textarea)\b", re.IGNORECASE)  # what stands in it is no formula
-_BAR = re.compile(r"(?<!\\)\|")
-_BLANK = re.compile(r"[\s>]*")
-_OPTIONS = re.compile(r"[\s>]*(?::[\w-]+:.*|---.*|[\w-]+:.*)?")
+_WHOLE_ENVIRONMENT = regex(rf"{_ENVIRONMENT.pattern}(?:(?!\n[ \t]*\n).)*?\\end\{{\1\}}", re.DOTALL)
+_LITERAL = regex(r"\s*<(?:pre|script|style|textarea)\b", re.IGNORECASE)  # what stands in it is no formula
+_BAR = regex(r"(?<!\\)\|")
+_BLANK = regex(r"[\s>]*")
+_OPTIONS = regex(r"[\s>]*(?::[\w-]+:.*|---.*|[\w-]+:.*)?")
 Rule = Callable[[StateBlock, int, int, bool], bool]
 MOST_OF_A_LABEL = 6  # words
 MOST_LINES = 100  # of an environment without dollars
 MOST_NESTED = 12  # directives, each in another: every one is read anew
-_BEGINS = re.compile(r"(?:\(?[A-Za-z0-9]{1,2}[.)]\s+)?\$\$")  # a display, with the label of its item: "A. $$ … $$"
+_BEGINS = regex(r"(?:\(?[A-Za-z0-9]{1,2}[.)]\s+)?\$\$")  # a display, with the label of its item: "A. $$ … $$"
 FARTHEST = 12  # lines between the opening of a display and its LaTeX: blank, or a directive's options
 ADMONITIONS = frozenset(["admonition", "note", "warning", "tip", "important", "caution", "error", "hint", "attention", "danger",
                          "seealso", "erratum", "errata", "card", "dropdown", "proof", "topic", "sidebar", "margin", "figure", "table",
                          "example", "exercise", "solution", "theorem", "lemma", "definition", "remark", "details", "aside", "grid",
                          "grid-item", "grid-item-card", "tab-set", "tab-item"])  # fmt: skip
-_DIRECTIVE = re.compile(
-    r"\s*\{?\s*\.?(?P<name>[\w:-]*)"
-)  # ```{math}, :::{admonition} Erratum, ::: {.erratum}, ::: warning
-_IN_SOME_FORMAT = re.compile(r"\.content-(?:hidden|visible)(?![\w-])")  # of Quarto: when-format, unless-meta
-_HIDDEN = re.compile(r"\.(?:content-)?hidden(?![\w-])(?!.*\b(?:when|unless)-)")
-_ERRATUM = re.compile(r"(?<![A-Za-z])errat(?:um|a)\b", re.IGNORECASE)
-_LABEL = re.compile(
+_DIRECTIVE = regex(r"\s*\{?\s*\.?(?P<name>[\w:-]*)")  # ```{math}, :::{admonition} Erratum, ::: {.erratum}, ::: warning
+_IN_SOME_FORMAT = regex(r"\.content-(?:hidden|visible)(?![\w-])")  # of Quarto: when-format, unless-meta
+_HIDDEN = regex(r"\.(?:content-)?hidden(?![\w-])(?!.*\b(?:when|unless)-)")
+_ERRATUM = regex(r"(?<![A-Za-z])errat(?:um|a)\b", re.IGNORECASE)
+_LABEL = regex(
     r"(\$\$)[ \t]*\{#[^{}\n]*(?:\{[^{}\n]*\})?[^{}\n]*\}[ \t]*$", re.MULTILINE
 )  # Quarto's: $$ {#eq-jacobian}
 # \[ … \] and \\[ … \\] on lines of their own, as MathJax and many writers have them
-_BRACKETS = re.compile(
+_BRACKETS = regex(
     r"^([ \t>]*)(\\{1,2})\[((?:(?!\$\$|^[ \t>]*$)[^\n]*\n){0,60}?(?!\$\$)[^\n$]*?)\2\](?=[ \t.,;]*$)", re.MULTILINE
 )
-_ROUND = re.compile(
+_ROUND = regex(
     r"(\\{1,2})\(((?:(?!\1[()]|[$`]|\n[ \t>]*\n).){1,400}?)\1\)", re.DOTALL
 )  # \( … \) and \\( … \\) in a line
-_FENCED = re.compile(r"^[ \t>]*(?:```|~~~)", re.MULTILINE)
-_UNSEEN = re.compile("[\u200b\u200c\ufeff]+$", re.MULTILINE)  # behind the $$ that ends a display
-_HTML_HEADING = re.compile(r"\s*<h(?P<level>[1-6])(?:\s[^<>]*)?>(?P<text>.*?)</h[1-6]>", re.IGNORECASE | re.DOTALL)
+_FENCED = regex(r"^[ \t>]*(?:```|~~~)", re.MULTILINE)
+_UNSEEN = regex("[\u200b\u200c\ufeff]+$", re.MULTILINE)  # behind the $$ that ends a display
+_HTML_HEADING = regex(r"\s*<h(?P<level>[1-6])(?:\s[^<>]*)?>(?P<text>.*?)</h[1-6]>", re.IGNORECASE | re.DOTALL)
 
 
 def place_displays(displays: Sequence[Display], lines: Sequence[str], first: int) -> list[Display]:

@@ -11,27 +11,28 @@ from bisect import bisect_left
 from collections.abc import Iterator
 
 from armproof.verification.document.tex_macros import blank
+from armproof.verification.patterns import regex
 
-_FENCE = re.compile(r"[ \t>]{0,12}(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>[^\n`]*)$")
-_DIRECTIVE = re.compile(r"\{(?!code|math)[\w:-]+\}")
-_HIDDEN_TAG = re.compile(
+_FENCE = regex(r"[ \t>]{0,12}(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>[^\n`]*)$")
+_DIRECTIVE = regex(r"\{(?!code|math)[\w:-]+\}")
+_HIDDEN_TAG = regex(
     r"(?<!`)<(?P<name>[a-z][a-z0-9]*)(?=\s)(?:[^<>\"']|\"[^\"]*\"|'[^']*')*?"
     r"(?:\sstyle\s*=\s*(?:\"[^\"<>]*(?:display\s*:\s*none|visibility\s*:\s*hidden)[^\"<>]*\"|'[^'<>]*(?:display\s*:\s*none|visibility\s*:\s*hidden)[^'<>]*')|\shidden(?=[\s>=]))"
     r"(?:[^<>\"']|\"[^\"]*\"|'[^']*')*>",
     re.IGNORECASE,
 )
-_COMMENTS = re.compile(
+_COMMENTS = regex(
     r"\{%-?\s*comment\s*-?%\}.*?\{%-?\s*endcomment\s*-?%\}|\{\{[<%]\s*comment\s*[%>]\}\}.*?\{\{[<%]\s*/comment\s*[%>]\}\}"
     r"|^[ ]{0,3}%%(?!%)(?:(?!%%).)*%%[ \t]*$"  # on lines of its own
     r"|(?<![`%\\])%%(?![%`])(?:(?!%%)[^\n])+%%(?![%`])",  # in a line
     re.DOTALL | re.MULTILINE,
 )
-_TAGS = re.compile(  # no sentence: what it puts there is not known
+_TAGS = regex(  # no sentence: what it puts there is not known
     r"\{%-?\s*[a-z]\w*\b(?:(?!%\}|[$\\]).)*%\}|\{\{<\s*/?[a-z][\w/-]*(?:(?!>\}\}|[$\\]).)*>\}\}|\{\{%\s*/?[a-z][\w/-]*(?:(?!%\}\}|[$\\]).)*%\}\}"
     r"|^[ \t]*\{\{-?\s*[a-z][\w.]*(?:\s*\|[^{}$\\\n]*)?\s*-?\}\}[ \t]*$",
     re.DOTALL | re.MULTILINE,
 )
-_LINE = re.compile(r"(?:\A|(?<=\n))(?P<before>[ \t]*\n|\A)(?P<lines>(?:%(?!%)[^\n]*(?:\n|\Z))+)")
+_LINE = regex(r"(?:\A|(?<=\n))(?P<before>[ \t]*\n|\A)(?P<lines>(?:%(?!%)[^\n]*(?:\n|\Z))+)")
 
 
 def without_hidden(body: str) -> str:

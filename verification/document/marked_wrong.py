@@ -8,26 +8,27 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from armproof.verification.document.model import CODE, INLINE, Display
+from armproof.verification.patterns import regex
 
-MAY_MARK = re.compile(  # what no text that has such marks lacks
+MAY_MARK = regex(  # what no text that has such marks lacks
     r"[❌✗✘✖👎🚫⛔☒🙅☐]|:(?:x|-1|thumbsdown|no_entry\w*|negative_squared_cross_mark|heavy_multiplication_x):|\\xmark|\\ding\{5[3-6]\}|\[[ xX]\][ \t]|\\(?:wrong|incorrect)?choice\b|(?:^|(?<=[\s(*]))[A-Da-d1][.)](?=[\s*]|\\\[|\$)",
     re.MULTILINE,
 )
-WRONG = re.compile(
+WRONG = regex(
     r"[❌✗✘✖👎🚫⛔☒🙅]|:(?:x|-1|thumbsdown|no_entry\w*|negative_squared_cross_mark|heavy_multiplication_x):|\\xmark|\\ding\{5[3-6]\}|\\(?:wrong|incorrect)choice\b"
 )
-_WRONG_ALONE = re.compile(rf"[\W_]*(?:(?:{WRONG.pattern})[\W_]*)+")  # with no word beside
-_BOX = re.compile(r"(?:^|\s)(?:[-*+]|\d+[.)])\s+\[(?P<box>[ xX])\]\s|(?P<sign>[☐☑])")
-_CHOICE = re.compile(r"\\choice\b")
-_LABEL = re.compile(r"\W*(?:\\item\s*)?(?:\[?\s*)?\(?(?P<label>[A-Fa-f])\s*[.):]\W*")
-_NUMBER = re.compile(r"\W*(?P<label>[1-9])\s*[.):]\W*")
-_ASKS = re.compile(  # above items that bear numbers: steps do, too
+_WRONG_ALONE = regex(rf"[\W_]*(?:(?:{WRONG.pattern})[\W_]*)+")  # with no word beside
+_BOX = regex(r"(?:^|\s)(?:[-*+]|\d+[.)])\s+\[(?P<box>[ xX])\]\s|(?P<sign>[☐☑])")
+_CHOICE = regex(r"\\choice\b")
+_LABEL = regex(r"\W*(?:\\item\s*)?(?:\[?\s*)?\(?(?P<label>[A-Fa-f])\s*[.):]\W*")
+_NUMBER = regex(r"\W*(?P<label>[1-9])\s*[.):]\W*")
+_ASKS = regex(  # above items that bear numbers: steps do, too
     r"\b(?:(?:only |exactly )?one|which|what) of (?:these|the)|(?:une seule|laquelle|lesquelles) (?:de ces|des)|(?:nur )?(?:eine|welche) (?:dieser|der|von)|(?:sólo |solo )?(?:una|cuál) de (?:estas|las)|(?:solo )?(?:una|quale) di queste|(?:só )?(?:uma|qual) destas",
     re.IGNORECASE,
 )
 _NEAR = 2  # lines above a display of which all but the one with its mark are empty
 _LONGEST = 40  # characters of a mark with its label
-_PLAIN = re.compile(r"\s|\\(?:left|right|,|;|!|quad)(?![A-Za-z])")
+_PLAIN = regex(r"\s|\\(?:left|right|,|;|!|quad)(?![A-Za-z])")
 
 
 @dataclass(frozen=True)

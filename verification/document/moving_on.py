@@ -10,6 +10,7 @@ from collections.abc import Iterator
 
 from armproof.verification.document.hearing import FORMULA, words_of
 from armproof.verification.document.word_lists import WordLists
+from armproof.verification.patterns import regex
 
 MOVED = r"\text{moved}"  # joints have other values than before
 MOVED_BEHIND = r"\text{moved behind}"  # and than the text gives before it says so
@@ -26,47 +27,47 @@ SIZE doubl~ halv~ tripl~ twice longer shorter lengthen~ shorten~ replac~ exchang
 _is, _has = _lists.holds, _lists.has
 _NUMBER = r"(?:\d+(?:[.,]\d+)?|one|two|three|four|five|six|eight|ten|twenty|half a|un|une|deux|trois|quatre|cinq|six|huit|dix|vingt|eine?n?|zwei|drei|vier|fünf|acht|zehn|uno|una|dos|tres|cuatro|cinco|diez|due|tre|quattro|cinque|dieci|dois|duas|três|quatro|dez)"
 _UNIT = r"(?:mm|cm|dm|m|meters?|metres?|inch(?:es)?|feet|foot|(?:centi|milli|déci)?mètres?|(?:zenti|milli)?metern?|(?:centi|mili)?metros?|(?:centi|milli)?metri|(?:centi|milli|deci)met(?:er|re)s?)"
-_SIZED = re.compile(rf"(?<!\S){_NUMBER} {_UNIT} |(?<!\S)\d+(?:[.,]\d+)?{_UNIT} ")
+_SIZED = regex(rf"(?<!\S){_NUMBER} {_UNIT} |(?<!\S)\d+(?:[.,]\d+)?{_UNIT} ")
 _LINK = (
     r"(?:(?:links?|bars?|rods?|segments?|forearm|upper arm|limbs?|bras|avant-bras|barres?|corps|glied(?:er)?|stäbe?|unterarm|oberarm|arme?|eslabon(?:es)?|eslabón|barras?|brazo|antebrazo|asta|aste|bracci?o?|avambraccio|elos?|braço|antebraço|l' avant-bras)"
     r"|(?:lengths?|longueurs?|längen?|longitud(?:es)?|lunghezz[ae]|comprimentos?)|(?:arms?|robots?|manipulators?|manipulateurs?|roboter)(?:' s)?)"
 )
-_COMPARED = re.compile(  # how large something is, told by something else that is so large
+_COMPARED = regex(  # how large something is, told by something else that is so large
     r"(?<!\S)(?:(?:as|equally) (?:long|large|big|short)|of (?:equal|the same) (?:length|size)|(?:the )?same (?:length|size)|(?:de |la |des )?mêmes? (?:longueurs?|tailles?)|(?:aussi|plus|moins) (?:longs?|longues?|courte?s?|grande?s?|petite?s?)"
     r"|(?:half|double|twice|thrice|\S+ times) (?:that|this|the|its|their|as|larger|bigger|longer|smaller|shorter)|(?:smaller|larger|bigger|shorter|longer) (?:sibling|brother|sister|version|copy|model|arm|robot|one|variant|link|bar|forearm|segment)s?"
     r"|(?:\S+ fois) (?:plus|moins|la|sa|leur)|(?:gleich|ebenso|halb|doppelt|\S+mal) so? ?(?:lang|groß|kurz)|(?:größer|kleiner|länger|kürzer)e?[rns]?|(?:más|mais|più) (?:grandes?|larg[oa]s?|cort[oa]s?|pequeñ[oa]s?|lungh?[oaie]|cort[oaie]|grandi|piccol[oaie]|comprid[oa]s?)|scaled|enlarged|reduced in size|agrandie?s?|réduite?s?) "
 )
-_LONG = re.compile(
+_LONG = regex(
     rf"(?<!\S)(?:lengths?|long|longueurs?|measures?|mesure(?:nt)?|längen?|misst|messen|longitud(?:es)?|miden?|lunghezz[ae]|comprimentos?) (?:(?:of|is|are|now|only|both|equal|to|de|plus|que|désormais|maintenant|von|ist|sind|jetzt|nur|es|son|è|sono|di) )*{_NUMBER} "
 )
-_IN_DIGITS = re.compile(  # $0.5$, $50\,\mathrm{cm}$
+_IN_DIGITS = regex(  # $0.5$, $50\,\mathrm{cm}$
     r"\$\s*(\d+(?:(?:[.,]|\{,\})\d+)?)\s*(?:(?:\\[,;: ]|~)\s*)*(?:\\(?:mathrm|text|rm)\s*\{?\s*([a-z]+)\s*\}?)?\s*\$"
 )
-_OF_LINK = re.compile(rf"(?<!\S){_LINK} ")
-_OF_REACH = re.compile(  # what has a size and is no link
+_OF_LINK = regex(rf"(?<!\S){_LINK} ")
+_OF_REACH = regex(  # what has a size and is no link
     r"(?<!\S)(?:workspace|work space|torques?|forces?|speeds?|velocit\S+|errors?|angles?|radius|circle|distance|reach|manipulability|determinants?|espace|couples?|efforts?|vitesses?|erreurs?|rayon|cercle|portée|déterminant|arbeitsraum|momente?|fehler|winkel|radius|kreis) "
 )
-_GIVES_LENGTH = re.compile(r"(?<![A-Za-z\\])[dlarL](?:_|\b)[^=]*=")
-_LATER = re.compile(
+_GIVES_LENGTH = regex(r"(?<![A-Za-z\\])[dlarL](?:_|\b)[^=]*=")
+_LATER = regex(
     r"(?<!\S)(?:(?:seconds?|minutes?|moments?|while|bit|steps?) later|halfway(?! between)|midway(?! between)|in the end|goes on to|(?:after|at the end of) (?:the|this|that) (?:motion|movement|move|turn)|(?:secondes?|minutes?|instants?) plus tard"
     r"|à mi-(?:chemin|course)|(?:après|à la fin de|au bout de) (?:le|la|ce|cette) (?:mouvement|rotation)|à la fin du mouvement|(?:sekunden?|minuten?|schritte?) später|nach der bewegung|auf halbem weg"
     r"|(?:segundos?|minutos?) (?:más|mais) tarde|(?:después|depois) del? movimiento|depois do movimento|(?:secondi|minuti) (?:più tardi|dopo)|dopo il movimento) "
 )
-_OTHER_POSTURE = re.compile(
+_OTHER_POSTURE = regex(
     r"(?<!\S)(?:(?:another|other|second|third|next|new|mirrored|mirror|opposite|symmetric(?:al)?) (?:posture|configuration|pose)|(?:autre|deuxième|seconde|troisième|nouvelle|prochaine) (?:posture|configuration|pose)"
     r"|(?:posture|configuration|pose) (?:suivante|symétrique|opposée|miroir|finale)|(?:andere[nr]?|zweiten?|nächsten?|neuen?) (?:stellung|lage|konfiguration)|(?:otra|segunda|nueva|siguiente) (?:postura|configuración)"
     r"|(?:altra|seconda|nuova|prossima) (?:postura|configurazione)|(?:outra|segunda|nova|próxima) (?:postura|configuração)) "
 )
-_GIVES = re.compile(r"(?:\\(?:var)?(?:theta|phi|alpha|beta|gamma)|(?<![A-Za-z\\])[qdlarLt])(?![A-Za-z]).*=")
+_GIVES = regex(r"(?:\\(?:var)?(?:theta|phi|alpha|beta|gamma)|(?<![A-Za-z\\])[qdlarLt])(?![A-Za-z]).*=")
 # before by how much, or from where
-_BY = re.compile(r"(?<!\S)(?:by|from|de|d'|um|von|por|desde|di|da)\s*\Z", re.IGNORECASE)
+_BY = regex(r"(?<!\S)(?:by|from|de|d'|um|von|por|desde|di|da)\s*\Z", re.IGNORECASE)
 _NEAR = 12  # characters before a formula in which such a word stands
-_IDLE = re.compile(
+_IDLE = regex(
     r"(?<!\S)(?:turn(?:s|ed)? out|in turn|half of|opposite (?:side|angle|direction) (?:of|to)"
     r"|(?:moves?|turns?|rotates?|bewegt sich|dreht sich|se déplace|se mueve|si muove) (?:only |nur |uniquement |sólo |solo )?(?:in|within|about|dans|en|nel|parallel to)"
     r" (?:the|a|one|this|its|der|einer|le|un|el|il|piano|plan)(?: \S+)?(?<!direction)(?= (?:plane|ebene|plan|plano|piano))) "
 )
-_STOP = re.compile(r"(?<!\\)[.;!?:](?=\s+\S)")
+_STOP = regex(r"(?<!\\)[.;!?:](?=\s+\S)")
 
 
 def said_of_motion(text: str) -> Iterator[str]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 
 from armproof.models.arm import Arm
+from armproof.verification.patterns import regex
 
 OF_ARM = "of the arm"  # with a number of joints, or a type
 
@@ -31,17 +32,17 @@ _TYPE = r"(scara|cartesian|cartésien|cartesiano|kartesischen?|gantry|cylindrica
 _ARM = r"(?:arm|robot|manipulator|bras|manipulateur|roboter|brazo|manipulador|braccio|manipolatore|braço|robô)"
 _JOINTS = r"(?:links|joints|segments|axes|liaisons|articulations|eslabones|ejes|articulaciones|bracci|assi|giunti|elos|eixos|juntas|gelenken|achsen)"
 _PLAIN = r"(?:planar |plan |spatial |serial )?"
-_ARMS = re.compile(
+_ARMS = regex(
     rf"(?<!\S)(?:{_NUMBER}[ -](?:link|joint|axis|dof|bar) {_PLAIN}{_ARM}|{_NUMBER}r {_PLAIN}{_ARM}|{_ARM} {_PLAIN}{_NUMBER}r"
     rf"|{_ARM} {_PLAIN}(?:with|of|à|a|con|com|de|mit) {_NUMBER} {_JOINTS}|{_TYPE}[ -]{_ARM}|{_ARM} {_TYPE}) ",
     re.IGNORECASE,
 )
-_OF = re.compile(  # what stands before an arm of which a sentence is
+_OF = regex(  # what stands before an arm of which a sentence is
     r"(?<!\S)(?:for|of|describes|concerns|pour|de|du|d'|décrit|concerne|für|des|der|bei|beim|beschreibt|para|del|describe|per|descrive|do|descreve)"
     r" (?:(?:the|a|an|our|this|le|un|den|das|dem|einen|einem|el|il|uno|o|um) )?\Z",
     re.IGNORECASE,
 )
-_COMPARED = re.compile(
+_COMPARED = regex(
     r"(?<!\S)(?:as|like|unlike|than|same|similar\w*|analog\w*|compar\w*|also|too|not|comme|même|aussi|contrairement|pas|wie|auch|anders|nicht|como|igual|también|come|anche|também) ",
     re.IGNORECASE,
 )

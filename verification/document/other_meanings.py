@@ -57,111 +57,110 @@ from armproof.verification.document.told_origins import (
 from armproof.verification.document.told_since import Since, told_since
 from armproof.verification.document.told_tasks import told_tasks
 from armproof.verification.document.told_variables import MAY_TELL_VARIABLE, variables_defined, variables_told
+from armproof.verification.patterns import regex
 
-MAY_MEAN = re.compile(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
+MAY_MEAN = regex(  # what no sentence that gives another meaning lacks, in small letters: alike of all sizes takes six times as long
     r"opposite|opuest|oppost|opost|entgegengesetzt|contrar|belt|courroie|motor|moteur|fixed|fixe\b|festen|horizontal|(?:then|and|last|puis|ensuite|dann|luego|poi) (?:about|autour|um|alrededor|intorno|attorno)|fixed ax|negati[vf]|négati[vf]|absolu|clockwise|horair|horari|uhrzeiger|vertical|[xy][$ -]*axis|axe|eje|achse|ground|first link|half|moiti|middle|belong|origin|raised|pedestal|origine?|sur[ée]lev|points?\b|pointing"
     r"|downward|frame|rep[eè]re|koordinaten|elbow|coude|codo|cent(?:re|er) of|second|premier|floor|(?:\\theta|q)_\{?[2-9]\}?\s*(?:,|&|\\\\|\\[;,: ]|\\q?quad)?\s*(?:\\theta|q)_\{?1|aiguille|twice|double|\$2 ?[al]_|number|gripper|tool|boden|suelo|inclination|direction of|image|reflection|shoulder|épaule|schulter|hombro|spalla|ombro|base|upside|ceiling|wall|pixels|transpos|invers|masse?\b|gravit|bar[iy]c|schwerp|acc[eé]l|beschl|jacobi|column|colonne|spalten|columna|joint|gelenk|articul|omega|angular|rotational|angulaire|rotation|winkelgeschw|drehgeschw|rotator|angolare|backward|in reverse|roles of|interior|internal|inner|included|folded|total|overall|diam[eè]t|radius|measured from|convention|mirror|miroir|spiegel|espejo|repli|gefalt|plegad|ripieg|eingeklappt|\border\b|\bordre\b|reihenfolge|\borden\b|\bordine\b|q\}*\s*=|\\omega_|passiv|pasiv|\brows?\b|lignes?\b|zeile|filas?\b|righ?[ae]\b|linha|\bold\b|\bformer\b|ancien|\balten\b|coord|compon|compos|equal (?:bar|link|length|segment|arm)|[ée]gaux|[ée]gales|gleiche|iguales|uguali|left and right|inches|feet|pouces|zoll|pulgadas|pollici"
 )
-MAY_ASK = re.compile(
-    r"following|suivant|folgend|siguiente|seguent|seguinte|true|vrai|richtig|wahr|verdader|vero|verdadeir"
-)
-_SENTENCE = re.compile(  # an item of a list is one of its own
+MAY_ASK = regex(r"following|suivant|folgend|siguiente|seguent|seguinte|true|vrai|richtig|wahr|verdader|vero|verdadeir")
+_SENTENCE = regex(  # an item of a list is one of its own
     r"(?:\$[^$\n]+\$|\\[;!]|[^.;!?\n]|[.;!?](?!\s)|\n(?![^\S\n]*(?:\n|[*+-][^\S\n]|\d+[.)][^\S\n])))+[.;!?]?"
 )
-_SHOWN = re.compile(  # what is no sentence
+_SHOWN = regex(  # what is no sentence
     r"\$\$.{0,MOST}?\$\$|\\\[.{0,MOST}?\\\]|\\begin\{((?:equation|align|gather|multline|eqnarray|flalign|alignat|displaymath|verbatim|lstlisting|tabular)\*?)\}.{0,MOST}?\\end\{\1\}"
     r"|<!--.{0,MOST}?-->|```.{0,MOST}?```|^%[^\n]*|^[ \t]{0,3}#[^\n]*|\\(?:sub)*section\*?\{[^\n]*".replace(
         "MOST", "4000"
     ),  # characters: what is not closed is looked through no further
     re.DOTALL | re.MULTILINE,
 )
-_HEADING = re.compile(r"\s*(?:(#{1,6})\s|\\((?:sub)*)section)")
-_MARKS_OF_HEADING = re.compile(r"^\s*#+|\\(?:sub)*section\*?|[{}]")
-_LETTER = re.compile(r"(?:\\?[A-Za-z]+)\s*_\s*(?:\{?\s*[\dijk]\s*\}?)")
-_BARE_ANGLE = re.compile(r"\s*\\(?:alpha|beta|gamma|(?:var)?theta|(?:var)?phi|psi)\s*")
-_OF_FRAME = re.compile(
+_HEADING = regex(r"\s*(?:(#{1,6})\s|\\((?:sub)*)section)")
+_MARKS_OF_HEADING = regex(r"^\s*#+|\\(?:sub)*section\*?|[{}]")
+_LETTER = regex(r"(?:\\?[A-Za-z]+)\s*_\s*(?:\{?\s*[\dijk]\s*\}?)")
+_BARE_ANGLE = regex(r"\s*\\(?:alpha|beta|gamma|(?:var)?theta|(?:var)?phi|psi)\s*")
+_OF_FRAME = regex(
     r"\b(?:origine? (?:of|de|du) (?:the )?(?:frame|repère)|Ursprung von System) \$?\\?\{?(\d)\b", re.IGNORECASE
 )
-_OF_Q = re.compile(r"(?:\\mathbf\{)?q\}?\s*=\s*\\?(?:left)?(?:[\[(]|\\begin\{[bp]matrix\})(.*)")
-_ENTRIES = re.compile(  # (r, \theta)^T of a formula that is a tuple, or equates a name to one
+_OF_Q = regex(r"(?:\\mathbf\{)?q\}?\s*=\s*\\?(?:left)?(?:[\[(]|\\begin\{[bp]matrix\})(.*)")
+_ENTRIES = regex(  # (r, \theta)^T of a formula that is a tuple, or equates a name to one
     r"(?:^|(?P<name>[^=]*)=)\s*(?:\\left)?\s*(?:[\[(]|\\begin\{[bp]?matrix\})(?P<entries>[^()\[\]=]*?)(?:\\right)?\s*(?:[\])]|\\end\{)"
 )
-_DOT = re.compile(r"\\dot\s*(?:\{([^{}]*)\}|(?=[\\\s]))")
-_NAME_OF_JOINTS = re.compile(r"[\s{]*(?:\\(?:mathbf|boldsymbol|vec|bm|underline|dot)\s*[\s{]*)*(?:q|\\[tT]heta)[\s}]*")
-_ROW = re.compile(
+_DOT = regex(r"\\dot\s*(?:\{([^{}]*)\}|(?=[\\\s]))")
+_NAME_OF_JOINTS = regex(r"[\s{]*(?:\\(?:mathbf|boldsymbol|vec|bm|underline|dot)\s*[\s{]*)*(?:q|\\[tT]heta)[\s}]*")
+_ROW = regex(
     r"(?:[vV]_\{?|\\dot\s*\{?\s*)([xyz])\}?|\\omega_\{?([xyz])\}?|(\\omega|\\dot\s*\{?\s*\\(?:var)?(?:phi|psi|theta)\}?)"
 )
-_OF_TWO_FRAMES = re.compile(r"\s*(?:\\\w+\s*\{)?[TAHR]\}?\s*_\s*\{\s*([a-z0-9])\s*,?\s*([a-z0-9])\s*\}\s*")
-_AXIS_TURNED = re.compile(  # about $x$, the z-axis, $\hat Y_A$, x'' and the angle of it
+_OF_TWO_FRAMES = regex(r"\s*(?:\\\w+\s*\{)?[TAHR]\}?\s*_\s*\{\s*([a-z0-9])\s*,?\s*([a-z0-9])\s*\}\s*")
+_AXIS_TURNED = regex(  # about $x$, the z-axis, $\hat Y_A$, x'' and the angle of it
     r"\$\s*(?:\\(?:hat|vec|mathbf|boldsymbol|overrightarrow)\s*\{?\s*)?([xyzXYZ])\}?(?:_\{?\w+\}?|\^?\{?'*(?:\\prime)*\}?)*\s*\$|(?<!\w)([xyzXYZ])-(?:axis|achse|direction)"
 )
-_OMEGA_ABOVE = re.compile(  # (ω, v), [ω; v]
+_OMEGA_ABOVE = regex(  # (ω, v), [ω; v]
     r"(?:[(\[]|matrix\})\s*(?:\\(?:boldsymbol|mathbf|vec|bm)\s*\{?\s*)?\\omega\b(?:_\w)?\}?(?:\^T)?\s*(?:,|;|&|\\\\)\s*(?:\\[,;: ])?(?:\\(?:boldsymbol|mathbf|vec|bm|dot)\s*\{?\s*)?[vp]\b"
 )
-_LENGTH = re.compile(r"[lLaAdDhHrR]\s*_")  # which is no angle from anything
-_SUM = re.compile(
-    r"(?:\\theta|q)_\{?1\}?\s*\+\s*(?:\\theta|q)_\{?2"
-)  # that turns the second link, as both are relative
-_OF_A_SUM = re.compile(r"[^=]*=\s*" + _SUM.pattern)  # β = θ_1 + θ_2
-_BESIDE = re.compile(  # "¤, the absolute angles", and no "the angles being absolute"
+_LENGTH = regex(r"[lLaAdDhHrR]\s*_")  # which is no angle from anything
+_SUM = regex(r"(?:\\theta|q)_\{?1\}?\s*\+\s*(?:\\theta|q)_\{?2")  # that turns the second link, as both are relative
+_OF_A_SUM = regex(r"[^=]*=\s*" + _SUM.pattern)  # β = θ_1 + θ_2
+_BESIDE = regex(  # "¤, the absolute angles", and no "the angles being absolute"
     r"¤ , (?:(?:the|an|les|l'|un|die|der|los|las|el|gli|le|i|os|as) )?(?=absol|angle|winkel|ángul|angol|ângul)(?:(?!being|are|is|étant|sont|est|sind|ist|siendo|son|essendo|sendo)[^\s¤,:;]+ )*\Z",
     re.IGNORECASE,
 )
-_OF_BOTH = re.compile(  # "Relative and absolute angles", of which a heading says nothing
+_OF_BOTH = regex(  # "Relative and absolute angles", of which a heading says nothing
     r"\brelativ\w* (?:and|or|versus|vs|to|et|ou|und|oder|y|e|o) (?:\S+ )?absol|\babsol\w* (?:and|or|versus|vs|to|et|ou|und|oder|y|e|o) (?:\S+ )?relativ",
     re.IGNORECASE,
 )
-_IS = re.compile(r"(?:is|ist|est|es|è|beträgt|vale|equals|thus|then|also|somit|damit|donc|simply|[,:\\ ])*¤ ")
-_ANGLE = re.compile(r"\\(?!hat|vec)[a-z]+(?:_\{?\w\}?)?|(?:q|t)_\{?\d\}?")  # α, θ_1, q_2
-_TELLS = re.compile(  # what a sentence begins with that is of the display beside it
+_IS = regex(r"(?:is|ist|est|es|è|beträgt|vale|equals|thus|then|also|somit|damit|donc|simply|[,:\\ ])*¤ ")
+_ANGLE = regex(r"\\(?!hat|vec)[a-z]+(?:_\{?\w\}?)?|(?:q|t)_\{?\d\}?")  # α, θ_1, q_2
+_TELLS = regex(  # what a sentence begins with that is of the display beside it
     r"(?:where |here |où |wobei |donde |dove |onde )?(?:this|these|that|which|it|¤|ce|c'|cela|ceci|das|dies|esto|questo|isto)"
     r" (?:is|are|denotes|gives|est|sont|désigne|donne|ist|sind|es|son|è|sono|é)\b",
     re.IGNORECASE,
 )
-_BASE_AT = re.compile(
+_BASE_AT = regex(
     r"(?<!\S)(?:base|shoulder|pedestal|first joint|basis|sockel|socle|embase|épaule|hombro|spalla) (?:is|stands|sits|lies|(?:is |stands )?(?:mounted|placed|located|fixed)|est|se trouve|steht|liegt|está|sta|è) (?:placed |located |placée |située )?(?:at|in|en|bei|a|au point|at the point) ¤ "
 )
-_OF_ALL = re.compile(  # what is printed from here on, and not the next display alone
+_OF_ALL = regex(  # what is printed from here on, and not the next display alone
     r"(?<!\S)(?:all|every|everything|throughout|tout(?:es?)?|tous|alle[nrs]?|sämtliche[nrs]?|tod[oa]s?|tutt[oiae]) ",
     re.IGNORECASE,
 )
-_IS_SIGNED = re.compile(  # d_2 is positive on one side and negative on the other
+_IS_SIGNED = regex(  # d_2 is positive on one side and negative on the other
     r"\bpositi[vf]\w* .{0,60}?\bn[eé]gati[vf]|\bn[eé]gati[vf]\w* .{0,60}?\bpositi[vf]|\bpositiv[oa]\b.{0,60}?\bnegativ[oa]\b",
     re.IGNORECASE,
 )
 _MOST_BEFORE = 2  # sentences that name what one is of
 _MOST_AGAIN = 50  # times that a name is said to be something, of which the next one below another heading counts
-_ROW_OF_TABLE = re.compile(r"^[ \t]*\|.*$", re.MULTILINE)  # of a table, which is no sentence
-_OF_ROW = re.compile(r"([adrlL])\s*_?\s*\{?\s*(\d)\s*\}?")
+_ROW_OF_TABLE = regex(r"^[ \t]*\|.*$", re.MULTILINE)  # of a table, which is no sentence
+_OF_ROW = regex(r"([adrlL])\s*_?\s*\{?\s*(\d)\s*\}?")
 _TELLS_LANGUAGE = 8000  # characters of a text
-_NOUGHT = re.compile(r"\(\s*0(?:\s*[,;]\s*0)*\s*\)")
-_TUPLE = re.compile(r"\(\s*[^(),;]+(?:[,;]\s*[^(),;]+)+\)(?:\^\{?(?:T|\\top)\}?)?")
-_UNIT = re.compile(
+_NOUGHT = regex(r"\(\s*0(?:\s*[,;]\s*0)*\s*\)")
+_TUPLE = regex(r"\(\s*[^(),;]+(?:[,;]\s*[^(),;]+)+\)(?:\^\{?(?:T|\\top)\}?)?")
+_UNIT = regex(
     r"(?<!\S)(?:in|en|into) (inch|feet|foot|pouce|zoll|pulgada|pollici|mm|millim|cm|centim|zentim|decim|met|mèt|m )"
 )
-_PLURAL = re.compile(
+_PLURAL = regex(
     r"\b(?:angles|(?:second|third|last|elbow|other) (?:angle|motor|encoder|drive|actuator|servo|sensor)|(?:second|deuxième|dernier) (?:moteur|codeur|capteur)|zweiter? (?:motor|encoder|antrieb|geber)"
     r"|(?:segundo|secondo) (?:motor|encoder|motore|actuador|attuatore)|both|all|each|every|chaque|rotations?|turns|positi[fv]e?|winkel|ángulos|deux|number(?:ed)?|roles)\b",
     re.IGNORECASE,
 )
-_OF_BOTH_KINDS = re.compile(  # "Joint and segment angles are also called relative and absolute angles": those of the joints are relative
-    r"(?i)(?<!\S)joint and (?:segment|link|limb) angles .*(?<!\S)relative and absolute\s"
-    r"|(?<!\S)joint angles .*(?<!\S)relative\s.*(?<!\S)(?:segment|link|limb) angles .*(?<!\S)absolute\s"
+_OF_BOTH_KINDS = (
+    regex(  # "Joint and segment angles are also called relative and absolute angles": those of the joints are relative
+        r"(?i)(?<!\S)joint and (?:segment|link|limb) angles .*(?<!\S)relative and absolute\s"
+        r"|(?<!\S)joint angles .*(?<!\S)relative\s.*(?<!\S)(?:segment|link|limb) angles .*(?<!\S)absolute\s"
+    )
 )
-_OF_FIRST_ANGLE = re.compile(  # one that is no relative angle anyway: that of the shoulder
+_OF_FIRST_ANGLE = regex(  # one that is no relative angle anyway: that of the shoulder
     r"(?<!\S)(?:shoulder angle|schulterwinkel|(?:angle|ángulo|angolo|ângulo|winkel) (?:of |at |d' |de |de l' |del |della |do |der )(?:the |l' |la )?(?:shoulder|épaule|schulter|hombro|spalla|ombro)) "
 )
-_VERTICAL = re.compile(r"(?<!\S)(?:vertical|senkrecht|lotrecht)", re.IGNORECASE)
-_OTHERWISE = re.compile(  # what an angle from the vertical may be besides
+_VERTICAL = regex(r"(?<!\S)(?:vertical|senkrecht|lotrecht)", re.IGNORECASE)
+_OTHERWISE = regex(  # what an angle from the vertical may be besides
     r"clockwise|horair|uhrzeiger|horari|orari|y-axis|downward|bas\b|number|from the (?:tip|tool|end|gripper|hand)|role|fold|interior|inner|intérieur|hang|pendant",
     re.IGNORECASE,
 )
-_IS_TURNED = re.compile(
+_IS_TURNED = regex(
     r"(?<!\S)(?:is|are|be|being|was|est|sont) (?:first |then |next |now |d'abord |ensuite |puis )?(?:turned|rotated|tournée?s?) ",
     re.IGNORECASE,
 )
-_NAMED_TURN = re.compile(r"(?<!\S)(roll|pitch|yaw|heading|bank)(?!\S)")
-_OF_EULER = re.compile(  # angles of an orientation, and of no joint
+_NAMED_TURN = regex(r"(?<!\S)(roll|pitch|yaw|heading|bank)(?!\S)")
+_OF_EULER = regex(  # angles of an orientation, and of no joint
     r"\beuler(?:ian)? angles?\b|\bangles? (?:of|d'|de|di) ?euler\b|\bángulos de euler\b|\beuler-?winkel\b",
     re.IGNORECASE,
 )

@@ -8,21 +8,22 @@ from collections.abc import Iterator
 from armproof.verification.document.joint_values import joint_values, without_joint_values
 from armproof.verification.document.model import INLINE, Display
 from armproof.verification.document.told_shapes import LEADS_TO_ANGLE, shapes
+from armproof.verification.patterns import regex
 
 _PLACE = r"(?:configuration|position|posture|pose)"
 _ARM = r"(?:arm|links?|segments?|bras|manipulator|robot|(?:first|second|third|last) joint|elbow|forearm)"
 _LIES = r"(?:straight|vertical(?:e|es)?|verticaux|horizontal(?:e|es)?|horizontaux|aligned|collinear|upright|alignés?|colinéaires)"
 _BENT = r"(?:elbow|shoulder|wrist|joints?|coude|épaule|poignet|articulations?)(?: (?!axe?s\b|axis)\w+){0,3} (?:at|to|by|à|de|makes?|forms?|fait|forme)"
 _AN_ANGLE = r"(?:-?\d+(?:\.\d+)? ?(?:°|degrees|degrés)|(?:an? |un )?(?:right angles?|angle droit))"
-_BENT_TO = re.compile(rf"\b(?:{_BENT}|{LEADS_TO_ANGLE})\s+\Z", re.IGNORECASE)
-_DEGREES = re.compile(r"(?:\$`?|\\\(|:math:`)\s*-?\d+(?:\.\d+)?\s*(?:\^\s*\{?\s*\\circ|°)")
+_BENT_TO = regex(rf"\b(?:{_BENT}|{LEADS_TO_ANGLE})\s+\Z", re.IGNORECASE)
+_DEGREES = regex(r"(?:\$`?|\\\(|:math:`)\s*-?\d+(?:\.\d+)?\s*(?:\^\s*\{?\s*\\circ|°)")
 _WHERE = r"(?:when(?:ever)?|if|with|once|while|lorsque|quand|si|avec|wenn|mit|falls|liegt|steht|cuando|con|quando|se)"
 _DIRECTED = (  # how a part of the arm lies: "with the upper arm vertical", "when it points backwards"
     r"(?:vertical(?:ly|e|es)?|horizontal(?:ly|e|es)?|perpendicular|parallel|(?:lies|lie|points?|stands?) (?:along|on|over|up|down|back|to|in)\w*|upwards?|downwards?|backwards?|forwards?"
     r"|at (?:a )?right angles?|perpendiculaires?|parallèles?|(?:pointe|dirigée?) vers|à angle droit|senkrecht|waagerecht|waagrecht|rechtwinklig|(?:oberarm|unterarm|arm|glied) (?:auf|entlang)"
     r"|perpendicular(?:es)?|paralel[oa]s?|verticale|orizzontale|perpendicolare|parallel[oa])"
 )
-_POSTURE = re.compile(
+_POSTURE = regex(
     rf"\b(?:(?:out)?stretched|(?:fully|completely|entirely) (?:extended|folded|retracted)|full extension|folded|"
     rf"(?:zero|home|rest|initial|reference|singular|upright|vertical|horizontal) {_PLACE}|at the origin|straight (?!links?\b|segments?\b){_ARM}|"
     rf"(?:boundary|edge|border|limits?|bord|limite|frontière) (?:of|de) (?:the |its |l['’])?(?:workspace|reach|espace)|"
@@ -35,32 +36,30 @@ _POSTURE = re.compile(
     re.IGNORECASE,
 )
 
-_BASE = re.compile(
+_BASE = regex(
     r"\b(?:joint|base|pivot|hinge|shoulder|foot|articulation|liaison|épaule|pied)"
     r"(?:,? (?:\$[^$]*\$|\d|is|are|lies|sits|stands|of|the|robot|arm|located|placed|fixed|mounted|anchored|est|du|le|bras|fixée?|située?|placée?))*\s*\Z",
     re.IGNORECASE,
 )
-_SINGULAR_PLACE = re.compile(rf"singular {_PLACE}|{_PLACE} singulière", re.IGNORECASE)
+_SINGULAR_PLACE = regex(rf"singular {_PLACE}|{_PLACE} singulière", re.IGNORECASE)
 STRETCHED, FOLDED = "stretched", "folded"
 _BENT_AS = {
-    STRETCHED: re.compile(
+    STRETCHED: regex(
         r"stretched|straight|full extension|en extension|extended|tendu|dépli|aligned|alignés?", re.IGNORECASE
     ),
-    FOLDED: re.compile(r"folded|retracted|repli", re.IGNORECASE),
+    FOLDED: regex(r"folded|retracted|repli", re.IGNORECASE),
 }
-_DIRECTION = re.compile(
-    r"vertical|horizontal|verticaux|upright|along|at the origin|à l['’]origine|axis|axe", re.IGNORECASE
-)
+_DIRECTION = regex(r"vertical|horizontal|verticaux|upright|along|at the origin|à l['’]origine|axis|axe", re.IGNORECASE)
 FARTHEST = 60  # characters of the words that lead to an angle
 THERE = "there: "  # before a posture with which its sentence begins: "With the elbow at 90°,", and not "it vanishes when stretched"
-_BEGINS = re.compile(
+_BEGINS = regex(
     r"\W*(?:and |but |so |et |mais )?(?:at|on|in|with|for|when|if|à|au|aux|sur|en|dans|avec|pour|quand|lorsque)\b",
     re.IGNORECASE,
 )
-_STOPS = re.compile(r"[.;:!?]\s")
+_STOPS = regex(r"[.;:!?]\s")
 
 _NUMBER = r"-?\d+(?:\.\d+)?"
-_RATES = re.compile(
+_RATES = regex(
     rf"\b(?:joint (?:rates|velocities|speeds)|vitesses articulaires)(?: (?:of|are|be|equal to|de|sont|sont de|valent))? "
     rf"({_NUMBER}(?:, {_NUMBER})*,? (?:and|et) {_NUMBER}) ?rad/s",
     re.IGNORECASE,
@@ -71,7 +70,7 @@ _KINDS = {
     "prismatic": r"prismatic|sliding|translational|prismatique|glissière|translation|prismática|prismatica|prismático|prismatico|prismatisch",
 }
 _JOINT = r"joints?|axis|axes|articulations?|liaisons?|articulación|articulaciones|juntas?|giunt[oi]|gelenke?"
-_OF_A_KIND = re.compile(
+_OF_A_KIND = regex(
     rf"(?<!and )(?<!or )(?<!et )(?<!ou )\b(?:(?:{'|'.join(_KINDS.values())})e?s? (?:{_JOINT})|(?:{_JOINT}) (?:est |is )?(?:{'|'.join(_KINDS.values())})e?s?)\b",
     re.IGNORECASE,
 )

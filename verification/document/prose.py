@@ -5,15 +5,17 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-KEPT = re.compile(
+from armproof.verification.patterns import regex
+
+KEPT = regex(
     r"(?P<ticks>`+)(?!`).+?(?<!`)(?P=ticks)(?!`)"  # code
     r"|\$\$.+?\$\$|(?<!\\)\$(?:\\.|[^$\\])+\$"  # formulas
     r"|(?<=\]\()[^()\s]+(?=\))|<(?:https?:|mailto:)[^>\s]*>|https?://[^\s)>]+"  # where a link leads
     r"|<!--.*?-->|\{\d+\}",  # what would be taken for a placeholder
     re.DOTALL,
 )
-_PLACE = re.compile(r"\{(\d+)\}")
-_WORD = re.compile(r"(?<![\w\\])[^\W\d_]{2,}(?!\w)")
+_PLACE = regex(r"\{(\d+)\}")
+_WORD = regex(r"(?<![\w\\])[^\W\d_]{2,}(?!\w)")
 
 
 @dataclass(frozen=True)

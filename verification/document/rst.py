@@ -22,18 +22,19 @@ from armproof.verification.document.model import INLINE, Display, Document, Piec
 from armproof.verification.document.postures import postures
 from armproof.verification.document.sentences import said_above, said_below, said_in_general
 from armproof.verification.document.units import MOST_BEHIND, with_unit
+from armproof.verification.patterns import regex
 
-_MATH = re.compile(r"(?P<margin>\s*(?:[-*+]\s+|\d+[.)]\s+)?)\.\. math::[ \t]*(?P<argument>.*)$")
-_ERRATUM = re.compile(r"\s*+\.\. (?:errat(?:um|a)|[\w-]+::\s*errat(?:um|a))\b|\s[*_\s]*+errat(?:um|a)\b", re.IGNORECASE)
-_OPTION = re.compile(r"\s*:[\w-]+:")
-_ROLE = re.compile(r":math:`([^`]*)`")
-_ROLE_OR_SIGN = re.compile(r":math:`([^`]+)`|(=)")
-_ALONE = re.compile(
+_MATH = regex(r"(?P<margin>\s*(?:[-*+]\s+|\d+[.)]\s+)?)\.\. math::[ \t]*(?P<argument>.*)$")
+_ERRATUM = regex(r"\s*+\.\. (?:errat(?:um|a)|[\w-]+::\s*errat(?:um|a))\b|\s[*_\s]*+errat(?:um|a)\b", re.IGNORECASE)
+_OPTION = regex(r"\s*:[\w-]+:")
+_ROLE = regex(r":math:`([^`]*)`")
+_ROLE_OR_SIGN = regex(r":math:`([^`]+)`|(=)")
+_ALONE = regex(
     r"(?:\|\s+|\s{4,}|)(?:\\\s+)?:math:`[^`]+`(?:(?:\\\s)?\s*=\s*(?:\\\s)?:math:`[^`]+`)*(?:\\\s)?\s*[.,;]?\s*"
 )
-_COMMENT = re.compile(r"\s*\.\.(?:\s+(?!\S+::)|\s*$)")
+_COMMENT = regex(r"\s*\.\.(?:\s+(?!\S+::)|\s*$)")
 # code, and what stands behind a paragraph that ends with ::; `.. note::` ends so, too, and hides nothing
-_HIDES = re.compile(
+_HIDES = regex(
     r"\s*\.\. (?:code|code-block|sourcecode|parsed-literal|raw|testcode|doctest)::"
     r"|(?!\s*\.\. ).*(?<!:)::\s*$"
 )

@@ -8,14 +8,15 @@ from dataclasses import replace
 
 from armproof.verification.document.arrays import array_in
 from armproof.verification.document.model import CODE, Display, Document, Table
+from armproof.verification.patterns import regex
 
-_MOTION = re.compile(  # e^{[\mathcal{S}_1]θ_1}, e^{\hat\xi_1 θ_1}, \exp([S_1]θ_1)
+_MOTION = regex(  # e^{[\mathcal{S}_1]θ_1}, e^{\hat\xi_1 θ_1}, \exp([S_1]θ_1)
     r"(?:e\s*\^\s*\{|\\exp\s*(?:\\left)?\(?)\s*(?:\{\s*)?(?:\\left)?(?:\[\s*(?P<screw>(?:\\\w+\s*\{?\s*)*S)[\s}]*_|\\(?:wide)?hat\s*\{?\s*(?P<twist>\\xi)[\s}]*_)"
 )
 _COLUMNS = {"omega": "omega", "ω": "omega", "w": "omega", "v": "v", "q": "q", "s": "screw", "xi": "twist"}
-_STYLE = re.compile(r"\\(?:math\w+|boldsymbol|bm|vec|hat|mathbf|text|left|right|,|;|!| )|[${}\\\s*]|_?i\b|_i")
-_WORDS = re.compile(r"(?<![\\A-Za-z])(?!omega|xi)[A-Za-z]{3,}(?!_)")  # Screw axis S_i
-_VECTOR = re.compile(r"[\[(]\s*(.*?)\s*[\])](?:\^(?:T|top))?")
+_STYLE = regex(r"\\(?:math\w+|boldsymbol|bm|vec|hat|mathbf|text|left|right|,|;|!| )|[${}\\\s*]|_?i\b|_i")
+_WORDS = regex(r"(?<![\\A-Za-z])(?!omega|xi)[A-Za-z]{3,}(?!_)")  # Screw axis S_i
+_VECTOR = regex(r"[\[(]\s*(.*?)\s*[\])](?:\^(?:T|top))?")
 _NUMBERS = frozenset(["0", "1", "-1", "+1"])
 _ORDERS = {"screw": ("omega", "v"), "twist": ("v", "omega")}
 

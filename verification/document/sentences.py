@@ -53,6 +53,7 @@ from armproof.verification.document.told_singularities import (
     singularities_told,
     without_place,
 )
+from armproof.verification.patterns import regex
 
 DENIED_ABOVE, LIMITED_ABOVE = r"\text{denies above}", r"\text{limits above}"  # what a text says of the display above it
 FAULTED_ABOVE = r"\text{faults above}"  # or of something that may be that
@@ -81,50 +82,52 @@ OF_NEXT = (
     STRANGE,
 )  # what is said of one display, and of no configuration
 
-_GENERAL = re.compile(
+_GENERAL = regex(
     r"\b(?:in general|generally|(?:for|in|at|holds for|true for) (?:all|any|every|each|arbitrary) (?:possible )?(?:joint )?"
     r"(?:angles?|values?|configurations?|positions?|postures?|variables?)(?: of the (?:joints|arm|robot|angles))?"
     r"|en général|de (?:façon|manière) générale|(?:pour|dans|en) (?:toutes? (?:les )?)(?:configurations?|positions?|postures?)"
     r"|quel(?:le)?s? que soi(?:en)?t (?:la|les) (?:configuration|position|angles?|valeurs?))\b",
     re.IGNORECASE,
 )
-_COMPARES = re.compile(r"[=≠<>≈]|\\(?:neq?|not|[lg]eq?|setminus)(?![A-Za-z])")
-_OF_THE_SAME = re.compile(
+_COMPARES = regex(r"[=≠<>≈]|\\(?:neq?|not|[lg]eq?|setminus)(?![A-Za-z])")
+_OF_THE_SAME = regex(
     r"\W*(?:(?:and|so|then|thus|hence|so that|et|donc|alors|und|y|e) )?(?:its|their|sa|son|ses|seine?|ihre?|su|sus|(?:la |il |le )?su[aoe]i?|(?:a |o )?seus?) \S",
     re.IGNORECASE,
 )
-_NAMES_TOOL = re.compile(
+_NAMES_TOOL = regex(
     r"(?<!\S)(?:tool|tip|end[ -]effector|gripper|hand|outil|l' outil|effecteur|l' effecteur|pince|werkzeugs?|greifers?|herramienta|efector|utensile|pinza) "
 )
-_WORD = re.compile(r"[^\W\d_]+")
-_ALTERNATIVES = re.compile(  # $s_3 = 0$ or; a blank is of one part alone, or a list of twenty formulas has a million ways to be none
-    r"(?:\s*+(?>\$[^$]+\$|\\\(.+?\\\)|:math:`[^`]+`)(?:\s*+,)?+(?:\s*+(?:oder|or|ou|o|and|und|et|y))?+)+\s*\Z"
+_WORD = regex(r"[^\W\d_]+")
+_ALTERNATIVES = (
+    regex(  # $s_3 = 0$ or; a blank is of one part alone, or a list of twenty formulas has a million ways to be none
+        r"(?:\s*+(?>\$[^$]+\$|\\\(.+?\\\)|:math:`[^`]+`)(?:\s*+,)?+(?:\s*+(?:oder|or|ou|o|and|und|et|y))?+)+\s*\Z"
+    )
 )
-_ARGUMENTS = re.compile(  # \begin{frame}<2->[fragile]{Title}, \section{Inverse}, ![a figure](arm.png)
+_ARGUMENTS = regex(  # \begin{frame}<2->[fragile]{Title}, \section{Inverse}, ![a figure](arm.png)
     r"\\begin\s*\{\w+\*?\}(?:<[^<>]*>|\[[^\[\]]*\]|\{[^{}]*\})*|\\(?:(?:sub)*section|chapter|paragraph|label|\w*ref|cite|includegraphics|caption|[vh]space|setcounter)\*?"
     r"(?:\[[^\[\]]*\])?\{[^{}]*\}|!\[[^\[\]]*\]\([^()]*\)|<[^<>\s][^<>]{0,200}>"
 )
 # a label, and no "est corrigé plus bas"
-_ANSWER = re.compile(r"\A[\W_]*(?:Corrigé|Svolgimento|Musterlösung)[\s*_}]*[.:][\s*_}]*(?=\w)")
-_QUESTION = re.compile(  # *Question 2.* What is asked behind it is asked of what comes
+_ANSWER = regex(r"\A[\W_]*(?:Corrigé|Svolgimento|Musterlösung)[\s*_}]*[.:][\s*_}]*(?=\w)")
+_QUESTION = regex(  # *Question 2.* What is asked behind it is asked of what comes
     r"\A[\W_]*(?:Question|Exercise|Exercice|Frage|Aufgabe|Übung|Pregunta|Ejercicio|Domanda|Esercizio|Pergunta|Exercício)(?:\s*\d+)?[\s*_}]*[.:)][\s*_}]*(?=\w|¿)"
 )
-_LISTS_VALUES = re.compile(  # a sentence of formulas alone, with their units, behind a label
+_LISTS_VALUES = regex(  # a sentence of formulas alone, with their units, behind a label
     r"(?:(?:\W{1,2}|\w{1,2}|numerical|worked|test|check|numbers?|values?|data|application|examples?|question|zahlen\w*|werte|beispiel|exemple|valeurs|données|num[eé]ri\w+|ejemplo|datos|valores|esempio|dati|valori|exemplo|dados) )*?"
     r"(?:(?:with|for|let|take|put|given|avec|pour|soit|soient|prenons|mit|für|sei|seien|con|para|sea|sean|per|sia|siano|com|seja|sejam) )?"
     r"(?:¤ (?:(?:mm|cm|m|rad|deg|degrees|degrés|grad|kg|n|nm|n m|rad/s|m/s|°/s) )?(?:(?:, |; )?(?:and |et |und |y |e )?(?:with |for |at |avec |pour |mit |für |bei |con |para |per |com )?)){2,}[:.,]? ?\Z",
     re.IGNORECASE,
 )
-_MISTAKE = re.compile(  # **Mistake 2.** of a list of them: what stands behind it is one
+_MISTAKE = regex(  # **Mistake 2.** of a list of them: what stands behind it is one
     r"[\W_]*(?:(?:textbf|textit|emph|paragraph|item)\W*)*(?:mistake|error|pitfall|trap|slip|erreur|faute|piège|fehler|falle|errore|erro|trampa)\s*(?:n°|nr\.?|no\.?|#)?\s*\d+\s*[.:)–—]",
     re.IGNORECASE,
 )
 _JOINING = frozenset("and or et ou und oder y o e ed bzw resp".split())
-_OF_LETTERS = re.compile(
+_OF_LETTERS = regex(
     r"angle|ángulo|ângulo|angol|winkel|measur|count|mesur|compt|mess|zähl|medid|length|longu|läng|lungh|absol|assol|convention|letter|symbol|lettre|zeichen|letra|letter"
 )
 _SUPPOSING = ("MAY_LIMIT", "SOUGHT", "CHANGED_BEFORE", "HELD_IN_WORDS")
-_FOR = re.compile(r"(?<!\S)(?:for|pour|für|para|per) ")  # "The formula for the ordinate follows"
+_FOR = regex(r"(?<!\S)(?:for|pour|für|para|per) ")  # "The formula for the ordinate follows"
 _MOST_OF_LABEL = 4  # words with their stop: "The elbow."
 MOST_KNOWN = 4096  # sentences, so that those of a text that is read again are heard once
 _LONGEST_QUOTED = 40  # characters of a formula in one that is quoted

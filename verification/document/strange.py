@@ -12,10 +12,11 @@ from functools import cache
 
 import armproof.verification.document.vocabulary as vocabulary
 from armproof.verification.document.clauses import is_weighed
+from armproof.verification.patterns import regex
 
-_WORD = re.compile(r"[^\W\d_][\w'-]*")
+_WORD = regex(r"[^\W\d_][\w'-]*")
 # a letter that is not Latin: of words in Cyrillic, Greek, Arabic, Thai, Hangul, Kana, Han
-_OF_OTHER_SCRIPT = re.compile(r"[^\W\d_A-Za-zªµºÀ-ɏḀ-ỿℓ]")
+_OF_OTHER_SCRIPT = regex(r"[^\W\d_A-Za-zªµºÀ-ɏḀ-ỿℓ]")
 # letters that words of one family have in common
 _PREFIXES = {"ENGLISH": 7, "FRENCH": 6, "GERMAN": 6, "SPANISH": 6, "ITALIAN": 6, "PORTUGUESE": 6}
 _SHORT = 8  # words of a sentence that says little else than what becomes of the display
@@ -25,17 +26,17 @@ _RATIO = 9  # of how many words of a longer sentence one is not known where it i
 _SUBJECT = 5  # words of a sentence of the arm within which a word for a part of it stands
 _RATIO_OF_ARM = 5  # of how many words of such a one
 _MANY = 50  # words of a text that tell its language
-_NO_WORDS = re.compile(
+_NO_WORDS = regex(
     r":[a-z:]+:(?=`)|\b\w{1,3}[₀-₉ₙᵢ]+|[α-ωΑ-Ω]\w{0,2}\b|\b\d\w*|https?:\S*|\S+\.(?:png|jpe?g|svg|eps|pdf|gif|md|py|m)\b|\S*[/_=]\S*|`[^`]*`|\b[lcr]{2,}\b|\b(?:turns?|rotates?|spins?|moves?|runs?) the other way\b|\b(?:kg|mm|cm|mod)\b"
 )
-_OF_ARM_ANYWAY = re.compile(  # what takes nothing back, though its words alone could: what the arm or its Jacobian loses, where a target else lies, what is not needed
+_OF_ARM_ANYWAY = regex(  # what takes nothing back, though its words alone could: what the arm or its Jacobian loses, where a target else lies, what is not needed
     r"\b(?:los(?:es?|ing|t|s of)|perd(?:ent|re|ant|u)?|perde(?:r|re|m)?|perdono|pierden?|perte d[eu]|pérdida de|perdita di|perda de|verlier(?:t|en))(?= (?:(?!(?:and|et|und|y|e) )[^\W\d_]+ ){0,3}?(?:rank|rang|rango|posto|degrees? of freedom|dof|dofs|degrés? de liberté|freiheitsgrade?|grados? de libertad|grad[oi] di libertà|graus? de liberdade)\b)"
     r"|(?<=\brang )verlier(?:t|en)\b|(?<=\bfreiheitsgrad )verlier(?:t|en)\b|(?<=\bfreiheitsgrade )verlier(?:t|en)\b|\brang(?:verlust|abfall)\w*"
     r"|\b(?:otherwise|sonst|andernfalls|sinon|altrimenti|de lo contrario|caso contrário)\b(?= (?:, )?(?:\S+ ){0,3}?(?:target|goal|ziel|zielpunkt|cible|objetivo|obiettivo|alvo|workspace|arbeitsraum)\b)"
     r"|\b(?:without (?:using|solving|computing|inverting|calling|the need|needing|having to)|sans (?:utiliser|recourir|passer|résoudre)|ohne (?=(?:\S+ ){0,4}?zu (?:verwenden|benutzen|lösen|berechnen)\b)|sin (?:usar|utilizar|recurrir|resolver|necesidad)|senza (?:usare|utilizzare|ricorrere|risolvere)|sem (?:usar|utilizar|recorrer|resolver))\b",
     re.IGNORECASE,
 )
-_OF_DISPLAY = re.compile(  # a sentence whose subject is the display, or a part of it
+_OF_DISPLAY = regex(  # a sentence whose subject is the display, or a part of it
     r"(?:[^\w\s]+ )*(?:(?:and|but|so|yet|however|thus|hence|et|mais|or|donc|aber|und|doch|pero|y|ma|mas|e) (?:, )?)?"
     r"(?:this|that|it|which|such|these|the (?:\S+ )?(?:formula|equation|expression|relation|result|identity|statement|claim|above|line|latter)"
     r"|(?:the|a|an|one) (?:\S+ )?(?:signs?|terms?|factors?|ind(?:ex|ices)|subscripts?|exponents?|sines?|cosines?)|(?:le|un|l'|un des) (?:signe|terme|facteur|indice|exposant|sinus|cosinus)|(?:das|ein) vorzeichen"

@@ -11,10 +11,11 @@ from collections.abc import Iterator
 from armproof.verification.document.hearing import formulas_of
 from armproof.verification.document.sentences import not_known_in
 from armproof.verification.document.vocabulary import LOADED, OF_NO_LETTER
+from armproof.verification.patterns import regex
 
 STRANGE_LETTER = "letter in strange words"  # the letter, and the sentence
-_LETTER = re.compile(r"\s*(?:\\(?:d?dot|mathbf|boldsymbol|vec|bm|mathrm)\b\s*\{?\s*)*(?:\\?[A-Za-z]+)(?:\s*_\s*\{?\s*\w+\s*\}?)?\s*\}*\s*")  # fmt: skip
-_NO_SENTENCE = re.compile(r"^[ \t]*\||\bErratum\b|\\(?:documentclass|usepackage|begin\s*\{tabular)", re.MULTILINE)
+_LETTER = regex(r"\s*(?:\\(?:d?dot|mathbf|boldsymbol|vec|bm|mathrm)\b\s*\{?\s*)*(?:\\?[A-Za-z]+)(?:\s*_\s*\{?\s*\w+\s*\}?)?\s*\}*\s*")  # fmt: skip
+_NO_SENTENCE = regex(r"^[ \t]*\||\bErratum\b|\\(?:documentclass|usepackage|begin\s*\{tabular)", re.MULTILINE)
 _FEWEST = 2
 _OF_NO_LETTER = frozenset((LOADED + OF_NO_LETTER).split())
 

@@ -11,8 +11,9 @@ from armproof.verification.document.cells import notebook_cells, percent_cells
 from armproof.verification.document.denials import denies_within, is_not_to_copy
 from armproof.verification.document.marked_wrong import MAY_MARK, marked_wrong
 from armproof.verification.document.model import Document
+from armproof.verification.patterns import regex
 
-MAY_STRIKE = re.compile(  # what no text that strikes out or denies in a box lacks
+MAY_STRIKE = regex(  # what no text that strikes out or denies in a box lacks
     MAY_MARK.pattern
     + r"|<[a-z]|~~|\\(?:st|sout|xout)\b|\\begin\s*\{(?![bpvBV]?matrix|array|align|equation|cases)|^:::|^[ \t]*(?:===|!!!|\?\?\?)",
     re.MULTILINE,
@@ -20,23 +21,21 @@ MAY_STRIKE = re.compile(  # what no text that strikes out or denies in a box lac
 MOST = 4000  # characters that are struck out or stand in a box: what is not closed is looked through no further
 _TITLE = 120  # characters of what a box begins with
 _INSIDE = rf".{{0,{MOST}}}?"
-_STRUCK = re.compile(
+_STRUCK = regex(
     rf"<(?P<tag>del|s|strike)(?:\s[^<>\n]*)?>{_INSIDE}</(?P=tag)>|<(?P<any>span|div|p)\s[^<>\n]*line-through[^<>\n]*>{_INSIDE}</(?P=any)>|\\(?:st|sout|xout)\s*\{{{_INSIDE}(?<!\\)\}}(?=\s*(?:\\|\n|\Z))",
     re.DOTALL,
 )
-_STRUCK_IN_MARKDOWN = re.compile(rf"(?<![~\\])~~(?!~){_INSIDE}(?<![~\\])~~(?!~)", re.DOTALL)
-_MATH = re.compile(
-    r"\$\$.{0,4000}?\$\$|\\\[.{0,4000}?\\\]|\$(?=\S)[^$\n]{0,400}(?<=\S)\$", re.DOTALL
-)  # where ~ is a blank
-_OPENS = re.compile(
+_STRUCK_IN_MARKDOWN = regex(rf"(?<![~\\])~~(?!~){_INSIDE}(?<![~\\])~~(?!~)", re.DOTALL)
+_MATH = regex(r"\$\$.{0,4000}?\$\$|\\\[.{0,4000}?\\\]|\$(?=\S)[^$\n]{0,400}(?<=\S)\$", re.DOTALL)  # where ~ is a blank
+_OPENS = regex(
     r"\\begin\s*\{(?P<name>[A-Za-z]+)\*?\}(?:\[(?P<option>[^\]\n]*)\])?"
     r"|<(?P<tag>div|section|aside|p)\s[^>\n]*class\s*=\s*[\"'](?P<class>[^\"'\n]*)[\"'][^>\n]*>"
     r"|<summary>(?P<summary>[^<\n]*)</summary>|^:::+[ \t]*(?P<words>[^\n]+)$"
     r"|^(?P<margin>[ \t]*)(?:===[+!]{0,2}|!!!|\?\?\?\+?)[ \t]+(?P<indented>[^\n]+)$",
     re.MULTILINE,
 )
-_FAILS = re.compile(r"(?:fail(?:ure)?|missing|bug|danger|error)\b")  # boxes of MkDocs, by their kind
-_NO_CLAIM = re.compile(
+_FAILS = regex(r"(?:fail(?:ure)?|missing|bug|danger|error)\b")  # boxes of MkDocs, by their kind
+_NO_CLAIM = regex(
     r"(?:counter-?examples?|contre-?exemples?|gegenbeispiele?|contraejemplos?|conjectures?|fallac(?:y|ies))",
     re.IGNORECASE,
 )

@@ -14,6 +14,7 @@ from armproof.verification.document.other_arms import OF_ARM, arms_named
 from armproof.verification.document.other_functions import OTHER_FUNCTION, is_of_other_function
 from armproof.verification.document.told_turns import OTHER_TURN, is_other_turn
 from armproof.verification.document.word_lists import WordLists
+from armproof.verification.patterns import regex
 
 OTHER_PLACE = "other place"  # neither the tool, nor a link or frame with a number
 LINK = "link"  # with its number: the frame at its far end
@@ -74,12 +75,12 @@ _ORDINALS = {"first": 1, "second": 2, "third": 3, "fourth": 4, "premier": 1, "pr
 _CENTRES = frozenset("centre center centro zentrum mittelpunkt".split())
 _WRISTS = ("wrist", "poignet", "handgelenk", "handwurzel", "muñeca", "polso", "pulso", "punho")
 _LETTERS = {"jacobi": "J", "rotation": "R", "orientat": "R", "pose": "THA", "transfor": "THA", "position": "pPxyz", "accélér": "", "rotació": "R", "rotazio": "R", "posició": "pPxyz", "posizio": "pPxyz"}  # fmt: skip
-_POINT = re.compile(r"\s*(?:\\(?:mathbf|boldsymbol|vec)\s*)?\{?[OPCAp]\}?_\{?(\d)\}?\s*")
-_NUMBER = re.compile(r"¤?\s*(?:\\?[A-Za-z]+\s*_\s*)?\{?\s*(?:\\?[A-Za-z]+_)?(\d)\s*\}?\s*")  # 2, $2$, $R_2$, $\{2\}$
-_OF_FRAME = re.compile(r"¤\s*(?:\\mathcal\s*)?\{?[RF]\}?_\{?([1-9])\}?\s*|¤\s*\\\{([1-9])\\\}\s*")
-_OF_JOINT = re.compile(r"¤\s*(?:\\(?:var)?(?:theta|phi|alpha|beta)|q)(?![A-Za-z])")
+_POINT = regex(r"\s*(?:\\(?:mathbf|boldsymbol|vec)\s*)?\{?[OPCAp]\}?_\{?(\d)\}?\s*")
+_NUMBER = regex(r"¤?\s*(?:\\?[A-Za-z]+\s*_\s*)?\{?\s*(?:\\?[A-Za-z]+_)?(\d)\s*\}?\s*")  # 2, $2$, $R_2$, $\{2\}$
+_OF_FRAME = regex(r"¤\s*(?:\\mathcal\s*)?\{?[RF]\}?_\{?([1-9])\}?\s*|¤\s*\\\{([1-9])\\\}\s*")
+_OF_JOINT = regex(r"¤\s*(?:\\(?:var)?(?:theta|phi|alpha|beta)|q)(?![A-Za-z])")
 _JOINT = frozenset("joint articulation gelenk gelenks articulación giunto".split())
-_OF_TOOL_FRAME = re.compile(  # what a tool's frame does anyway: "The hand frame turns with the forearm."
+_OF_TOOL_FRAME = regex(  # what a tool's frame does anyway: "The hand frame turns with the forearm."
     r"(?<!\S)(?:the |le |la )?(?:(?:hand|tool|gripper|end-effector|effector|tip|wrist|last)(?:' s)? (?:frame|axes)|(?:repère|référentiel) (?:de |du |lié à )?(?:la |l' )?(?:outil|pince|main|effecteur)) (?:turns|moves|rotates|travels|tourne|bouge|se déplace) (?=with |along with |avec )",
     re.IGNORECASE,
 )

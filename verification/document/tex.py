@@ -32,31 +32,32 @@ from armproof.verification.document.tex_macros import blank, closing_brace
 from armproof.verification.document.tex_project import Project
 from armproof.verification.document.tex_tables import read_tabular
 from armproof.verification.document.units import MOST_BEHIND, with_unit
+from armproof.verification.patterns import regex
 
 ENVIRONMENTS = (
     "equation align gather multline flalign alignat eqnarray displaymath dmath dgroup math xalignat IEEEeqnarray empheq"
 ).split()
-_DISPLAY = re.compile(r"(?:%s)\*?" % "|".join(ENVIRONMENTS))
-_WITH_ARGUMENT = re.compile(r"(?:alignat|xalignat|IEEEeqnarray|empheq)\*?")
-_ARGUMENTS = re.compile(r"\s*(?:\[(?:[^][{}]|\{[^{}]*\})*\]\s*)?\{[^{}]*\}")
-_COMMENT = re.compile(r"(?<!\\)((?:\\\\)*)%([^\n]*)")
-_HIDDEN = re.compile(
+_DISPLAY = regex(r"(?:%s)\*?" % "|".join(ENVIRONMENTS))
+_WITH_ARGUMENT = regex(r"(?:alignat|xalignat|IEEEeqnarray|empheq)\*?")
+_ARGUMENTS = regex(r"\s*(?:\[(?:[^][{}]|\{[^{}]*\})*\]\s*)?\{[^{}]*\}")
+_COMMENT = regex(r"(?<!\\)((?:\\\\)*)%([^\n]*)")
+_HIDDEN = regex(
     r"\\begin\{(verbatim\*?|lstlisting|minted|comment|Verbatim)\}.*?\\end\{\1\}|\\verb\*?([^\w\s*]).*?\2",
     re.DOTALL,
 )
-_EXCLUDED = re.compile(r"\\exclude(?:comment|version)\s*\{\s*([A-Za-z]+)\s*\}")
-_LISTING = re.compile(r"\\begin\{(verbatim\*?|lstlisting|minted|Verbatim)\}.*?\\end\{\1\}", re.DOTALL)
-_VERB = re.compile(r"\\verb\*?([^\w\s*])[^\n]*?\1")
-_OPEN_TITLE = re.compile(r"[\\\n]")  # what ends one whose brace is never closed
-_TITLE = re.compile(r"\\title\s*(?:\[[^\]]*\]\s*)?\{")
-_TOKEN = re.compile(
+_EXCLUDED = regex(r"\\exclude(?:comment|version)\s*\{\s*([A-Za-z]+)\s*\}")
+_LISTING = regex(r"\\begin\{(verbatim\*?|lstlisting|minted|Verbatim)\}.*?\\end\{\1\}", re.DOTALL)
+_VERB = regex(r"\\verb\*?([^\w\s*])[^\n]*?\1")
+_OPEN_TITLE = regex(r"[\\\n]")  # what ends one whose brace is never closed
+_TITLE = regex(r"\\title\s*(?:\[[^\]]*\]\s*)?\{")
+_TOKEN = regex(
     r"\\begin\s*\{(?P<begin>\w+\*?)\}|\\end\s*\{(?P<end>\w+\*?)\}|\\(?P<section>chapter|(?:sub)*section|paragraph|frametitle)\*?\s*(?:\[[^\]]*\])?\s*\{"
     r"|(?P<bracket>\\\[)|(?P<macro>\\[A-Za-z]+)|\\.|(?P<dollars>\$\$?)",
     re.DOTALL,
 )
-_MATRIX = re.compile(r"\\begin\s*\{(?:array|[bpvBV]?matrix)\*?\}")
-_MATRIX_IN_CELL = re.compile(r"\$[^$]*=[^$]*\\begin\s*\{(?:array|[bpvBV]?matrix)\*?\}[^$]*\$")  # A_1 = […] & A_2 = […]
-_ERRATUM = re.compile(
+_MATRIX = regex(r"\\begin\s*\{(?:array|[bpvBV]?matrix)\*?\}")
+_MATRIX_IN_CELL = regex(r"\$[^$]*=[^$]*\\begin\s*\{(?:array|[bpvBV]?matrix)\*?\}[^$]*\$")  # A_1 = […] & A_2 = […]
+_ERRATUM = regex(
     r"\s*(?:\[(?:[^\]]*[={\s])?\W*errat(?:um|a)\b|(?:\\(?:textbf|textit|emph|textsc|bfseries|itshape|bf|it|noindent|paragraph)(?![A-Za-z])[\s*{]*|\{)*errat(?:um|a)\b)",
     re.IGNORECASE,
 )
@@ -141,18 +142,18 @@ def _front_matter(path: Path, text: str) -> FrontMatter:
 
 
 # an exercise in an environment, of the author's own too: homeworkProblem
-_EXERCISE = re.compile(r"\w*(?:problem|exerci[sc]e|ejercicio|exercicio|esercizio|aufgabe|question)\*?", re.IGNORECASE)
-_OPTION = re.compile(r"\s*\[[^\]\d]*(\d+(?:\.\d+)*)[^\]]*\]")  # \begin{homeworkProblem}[Question 4]
-_ROBOT_OF = re.compile(  # what an exercise begins with that is about the robot of another
+_EXERCISE = regex(r"\w*(?:problem|exerci[sc]e|ejercicio|exercicio|esercizio|aufgabe|question)\*?", re.IGNORECASE)
+_OPTION = regex(r"\s*\[[^\]\d]*(\d+(?:\.\d+)*)[^\]]*\]")  # \begin{homeworkProblem}[Question 4]
+_ROBOT_OF = regex(  # what an exercise begins with that is about the robot of another
     r"\b(?:robot|manipulator|arm|mechanism|bras|brazo|braço|manipulador|roboter)s?\b[^.]{0,60}?\b(?:in|of|from|de|du|da|do|aus)\s+(?:the\s+)?"
     r"(?:question|problem|exerci[sc]e|aufgabe|ejercicio|exercício|problema|problème)\s+(\d+(?:\.\d+)*)",
     re.IGNORECASE,
 )
-_PARAGRAPH = re.compile(  # up to what ends it
+_PARAGRAPH = regex(  # up to what ends it
     r"\s*(?:(?!\n\s*\n|\$\$|\\\[|\\(?:begin|end)\s*\{|\\(?:item|chapter|(?:sub)*section|paragraph)(?![A-Za-z])).)+",
     re.DOTALL,
 )
-_EDGE = re.compile(
+_EDGE = regex(
     r"\\[\[\]]|\$\$|\\(?:begin|end)\s*\{(?:%s)\*?\}" % "|".join(ENVIRONMENTS)
 )  # of a display: where it ends, or begins in vain
 LEVELS = ("chapter", "section", "subsection", "subsubsection", "frametitle", "paragraph")

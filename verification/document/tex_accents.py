@@ -5,12 +5,14 @@ from __future__ import annotations
 import re
 import unicodedata
 
+from armproof.verification.patterns import regex
+
 _COMBINING = {"`": "\u0300", "'": "\u0301", "^": "\u0302", "~": "\u0303", '"': "\u0308", "c": "\u0327"}
-_ACCENT = re.compile(
+_ACCENT = regex(
     r"(?<!\\)(?P<open>\{)?(?:\\(?P<mark>[`'^~\"])\s*(?:\{\\?(?P<braced>[A-Za-z])\s*\}|\\(?P<dotless>[ij])(?![A-Za-z])(?:\{\}|\s)?|(?P<bare>[A-Za-z]))"
     r"|\\(?P<hook>c)\s*\{(?P<hooked>[cC])\})(?(open)\})"
 )
-_SHARP_S = re.compile(r"\{\\ss\s*(?:\{\})?\}|\\ss(?:\{\}|\s+|(?![A-Za-z]))")
+_SHARP_S = regex(r"\{\\ss\s*(?:\{\})?\}|\\ss(?:\{\}|\s+|(?![A-Za-z]))")
 
 
 def with_letters(text: str) -> str:

@@ -10,8 +10,9 @@ from dataclasses import dataclass, field
 
 from armproof.verification.document.tex_definitions import places_of_definitions
 from armproof.verification.document.tex_macros import blank
+from armproof.verification.patterns import regex
 
-_MARK = re.compile(
+_MARK = regex(
     r"\\newif\s*\\if(?P<new>[A-Za-z]+)|\\let\s*\\if(?P<let>[A-Za-z]+)\s*=?\s*\\if(?P<as>true|false)(?![A-Za-z])"
     r"|\\(?:(?:re)?new|provide)command\*?\s*\{?\s*\\if(?P<own>[A-Za-z]*)|\\def\s*\\if(?P<defined>[A-Za-z]*)"
     r"|\\if(?P<opens>[A-Za-z]*)(?P<test>(?<=\\if)\s*[0-9A-Za-z](?:[0-9A-Za-z]|\s)|(?<=\\ifnum)\s*\d+\s*[<=>]\s*\d+(?:\s|(?=\D)))?"
@@ -19,8 +20,8 @@ _MARK = re.compile(
     re.DOTALL,
 )
 _NO_CONDITIONAL = frozenset("f star thenelse".split())  # \iff, and what takes groups
-_NUMBERS = re.compile(r"\s*(\d+)\s*([<=>])\s*(\d+)")
-_GROUP = re.compile(r"\s*\{")
+_NUMBERS = regex(r"\s*(\d+)\s*([<=>])\s*(\d+)")
+_GROUP = regex(r"\s*\{")
 
 
 @dataclass

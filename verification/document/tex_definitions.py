@@ -7,21 +7,22 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from armproof.verification.document.tex_macros import Macro, Macros, blank, closing_brace
+from armproof.verification.patterns import regex
 
 _NAME = r"\s*(?:\{\s*(?P<braced>\\[A-Za-z]+)\s*\}|(?P<plain>\\[A-Za-z]+))\s*"
-_COMMAND = re.compile(
+_COMMAND = regex(
     rf"\\(?P<kind>(?:(?:re)?new|provide)command|DeclareRobustCommand|(?:New|Renew|Provide|Declare)DocumentCommand|DeclareMathOperator|DeclarePairedDelimiter)\*?{_NAME}"
     r"(?:\[(?P<count>\d)\]\s*)?(?:\[(?P<default>[^\]]*)\]\s*)?(?=\{)"
     r"|\\def\s*(?P<defined>\\[A-Za-z]+)(?P<parameters>[^{}\\\n]{0,80})(?=\{)"
     r"|\\let\s*(?P<let>\\[A-Za-z]+)\s*=?\s*(?P<meaning>\\[A-Za-z]+)"
     r"|\\(?:re)?newenvironment\*?\s*\{\s*(?P<environment>\w+\*?)\s*\}\s*(?:\[(?P<size>\d)\]\s*)?(?:\[(?P<first>[^\]]*)\]\s*)?(?=\{)"
 )
-_GROUP = re.compile(
+_GROUP = regex(
     r"(?P<opens>\\begin(?:group)?(?![A-Za-z])|\\bgroup(?![A-Za-z])|\{)"
     r"|(?P<closes>\\end(?:group)?(?![A-Za-z])|\\egroup(?![A-Za-z])|\})|\\.",
     re.DOTALL,
 )
-_PARAMETERS = re.compile(r"(?:O\{(?P<default>[^{}]*)\})?(?P<plain>[m\s]*)")
+_PARAMETERS = regex(r"(?:O\{(?P<default>[^{}]*)\})?(?P<plain>[m\s]*)")
 
 
 def places_of_definitions(text: str) -> list[tuple[int, int]]:

@@ -8,13 +8,14 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from armproof.verification.document.model import Piece
+from armproof.verification.patterns import regex
 
 MOST_EXPANSIONS = 500  # in one display
 LONGEST = 50_000  # characters of a display
-_BOUNDARY = re.compile(r"\s*\\(begin|end)\s*\{(\w+\*?)\}\s*")
+_BOUNDARY = regex(r"\s*\\(begin|end)\s*\{(\w+\*?)\}\s*")
 NEAR = 400  # characters within which most braces are closed
-_BRACE = re.compile(r"\\.|[{}]", re.DOTALL)
-_USE = re.compile(r"\\(?:begin|end)\s*\{\w+\*?\}|\\[A-Za-z]+")
+_BRACE = regex(r"\\.|[{}]", re.DOTALL)
+_USE = regex(r"\\(?:begin|end)\s*\{\w+\*?\}|\\[A-Za-z]+")
 Place = Callable[[int], tuple[int, int]]
 
 

@@ -15,10 +15,11 @@ from pathlib import Path
 from armproof.verification.document.front_matter import MAX_BYTES, read_any_text, suffix_of
 from armproof.verification.errors import DocumentError
 from armproof.verification.findings import Finding, Kind, say
+from armproof.verification.patterns import regex
 
 MOST_FILES = 200
 DEEPEST = 12
-_INPUT = re.compile(
+_INPUT = regex(
     r"\\(?:input|include|subfile|subfileinclude)\s*\{(?P<braced>[^{}]+)\}|\\input\s+(?P<bare>[\w./-]+)"
     r"|\\(?:import|subimport)\*?\s*\{(?P<folder>[^{}]*)\}\s*\{(?P<imported>[^{}]+)\}"
     r"|\\(?:usepackage|RequirePackage|documentclass|LoadClass)\s*(?:\[[^\]]*\]\s*)?\{(?P<packages>[^{}]+)\}"

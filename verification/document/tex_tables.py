@@ -6,12 +6,13 @@ import re
 from collections.abc import Callable
 
 from armproof.verification.document.model import Piece, Table
+from armproof.verification.patterns import regex
 
-_RULE = re.compile(
+_RULE = regex(
     r"\\(?:hline|toprule|midrule|bottomrule|endhead|endfirsthead|(?:cline|cmidrule)\s*(?:\([^)]*\))?\s*\{[^}]*\}|addlinespace|centering)(?![A-Za-z])"
 )
-_ARGUMENTS = re.compile(r"\s*(?:\[[^\]]*\]\s*)?(?:\{(?:[^{}]|\{[^{}]*\})*\}\s*){1,2}")
-_CUT = re.compile(r"\\\\(?:\s*\[[^\]]*\])?|\\tabularnewline|\\.|[{}&]", re.DOTALL)
+_ARGUMENTS = regex(r"\s*(?:\[[^\]]*\]\s*)?(?:\{(?:[^{}]|\{[^{}]*\})*\}\s*){1,2}")
+_CUT = regex(r"\\\\(?:\s*\[[^\]]*\])?|\\tabularnewline|\\.|[{}&]", re.DOTALL)
 
 
 def read_tabular(content: str, offset: int, place: Callable[[int], tuple[int, int]]) -> Table | None:

@@ -11,27 +11,28 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from armproof.verification.document.told_sides import LEFT_OF_LINE, MAY_TELL_SIDE, RIGHT_OF_LINE, UNCLEAR, told_side
+from armproof.verification.patterns import regex
 
 BRANCH = "branch"  # the comparison that the sentence makes, as LaTeX; without one nothing tells which branch it is
 MINUS_ROOT, PLUS_ROOT = "root -", "root +"  # that of any root
 ABOVE_ZERO, BELOW_ZERO = ">", "<"
 
-MAY_TELL_BRANCH = re.compile(  # what no such sentence lacks, in small letters
+MAY_TELL_BRANCH = regex(  # what no such sentence lacks, in small letters
     r"positi|negati|négati|sqrt|between|entre|zwischen|minus|moins|plus|flip|back|behind|other side|opposite side|(?:left|right)[- ]hand|lefty|righty|left|right|arrière|derrière|gauche|droit|retourn|above|below|over|under|dessus|dessous|über|unter|oberhalb|encima|debajo|sopra|sotto"
     rf"|elbow|wrist|shoulder|coude|épaule|poignet|ellbogen|codo|gomito|cotovelo|{MAY_TELL_SIDE}"
 )
 _ANGLE = r"(?:\\(?:var)?theta|\\(?:var)?phi|\\psi|q|d)\s*_\s*\{?\s*\w+\s*\}?"
-_LETTER = re.compile(  # of which a branch has one sign: a joint, its sine or cosine, a coordinate of the target
+_LETTER = regex(  # of which a branch has one sign: a joint, its sine or cosine, a coordinate of the target
     rf"(?:{_ANGLE}|(?:\\(?:sin|cos)\s*(?:\\left)?\(?\s*|(?:s|c|S|C)\s*_?\s*\{{?\s*\d\s*\}}?|sin |cos )(?:{_ANGLE})?\s*(?:\\right)?\)?|[xyz]|[xyz]_\{{?\w\}}?|[pP]_\{{?[xyz]\}}?)"
 )
-_EXTENT = re.compile(r"-?\s*(?:\d+(?:\.\d+)?\s*(?:\^\s*\{?\s*\\circ\s*\}?|°)?|(?:\d\s*)?\\pi(?:\s*/\s*\d)?)")
-_OF_ROOT = re.compile(r"(?P<name>[^=]+)=\s*(?P<sign>[+-]?)\s*\\sqrt\b.*")
-_COMPARED = re.compile(r"(?P<name>[^<>=]+?)\s*(?P<relation><|>|\\lt|\\gt|\\leq?(?:slant)?|\\geq?(?:slant)?)\s*0")
+_EXTENT = regex(r"-?\s*(?:\d+(?:\.\d+)?\s*(?:\^\s*\{?\s*\\circ\s*\}?|°)?|(?:\d\s*)?\\pi(?:\s*/\s*\d)?)")
+_OF_ROOT = regex(r"(?P<name>[^=]+)=\s*(?P<sign>[+-]?)\s*\\sqrt\b.*")
+_COMPARED = regex(r"(?P<name>[^<>=]+?)\s*(?P<relation><|>|\\lt|\\gt|\\leq?(?:slant)?|\\geq?(?:slant)?)\s*0")
 _BENT = r"elbow|wrist|shoulder|coude|épaule|poignet|ellbogen|codo|gomito|cotovelo"
-_CALLED = re.compile(  # two branches exist: elbow-up (¤) and elbow-down (¤)
+_CALLED = regex(  # two branches exist: elbow-up (¤) and elbow-down (¤)
     rf"(?<!\S)(?P<label>(?:{_BENT})[ -](?:up|down|left|right|above|below|haut|bas|gauche|droite|oben|unten|links|rechts|arriba|abajo|alto|basso|cima|baixo)) (?:(?:solution|branch|configuration|posture|case) )?¤"
 )
-_ON_CONDITION = re.compile(
+_ON_CONDITION = regex(
     r"(?<!\S)(?:if|when(?:ever)?|in case|si|s' il|quand|lorsque|lorsqu'|wenn|falls|cuando|quando|se) "
 )
 _POSITIVE = r"(?:positi(?:ve[rsnm]?|fs?|ves|v|v[oa]s?))"
@@ -44,44 +45,44 @@ _NO_SIGN = (  # "positive when it lifts", "positive counter-clockwise" tell how 
     r"(?! (?:, )?(?:if|when(?:ever)?|for|in|to|towards?|about|around|along|counter|anti|clock|up|down|left|right|axis|direction|sense|values?|rotation|angles?|is|means|lowers?|lifts?|raises?|moves?|turns?|bends?|"
     r"dans|vers|si|quand|lorsque|pour|autour|le|en|à|au|sens|wenn|nach|im|gegen|cuando|si|hacia|verso|quando)\w*)"
 )
-_SAID_OF = re.compile(
+_SAID_OF = regex(
     rf"¤ (?:, |(?:(?!¤|{_IS} |{_SIGN_WORD} |(?:and|et|or|ou|und|to|with|avec|from|than) )[^\s,.;:]+ ){{1,5}}(?={_IS} ))?(?P<verb>(?:(?:{_IS}|{_ADVERB}) )*)(?:a |un |une |ein )?(?:value |valeur |wert )?{_SIGN}(?=\s){_NO_SIGN}"
 )
-_SAID_BEFORE = re.compile(
+_SAID_BEFORE = regex(
     rf"(?P<article>(?:\A|[.,;:] |(?<!\S)))(?:(?:a|an|un|une|the|le|la|with|avec|has|have) )*(?:(?P<noun>valeurs?|valores?|valore) )?(?P<sign>{_SIGN}) (?:(?:values?|wert|werte) )?(?:of |for |de |du |pour |von )?¤ (?P<behind>\S*)"
 )
-_OF_DIRECTION = re.compile(
+_OF_DIRECTION = regex(
     r"(?:along|towards?|about|around|in|on|from|of the|sur|vers|autour|selon|le long|l'|des|axes?) (?:the |of |du |de |des |les? |la )*\Z"
 )
-_DENIES = re.compile(r"\b(?:never|not|jamais|pas|nie|nicht|nunca|mai)\b")
-_BETWEEN = re.compile(r"¤ (?:\S+ ){0,3}?(?:between|entre|zwischen|tra|from|de|von) ¤ (?:and|et|und|y|e|to|à|bis) ¤")
-_OPEN_END = re.compile(r"¤ (?:[,.;:] )?")
+_DENIES = regex(r"\b(?:never|not|jamais|pas|nie|nicht|nunca|mai)\b")
+_BETWEEN = regex(r"¤ (?:\S+ ){0,3}?(?:between|entre|zwischen|tra|from|de|von) ¤ (?:and|et|und|y|e|to|à|bis) ¤")
+_OPEN_END = regex(r"¤ (?:[,.;:] )?")
 _WHICH = r"(?:negative|minus|positive|plus|other|opposite|lower|upper|n[eé]gati(?:ve|f)|positi(?:ve|f))"
 _SIDE = r"(?:left|right|lefty|righty|gauche|droite?)"
 _POSTURE = r"(?:posture|elbow|shoulder|wrist|coude|épaule|poignet|arm (?:posture|configuration|solution))"
 _HANDED = r"(?:left|right)-(?:handed|arm) (?:\(\S+ )?(?:posture|configuration|solution|branch|arm|elbow|case)|(?:left|lefty|righty) (?:solution|configuration|branch)"
-_ROOT = re.compile(  # "the negative root", « la racine négative »
+_ROOT = regex(  # "the negative root", « la racine négative »
     rf"(?<!\S)(?:{_SIGN_WORD}|minus|plus) (?:square )?(?:roots?|sign)(?! (?:comes|is due|arises|reflects|means|in|before|of)(?= ))|(?:racine|signe) (?:{_SIGN_WORD}|moins|plus)(?! (?:comes|is|arises|reflects|means|in|before|of|vient|provient|est|devant|dans|tient)(?= ))"
 )
-_MINUS = re.compile(rf"{_NEGATIVE}|minus|moins")
-_UNCLEAR = re.compile(  # which solution is meant, in words that no formula says
+_MINUS = regex(rf"{_NEGATIVE}|minus|moins")
+_UNCLEAR = regex(  # which solution is meant, in words that no formula says
     rf"(?<!\S)(?:{_WHICH} (?:branch|determination)|(?:branch|branche|solution|elbow|coude|épaule|poignet|shoulder|wrist)s? (?:is |est )?(?:{_WHICH}|moins)(?! (?:si|if|when|quand|lorsque|vers|to|up)(?= ))"
     rf"|(?:{_WHICH}|{_SIDE})[- ](?:elbow|shoulder|wrist|coude)|{_SIDE} {_POSTURE}|{_HANDED}|(?:coude|épaule|bras|poignet) (?:à )?{_SIDE}|{_SIDE}-(?:shoulder|elbow|arm)"
     r"|(?:no|non|with|without|wrist) flip|flipped (?:wrist|solution|posture|configuration)|(?:wrist|poignet) (?:is |est )?(?:flipped|retourné)(?= |\Z)"
     r"|(?:reach\w*|bend\w*|bent|lean\w*|fold\w*|tend\w*|atteint|penché\w*|replié\w*|tourné\w*) (?:\S+ ){0,2}?(?:backwards?|behind|back over|over (?:its|the) (?:head|back|shoulder)|en arrière|vers l' arrière)"
     r"|(?:behind|on the (?:other|opposite|far) side of) (?:the |its )?(?:robot|arm|base|shoulder|column|(?:first |vertical )?axis)|(?:derrière|de l' autre côté (?:de|du)) (?:le |la |l' |son )?(?:robot|bras|base|épaule|axe|colonne)) ?"
 )
-_OF_ELBOW = re.compile(  # on which side of the line to the tool the elbow is
+_OF_ELBOW = regex(  # on which side of the line to the tool the elbow is
     r"(?<!\S)(?:elbow|coude|ellbogen|ellenbogen|codo|gomito|cotovelo) (?:(?:is|lies|stays|stands|being|lying|est|reste|liegt|ist|bleibt|está|è|sta) )?(?:(?P<above>above|over|au-dessus|über|oberhalb|encima|por encima|sopra|acima)|below|under|underneath|au-dessous|en dessous|unter|unterhalb|debajo|sotto|abaixo)(?= )(?! \S*(?:table|floor|ground|shoulder|base))"
 )
-_ELBOW_IS = re.compile(  # "elbow-up": of a planar arm that reaches forward, its elbow above the line to the tool
+_ELBOW_IS = regex(  # "elbow-up": of a planar arm that reaches forward, its elbow above the line to the tool
     r"(?<!\S)(?:elbow|coude|ellbogen|ellenbogen|codo|gomito|cotovelo)(?: |-)(?:(?:is|est|ist|está|è|en|vers le|para|hacia|verso l'|in) )*(?:(?P<up>up|haut|oben|arriba|alto|cima)|down|bas|unten|abajo|basso|baixo)(?![\w])"
 )
-_LINE_TO_TOOL = re.compile(
+_LINE_TO_TOOL = regex(
     r"(?<!\S)(?:line|chord|segment|straight line) (?:from|between|joining|through|of) (?:the )?(?:base|shoulder|origin)"
 )
-_TOOL_SIDE = re.compile(r"(?<!\S)(?:to|on|at) the (?P<side>right|left)(?! (?:hand|of the line))(?= )")
-_BOTH = re.compile(rf"{_POSITIVE}\b.{{0,60}}?\b{_NEGATIVE}|{_NEGATIVE}\b.{{0,60}}?\b{_POSITIVE}|\b(?:left|gauche)\b.{{0,40}}?\b(?:right|droite?)\b|\b(?:right|droite?)\b.{{0,40}}?\b(?:left|gauche)\b|\bsigne? (?:of|de|du) ¤|\bsign of\b|\bsigne de\b|\b(?:either|both|les deux) sign", re.IGNORECASE)  # fmt: skip
+_TOOL_SIDE = regex(r"(?<!\S)(?:to|on|at) the (?P<side>right|left)(?! (?:hand|of the line))(?= )")
+_BOTH = regex(rf"{_POSITIVE}\b.{{0,60}}?\b{_NEGATIVE}|{_NEGATIVE}\b.{{0,60}}?\b{_POSITIVE}|\b(?:left|gauche)\b.{{0,40}}?\b(?:right|droite?)\b|\b(?:right|droite?)\b.{{0,40}}?\b(?:left|gauche)\b|\bsigne? (?:of|de|du) ¤|\bsign of\b|\bsigne de\b|\b(?:either|both|les deux) sign", re.IGNORECASE)  # fmt: skip
 
 
 @dataclass(frozen=True)

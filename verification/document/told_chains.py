@@ -6,15 +6,15 @@ say besides, of an axis or of a direction, goes with it. Which chain these are o
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from itertools import pairwise, takewhile
 
 from armproof.verification.document.hearing import formulas_of, with_axes, words_of
 from armproof.verification.document.model import ToldPart
 from armproof.verification.document.word_lists import WordLists
+from armproof.verification.patterns import regex
 
-MAY_TELL_CHAIN = re.compile(  # in small letters: what no text lacks that tells of a length, a slide or a height of an arm
+MAY_TELL_CHAIN = regex(  # in small letters: what no text lacks that tells of a length, a slide or a height of an arm
     r"length|links?\b|segment|\bbars?\b|\brods?\b|\bbarres?\b|glied|eslab|bracci|slid|extend|telescop|rises|raise|height|distance|longueur|gliss|coulisse|translat|allong|hauteur|länge|läng|schieb|höhe|abstand|longitud|desliza|altura|distancia|lunghezz|scorr|altezz|distanz|compriment|desliza"
 )
 TURN, SLIDE, LENGTH, HEIGHT, DISTANCE, OFFSET = "turn", "slide", "length", "height", "distance", "offset"
@@ -63,22 +63,22 @@ MASS mass masse massen masa massa gravity pesanteur barycentre
 """)
 _is, _has = _lists.holds, _lists.has
 _GREEK = r"\\(?:var)?(?:theta|vartheta|phi|psi|alpha|beta|gamma)"
-_ANGLE = re.compile(rf"{_GREEK}(?:\s*_\s*(?:\{{\s*\w+\s*\}}|\w))?'?")
-_ANY = re.compile(r"(?:[A-Za-z]|\\(?:ell|rho|delta|lambda))(?:\s*_\s*(?:\{\s*\w+\s*\}|\w))?'?")
-_SIZE = re.compile(
+_ANGLE = regex(rf"{_GREEK}(?:\s*_\s*(?:\{{\s*\w+\s*\}}|\w))?'?")
+_ANY = regex(r"(?:[A-Za-z]|\\(?:ell|rho|delta|lambda))(?:\s*_\s*(?:\{\s*\w+\s*\}|\w))?'?")
+_SIZE = regex(
     r"(\d+(?:[.,]\d+)?)(?:\\[,;: ]|[\s~{}]|\\(?:mathrm|text|rm|unit|si))*([mc]?m)?[\s}]*"
 )  # 0.4 m, 250\,\mathrm{mm}
-MAY_TELL_SIZE = re.compile(r"\d(?:\s|~|\\[,;: ]|\$|\\(?:mathrm|text)\{)*(?:[mc]?m\b|met|mèt|mill|cent)")
-_NEVER = re.compile(r"[xyzXYZOPTJMEABCFWSVGIijkmgnptv](?:\s*_.*)?")  # points, axes, matrices, masses
-_AXIS = re.compile(
+MAY_TELL_SIZE = regex(r"\d(?:\s|~|\\[,;: ]|\$|\\(?:mathrm|text)\{)*(?:[mc]?m\b|met|mèt|mill|cent)")
+_NEVER = regex(r"[xyzXYZOPTJMEABCFWSVGIijkmgnptv](?:\s*_.*)?")  # points, axes, matrices, masses
+_AXIS = regex(
     r"(?:\\(?:vec|hat|mathbf|boldsymbol|overrightarrow)\s*\{?\s*)?(?:O_?0?)?([xyz])\}?(?:\s*_\s*\{?\s*0\s*\}?)?"
 )
-_POINT = re.compile(r"[PEMTHABCDQ]")
-_PLANE = re.compile(
+_POINT = regex(r"[PEMTHABCDQ]")
+_PLANE = regex(
     r"\W*(?:O\s*,?\s*)?(?:\\vec\s*\{?\s*)?([xy])\}?\s*(?:_\s*\{?\s*0\s*\}?)?\s*,?\s*(?:\\vec\s*\{?\s*)?z\}?\s*(?:_\s*\{?\s*0\s*\}?)?\W*"
 )
-_LOCAL_AXIS = re.compile(r"(?:\\(?:vec|hat|mathbf|boldsymbol)\s*\{?\s*)?([xyz])\}?\s*_\s*\{?\s*[1-9]\s*\}?")
-_FENCE = re.compile(r"\\(?:left|right|big|Big)?\s*[()\[\]]|[()\[\]]|\\[,;:! ]|\\q?quad|\^\{?(?:T|\\top)\}?")
+_LOCAL_AXIS = regex(r"(?:\\(?:vec|hat|mathbf|boldsymbol)\s*\{?\s*)?([xyz])\}?\s*_\s*\{?\s*[1-9]\s*\}?")
+_FENCE = regex(r"\\(?:left|right|big|Big)?\s*[()\[\]]|[()\[\]]|\\[,;:! ]|\\q?quad|\^\{?(?:T|\\top)\}?")
 _AND = frozenset("and et und y e ou or o oder".split())
 _BY = frozenset("by de d' um por di".split())
 _ENDS = frozenset(", ; : . ! ?".split())

@@ -5,32 +5,33 @@ What follows from it is not computed: rates that the arm does not have freely ar
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
+
+from armproof.verification.patterns import regex
 
 CONSTRAINED = "constrained"  # the tool is: its rates are related
 NEGATIVE = "negative"  # an angle or a coordinate is, wherever it goes
 
-MAY_CONSTRAIN = re.compile(
+MAY_CONSTRAIN = regex(
     r"along|constant|konstant|costante|le long|entlang|negati|négati|between|from|entre|zwischen|da\b"
 )
 _SURFACE = r"(?:wall|floor|edge|table|ground|surface|ceiling|board|plate|window|mur|sol|bord|table|surface|plafond|tableau|plaque|wand|boden|kante|tisch|fläche|oberfläche|decke|tafel|pared|suelo|borde|mesa|superficie|techo|parete|pavimento|bordo|tavolo|soffitto|parede|chão)"
-_SLIDES = re.compile(  # and not along an axis or a rail, as a joint does
+_SLIDES = regex(  # and not along an axis or a rail, as a joint does
     rf"(?<!\S)(?:slides?|glides?|sliding|drags?|moves?|runs?|travels?|moving|glissent?|glisse|gleitet|desliza|scivola) (?:\S+ ){{0,2}}?(?:along|on|down|up|over|long|sur|entlang|an|auf|por|sobre|lungo|largo) (?:\S+ ){{0,3}}?{_SURFACE} (?!(?:axis|axes|rails?|tracks?|direction) )"
 )
-_IS_CONSTANT = re.compile(
+_IS_CONSTANT = regex(
     r"¤ (?:is|stays|remains|est|reste|demeure|ist|bleibt|es|permanece|è|resta|é) (?:kept |held |maintenue? |mantenid[oa] )?(?:constante?|konstant|costante) "
 )
-_COORDINATE = re.compile(r"\s*(?:[xyzr]|[pP]_\{?\w\}?|\\(?:var)?(?:phi|rho))\s*(?:=[^=]*)?")
-_NEGATIVE = re.compile(
+_COORDINATE = regex(r"\s*(?:[xyzr]|[pP]_\{?\w\}?|\\(?:var)?(?:phi|rho))\s*(?:=[^=]*)?")
+_NEGATIVE = regex(
     r"(?<!\S)(?:(?:is|are|stays?|remains?|has|have) (?:always |only |everywhere |here |throughout )*(?:an? |the )?negative|(?:est|sont|reste|restent|a|ont) (?:toujours |ici |partout )*(?:une? )?négati\S+|(?:ist|sind|bleibt) (?:immer |stets |hier )*negativ|(?:es|son|è|sono) (?:siempre |sempre )?negativ[oaie]s?) "
 )
-_CONDITIONAL = re.compile(
+_CONDITIONAL = regex(
     r"(?<!\S)(?:if|when|where|whenever|unless|may|can|could|root|square|sign|signs|determinant|discriminant|argument|radicand|direction|sense|si|quand|lorsque|où|racine|signe|wenn|falls|wo|wurzel|or|ou|oder|positive|positif|positiv) "
 )
-_ANGLE_OR_COORDINATE = re.compile(r"\s*(?:\\(?:var)?(?:theta|phi|alpha|beta)|[qsxyz])(?:\s*_\s*\{?\s*\w+\s*\}?)?\s*")
-_TO_NOUGHT = re.compile(r"(?<!\S)(?:between|from|entre|zwischen|von|de|da|tra) ¤ (?:and|to|et|à|und|bis|y|a|e) ¤ ")
-_NOUGHT = re.compile(r"\s*0\s*(?:°|\^\s*\{?\s*\\circ\s*\}?)?\s*")
+_ANGLE_OR_COORDINATE = regex(r"\s*(?:\\(?:var)?(?:theta|phi|alpha|beta)|[qsxyz])(?:\s*_\s*\{?\s*\w+\s*\}?)?\s*")
+_TO_NOUGHT = regex(r"(?<!\S)(?:between|from|entre|zwischen|von|de|da|tra) ¤ (?:and|to|et|à|und|bis|y|a|e) ¤ ")
+_NOUGHT = regex(r"\s*0\s*(?:°|\^\s*\{?\s*\\circ\s*\}?)?\s*")
 
 
 def constrains_tool(words: str, formulas: Sequence[str]) -> bool:

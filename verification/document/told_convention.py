@@ -5,35 +5,37 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from armproof.verification.patterns import regex
+
 CONVENTION = "convention"  # of the link matrices of a section
-MAY_TELL = re.compile(r"craig|modifi|khalil|proximal|classi|standard|distal|spong|paul|original", re.IGNORECASE)
-_OF_FRAMES = re.compile(
+MAY_TELL = regex(r"craig|modifi|khalil|proximal|classi|standard|distal|spong|paul|original", re.IGNORECASE)
+_OF_FRAMES = regex(
     r"[ck]onven[tcz]|denavit|\bd-?h\b|\b(?:notations?|param[eè]\w+|that|those|celles?|jene|der|die|la|las|el|quella|quelle) (?:of|de|von|di) (?:craig|khalil|spong|paul)"
     r"|\b(?:notations?|fram(?:es|ing)|tables?|tabell\w+|tableau|tabla|tabella|tabela|param[eèé]\w+|parámetros|parametri|parâmetros)\b[^.;!?]{0,60}?‹"
     r"|\blink (?:matrix|matrices|transform\w*)|\bmatrices? de passage|\bgliedmatri\w+",
     re.IGNORECASE,
 )
-_MODIFIED = re.compile(r"\b(?:craig|modifi\w+|khalil|proximal)\b", re.IGNORECASE)
-_CLASSIC = re.compile(
+_MODIFIED = regex(r"\b(?:craig|modifi\w+|khalil|proximal)\b", re.IGNORECASE)
+_CLASSIC = regex(
     r"\b(?:classi(?:c|cal|que|ques|sche\w*|co|ca|cos|cas)|standard|distal|spong|paul|original)\b", re.IGNORECASE
 )
-_AUTHOR = re.compile(r"\b(?:craig|khalil|spong|paul)\b", re.IGNORECASE)
-_CONTRAST = re.compile(
+_AUTHOR = regex(r"\b(?:craig|khalil|spong|paul)\b", re.IGNORECASE)
+_CONTRAST = regex(
     r"\b(?:unlike|not|instead|rather|contrary|contrast|others?|both|compar\w+|some|sometimes|differ\w*|contrairement|pas|non|autres?"
     r"|statt|nicht|andere\w*|unterschied|no|otros?|otras?|diferencia|altr[io])\b",
     re.IGNORECASE,
 )
 
 
-_CODE = re.compile(
+_CODE = regex(
     r"\bdef \w+\(|^\s*[\w, ]+ = |^[%#\s]*---\s*$|\b(?:dh|convention|link): *\w+", re.MULTILINE
 )  # or front matter
 
 
-_CITED = re.compile(  # [1], \cite{craig05}, and not a link [1](…), nor the entry of a list of references itself
+_CITED = regex(  # [1], \cite{craig05}, and not a link [1](…), nor the entry of a list of references itself
     r"(?<!\n)(?<!^)\[(?P<label>\^?[\w+-]{1,12})\](?![(:\[])|\\cite\w*\s*(?:\[[^\]]*\]\s*)*\{(?P<key>[\w:.+-]+)\}"
 )
-_ENTRY = re.compile(
+_ENTRY = regex(
     r"^[ \t]*(?:[-*+][ \t]+)?(?:\[(?P<label>\^?[\w+-]{1,12})\]:?|\\bibitem\s*(?:\[[^\]]*\]\s*)?\{(?P<key>[\w:.+-]+)\})(?P<entry>.+(?:\n(?!\s*\n|[ \t]*(?:[-*+]|\[|\\bibitem)).+)*)",
     re.MULTILINE,
 )

@@ -2,22 +2,22 @@ r"""Where a text puts the tool in the arm's last frame: "La pince P a pour coord
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from armproof.verification.document.hearing import formulas_of, words_of
 from armproof.verification.document.told_words import holds as is_of
+from armproof.verification.patterns import regex
 
-MAY_TELL_END = re.compile(r"coord|koord")  # in small letters: what no such sentence lacks
-_COORDINATES = re.compile(r"(?<!\S)(?:coordonnées|coordinates|koordinaten|coordenadas|coordinate) ")
-_PLACED = re.compile(
+MAY_TELL_END = regex(r"coord|koord")  # in small letters: what no such sentence lacks
+_COORDINATES = regex(r"(?<!\S)(?:coordonnées|coordinates|koordinaten|coordenadas|coordinate) ")
+_PLACED = regex(
     r"¤ (?:dans|in|im|en|nel|nella|em|no) (?:(?:le|la|the|das|dem|el|il|o) )?"
     r"(?:repère |frame |system |koordinatensystem |sistema |terna |referencial )?(?:¤|\d) "
 )
-_POINT = re.compile(
+_POINT = regex(
     r"\s*\\?(?:left)?\(\s*([^(),;]+?)\s*[,;]\s*([^(),;]+?)\s*[,;]\s*([^(),;]+?)\s*\\?(?:right)?\)\s*(?:\^\{?(?:T|\\top)\}?)?\s*"
 )
-_OF_FRAME = re.compile(
+_OF_FRAME = regex(
     r"\s*(?:(?:\\mathcal|\\mathrm)?\s*\{?\s*[RFS]\s*\}?\s*_\s*\{?\s*(\d)\s*\}?|\\?\{?\s*(\d)\s*\\?\}?)\s*"
 )
 

@@ -6,10 +6,11 @@ import re
 from collections.abc import Iterator
 
 from armproof.verification.document.hearing import formulas_of
+from armproof.verification.patterns import regex
 
-MAY_TELL_FIGURE = re.compile(r"\\(?:vec|overrightarrow|vect)(?![A-Za-z])")
+MAY_TELL_FIGURE = regex(r"\\(?:vec|overrightarrow|vect)(?![A-Za-z])")
 _ARROWS = MAY_TELL_FIGURE
-_TAKEN_BACK = re.compile(
+_TAKEN_BACK = regex(
     r"\b(?:pas|jamais|faux|fausses?|erreurs?|erronée?s?|incorrecte?s?|si|supposons|supposant|wrong|false|not|never|if|suppose|error|mistake)\b|n['’]",
     re.IGNORECASE,
 )

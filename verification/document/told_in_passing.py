@@ -9,9 +9,10 @@ import re
 from collections.abc import Iterator, Sequence
 
 from armproof.verification.document.word_lists import WordLists
+from armproof.verification.patterns import regex
 
 OTHERWISE, RELATIVE_NOT, REORDERED = "otherwise", "not relative", "reordered"  # a letter, an angle; rows or columns
-MAY_TELL_IN_PASSING = re.compile(  # what no such sentence lacks, in small letters
+MAY_TELL_IN_PASSING = regex(  # what no such sentence lacks, in small letters
     r"rechts|right|droite|derecha|destra|direita|clockwise|gyro|giro|gyroskop|pendul|pendel|péndulo|pêndulo|inclin|neigungs|level|niveau|wasserwaage|livella|nivel|nível|imu\b"
     r"|camera|caméra|kamera|cámara|câmara|câmera|telecamera|laser|láser|tracker|scanner|sensor|capteur|arrow|vector|vecteur|vektor|pfeil|flèche|flecha|freccia|vettore|vetor|seta\b"
     r"|compass|boussole|kompass|brújula|bussola|bússola|scale|échelle|maßstab|massstab|escala|scala|base|basis|top\b|upper|oben|obere|haut|supérieur|arriba|superior|sopra|superiore|cima\b"
@@ -46,20 +47,20 @@ SCALE scale échelle maßstab massstab escala scala
 OTHER_FUNCTION difference half double product differenz hälfte doppelten produkt~ différence moitié produit diferencia mitad producto differenza metà prodotto diferença metade produto
 """)  # fmt: skip
 _is, _has = _lists.holds, _lists.has
-_COORDINATE = re.compile(
+_COORDINATE = regex(
     r"\s*(?:\\(?:d?dot|mathbf|vec|boldsymbol)\s*\{?\s*)?(?:[xyzp])(?:_\{?\w+\}?)?\s*\}?\s*", re.IGNORECASE
 )
-_VECTOR = re.compile(r"\s*(?:\\(?:mathbf|vec|boldsymbol|overrightarrow|dot)\s*\{?\s*)?[a-zA-Z](?:_\{?\w+\}?)?\s*\}?\s*")
-_MATRIX = re.compile(r"\s*(?:\\(?:mathbf|boldsymbol|mathrm)\s*\{?\s*)?[TARH](?:\([^()]*\))?\s*\}?\s*")
-_JOINT = re.compile(r"\s*(?:\\(?:var)?(?:theta|phi)|q)(?:\s*_\s*\{?\s*\w\s*\}?)?\s*")
-_RATES = re.compile(
+_VECTOR = regex(r"\s*(?:\\(?:mathbf|vec|boldsymbol|overrightarrow|dot)\s*\{?\s*)?[a-zA-Z](?:_\{?\w+\}?)?\s*\}?\s*")
+_MATRIX = regex(r"\s*(?:\\(?:mathbf|boldsymbol|mathrm)\s*\{?\s*)?[TARH](?:\([^()]*\))?\s*\}?\s*")
+_JOINT = regex(r"\s*(?:\\(?:var)?(?:theta|phi)|q)(?:\s*_\s*\{?\s*\w\s*\}?)?\s*")
+_RATES = regex(
     r"\s*(?:\\dot\s*\{?\s*(?:\\mathbf\s*\{?\s*|\\boldsymbol\s*\{?\s*)?(?:q|\\theta)\s*\}*|J|\\mathbf\s*\{?\s*J\s*\}?)\s*"
 )
-_ANGLE = re.compile(r"\s*(?:\\(?:var)?(?:theta|phi|psi|gamma|alpha|beta)|q)(?:\s*_\s*\{?\s*\w\s*\}?)?\s*")
-_SHORTHAND = re.compile(r"\s*[cCsS]_?\{?\d{2,3}\}?\s*")
-_DOTS = re.compile(r"\\d?dot(?![A-Za-z])")
-_RATIO = re.compile(r"\b1\s*(?::|/|to|zu|à|a)\s*([2-9]|\d\d+)\b")
-_PLAIN = re.compile(r"\\(?:d?dot|mathbf|boldsymbol|vec|var)(?![A-Za-z])|[{}\s]")
+_ANGLE = regex(r"\s*(?:\\(?:var)?(?:theta|phi|psi|gamma|alpha|beta)|q)(?:\s*_\s*\{?\s*\w\s*\}?)?\s*")
+_SHORTHAND = regex(r"\s*[cCsS]_?\{?\d{2,3}\}?\s*")
+_DOTS = regex(r"\\d?dot(?![A-Za-z])")
+_RATIO = regex(r"\b1\s*(?::|/|to|zu|à|a)\s*([2-9]|\d\d+)\b")
+_PLAIN = regex(r"\\(?:d?dot|mathbf|boldsymbol|vec|var)(?![A-Za-z])|[{}\s]")
 _NAME_OF = {
     "x": "x-axis",
     "v_x": "x-axis",

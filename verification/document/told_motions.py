@@ -5,15 +5,14 @@ Then joint accelerations, or joint rates, are zero. What is said of one joint al
 
 from __future__ import annotations
 
-import re
-
 from armproof.verification.document.hearing import hears, says
+from armproof.verification.patterns import regex
 
 EVEN, AT_REST = "motion even", "motion at rest"  # of the display that the sentence leads to
 _HEARD = {EVEN: "EVEN_RATES", AT_REST: "NO_RATES"}
 SINCE = "since "  # before either: of those behind it in its section, perhaps
 
-MAY_TELL_MOTION = re.compile(  # what no such sentence lacks, in small letters
+MAY_TELL_MOTION = regex(  # what no such sentence lacks, in small letters
     r"constan|konstan|costan|unifor|stead|evenly|gleichf|gleichm|gleichbl|\brest\b|repos|ruhe|still|fermo|\bnil\b|zero|zéro|cero|null|nul[ao]|vanish|starting|démarr|motionless|immobil"
 )
 _FEW = 4  # words that lead to what is said of a motion: "In the instant in which"

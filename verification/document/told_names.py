@@ -15,23 +15,24 @@ from armproof.verification.document.hearing import formulas_of, words_of
 from armproof.verification.document.letters_anew import holds_from_here, holds_in_section
 from armproof.verification.document.told_words import holds as is_of
 from armproof.verification.document.told_words import is_other, is_told, is_usual_word, number_of
+from armproof.verification.patterns import regex
 
 TOLD = "told"  # a name that the text says to be something; with its place, and the words
 OTHER, STRANGE, WANTED, POINT = "other", "strange", "wanted", "point"  # strange: in words that are not known
 TOOL, WRIST, INNER, LINK = "tool", "wrist", "inner", "link"
 USUAL = ""  # where a definition tells no more than convention does
-MAY_TELL_NAMES = re.compile(  # in small letters: what no text that defines a name in words lacks
+MAY_TELL_NAMES = regex(  # in small letters: what no text that defines a name in words lacks
     r"\b(?:let|call|denot|stands? for|mean|designat|represent|is|are|be|was|soi(?:t|ent)|note|notons|notée?|appel|nomm|désign|est|sont|sei|seien|ist|sind|bezeichne|nenn|heiß|sea|sean|llam|denomin|es|son|sia|siano|chiam|indic|è|sono|seja|sejam|cham|é|são|start|begin|pass|motion|move|wobei|où)"
     r"|\$\s*(?::|—|–|\||&)"
 )
-_NAME = re.compile(
+_NAME = regex(
     r"\s*(?:\{\s*\}\s*\^\s*\{?0\}?\s*)?(?:\\(?!frac|sqrt|sin|cos|det|left|begin|text\b)[A-Za-z]+\s*|[A-Za-z]\w?(?![A-Za-z])|[{}]\s*)+(?:[_^]\s*(?:\w|\{[^{}=+]*\}|\\\w+)\s*)*[{}]*(?:\s*\((?:t|q|\\theta)\))?\s*"
 )
-_NUMBER = re.compile(r"\s*\\?\{?\s*(\d)\s*\\?\}?\s*")
-_TUPLE = re.compile(r"\s*\\?(?:left)?[(\[]([^()\[\]=]*)\\?(?:right)?[)\]]\s*(?:\^\{?(?:T|\\top)\}?)?\s*")
-_ITEM = re.compile(r"\s*(?:[-*+•]\s+|\d+[.)]\s+|\\item\s+)?(?:\*\*)?((?:\$[^$]+\$(?:\s*(?:,|and|et|und|y|e)\s*)?)+)(?:\*\*)?\s*(?::|=|—|–|--+|-)\s*(?!\s*\$\$)(?=[^\W\d_])")  # fmt: skip
-_ROW = re.compile(r"(?<=\|)[^|\n]*(?=\|)")
-_TABULAR = re.compile(r"\\begin\{(?:tabular|longtable|tabularx|array)\*?\}.{0,4000}?\\end\{(?:tabular|longtable|tabularx|array)\*?\}", re.DOTALL)  # fmt: skip
+_NUMBER = regex(r"\s*\\?\{?\s*(\d)\s*\\?\}?\s*")
+_TUPLE = regex(r"\s*\\?(?:left)?[(\[]([^()\[\]=]*)\\?(?:right)?[)\]]\s*(?:\^\{?(?:T|\\top)\}?)?\s*")
+_ITEM = regex(r"\s*(?:[-*+•]\s+|\d+[.)]\s+|\\item\s+)?(?:\*\*)?((?:\$[^$]+\$(?:\s*(?:,|and|et|und|y|e)\s*)?)+)(?:\*\*)?\s*(?::|=|—|–|--+|-)\s*(?!\s*\$\$)(?=[^\W\d_])")  # fmt: skip
+_ROW = regex(r"(?<=\|)[^|\n]*(?=\|)")
+_TABULAR = regex(r"\\begin\{(?:tabular|longtable|tabularx|array)\*?\}.{0,4000}?\\end\{(?:tabular|longtable|tabularx|array)\*?\}", re.DOTALL)  # fmt: skip
 _MOST_BETWEEN = 14  # words between a verb and the name that it gives
 _MOST_OF_NOUN = 4  # words of an apposition
 

@@ -9,8 +9,9 @@ import re
 from collections.abc import Iterator
 
 from armproof.verification.document.hearing import DELIMITED, formulas_of
+from armproof.verification.patterns import regex
 
-MAY_NOTE = re.compile(  # what no such sentence lacks, in small letters
+MAY_NOTE = regex(  # what no such sentence lacks, in small letters
     r"at(?:an|g)2|arct(?:an|g)2|\^\s*\{?\s*-\s*1|recipro|recíproco|kehrwert|reziprok|multiplicati|moltiplicativ|inverso|force|kraft|kräfte|fuerza|forza|força|reaction|réaction|reaktion|reacción"
 )
 ABSCISSA_FIRST = "abscissa first"  # atan2(x, y)
@@ -18,8 +19,8 @@ ORDINATE_FIRST = "ordinate first"  # atan2(y, x), as it mostly is
 RECIPROCAL = "reciprocal"  # sin^{-1} that is 1/sin
 REACTION = "reaction"  # a force on the tool, and the letter of it where it has one: it is held by -J^T F
 
-_ATAN2 = re.compile(r"(?:arc|a)t(?:an|g)_?\{?2\}?|arcus-?tangens", re.IGNORECASE)
-_ONE_CALL = re.compile(
+_ATAN2 = regex(r"(?:arc|a)t(?:an|g)_?\{?2\}?|arcus-?tangens", re.IGNORECASE)
+_ONE_CALL = regex(
     r"(?:arc|a)t(?:an|g)_?\{?2\}?\}?\s*(?:\\left)?\s*\(\s*\\?([A-Za-z]+)\w*\s*[,;]\s*\\?([A-Za-z]+)\w*\s*(?:\\right)?\)",
     re.IGNORECASE,
 )
@@ -38,16 +39,16 @@ def _named_first(one: str, other: str) -> tuple[re.Pattern[str], re.Pattern[str]
 
 
 _X_FIRST, _Y_FIRST = _named_first(_X, _Y), _named_first(_Y, _X)
-_NOT = re.compile(r"\b(?:not|never|nicht|nie|pas|jamais|no|nunca|non|mai|não|unlike|instead)\b|n't\b", re.IGNORECASE)
+_NOT = regex(r"\b(?:not|never|nicht|nie|pas|jamais|no|nunca|non|mai|não|unlike|instead)\b|n't\b", re.IGNORECASE)
 
-_POWER = re.compile(r"\\?(?:sin|cos|tan|sen)\s*\^\s*\{?\s*-\s*1")
-_MINUS_ONE = re.compile(r"[-–−]\s*1(?!\d)|minus one|moins un|minus eins|menos uno|meno uno|menos um", re.IGNORECASE)
-_OF_FUNCTION = re.compile(  # whose exponent it is: "an exponent $-1$ behind the name of a function"
+_POWER = regex(r"\\?(?:sin|cos|tan|sen)\s*\^\s*\{?\s*-\s*1")
+_MINUS_ONE = regex(r"[-–−]\s*1(?!\d)|minus one|moins un|minus eins|menos uno|meno uno|menos um", re.IGNORECASE)
+_OF_FUNCTION = regex(  # whose exponent it is: "an exponent $-1$ behind the name of a function"
     r"(?:\b(?:trigonometric|sines?|cosines?|tangents?|functions?|fonctions?|funktion\w*|función|funciones|funzion[ei]|funç(?:ão|ões)|sinus|cosinus|kosinus|tangens)\b.*\b(?:exponent\w*|power|superscript|exposant|puissance|hochzahl|potenz|exponente|potencia|esponente|potenza|expoente|potência)\b"
     r"|\b(?:exponent\w*|power|superscript|exposant|puissance|hochzahl|potenz|exponente|potencia|esponente|potenza|expoente|potência)\b.*\b(?:trigonometric|sines?|cosines?|tangents?|functions?|fonctions?|funktion\w*|función|funciones|funzion[ei]|funç(?:ão|ões)|sinus|cosinus|kosinus|tangens)\b)",
     re.IGNORECASE,
 )
-_IS_RECIPROCAL = re.compile(
+_IS_RECIPROCAL = regex(
     r"\b(?:reciprocal|multiplicative inverse|kehrwert|reziproke\w*|inverse multiplicatif|recíproco|reciproco|inverso multiplicativo)\b|"
     r"1\s*/\s*\\?(?:sin|cos|tan|sen)|\\[dt]?frac\s*\{?1\}?\s*\{?\s*\\?(?:sin|cos|tan)",
     re.IGNORECASE,
@@ -69,12 +70,12 @@ _TOOL = (
     r"utensile|organo terminale|effettore|braccio|mão|ponta|ferramenta|efetuador|efetor|braço)"
 )
 _BY = r"(?:by|par|durch|von|vom|por|da|dal|dalla|dall|pela|pelo|of|de|du|der|des)"
-_ACTS = re.compile(
+_ACTS = regex(
     r"\b(?:exert|push|press|act|appl|pull|exerc|pouss|repouss|appu|agi|tir|drück|ausüb|ausgeüb|wirk|ejerc|empuj|aplic|act[úu]|esercit|spin|prem|exerc|empurr|zieh|schieb|stöß|repel|drag|shov|jala|pux|preme|presi|reaction|réaction|reaktion|reacc|reazion|reaç)",
     re.IGNORECASE,
 )
 _NEAR = r"(?:(?!\b(?:and|et|und|y|while|whereas|but)\b)[^.;:!?]){0,60}?"
-_ON_TOOL = re.compile(
+_ON_TOOL = regex(
     rf"(?<!\w){_AGENT}\b(?!\s*(?:'s)?\s*(?:frame|coordinates)){_NEAR}(?<!\w){_ON}\b\W*(?:\w+\W+){{0,2}}?{_TOOL}(?!\w)|"
     rf"(?<!\w){_ON}\b\W*(?:\w+\W+){{0,2}}?{_TOOL}(?!\w){_NEAR}(?<!\w){_BY}\b\W*(?:\w+\W+){{0,2}}?{_AGENT}(?!\w)",
     re.IGNORECASE,
@@ -82,18 +83,18 @@ _ON_TOOL = re.compile(
 _OWN = rf"(?:{_TOOL}|forearm|wrist|elbow|avant-bras|poignet|coude|motors?|actuators?|joints?|links?|body|bodies|drives?|moteurs?|actionneurs?|articulations?|segments?|motoren|antriebe?|gelenke?|actuadores|juntas?|motori|giunti)"
 _ARTICLE = r"(?:the|an?|this|that|its|our|les?|la|l['’]|une?|des?|der|die|das|eine?|el|los|las|una?|il|lo|uno|os?|as)"
 _EXERTS = r"(?:exerts?|pulls?|pushes|push|presses|press|drags?|exerce(?:nt)?|tire(?:nt)?|pousse(?:nt)?|appuie(?:nt)?|drückt|zieht|ausübt|ejercen?|empujan?|esercitano?|spingono|spinge|exercem?|empurram?)"
-_BY_OTHER = re.compile(  # whoever it is that exerts it: "the scale pulls on the tip", "exerted on the arm by a spring"
+_BY_OTHER = regex(  # whoever it is that exerts it: "the scale pulls on the tip", "exerted on the arm by a spring"
     rf"\b{_ARTICLE}\s*(?!{_OWN}\b)(?:(?!{_OWN}\b)[\w-]+ ){{1,3}}{_EXERTS} (?:(?:\w+ ){{0,2}}?){_ON}\b\W*(?:\w+\W+){{0,2}}?{_TOOL}(?!\w)|"
     rf"(?:exerted|applied|exercée?|appliquée?|ejercida|aplicada|esercitata|applicata) {_ON}\b\W*(?:\w+\W+){{0,2}}?{_TOOL} {_BY} {_ARTICLE}\s*(?!{_OWN}\b)(?:\w+ )?(?!{_OWN}\b)\w+",
     re.IGNORECASE,
 )
 _PUSHES = r"(?:pushes|push|presses|press|pulls?|drags?|repels?|shoves?|(?:re)?pousse(?:nt)?|tire(?:nt)?|presse(?:nt)?|drückt|drücken|schiebt|schieben|zieht|ziehen|stößt|empujan?|presionan?|jalan?|spingono|spinge|premono|preme|tirano|tira|empurram?|puxam?)"
-_PUSHES_TOOL = re.compile(  # with no preposition: "the wall pushes the hand away"
+_PUSHES_TOOL = regex(  # with no preposition: "the wall pushes the hand away"
     rf"\b{_ARTICLE}\s*(?!{_OWN}\b)(?:(?!{_OWN}\b)[\w-]+ ){{1,3}}{_PUSHES} (?:back |away )?{_ARTICLE}\s*{_TOOL}(?!\w)",
     re.IGNORECASE,
 )
-_EMPHASIS = re.compile(r"\\(?:emph|textit|textbf|underline)\s*\{([^{}]*)\}|\*+")
-_FORCE = re.compile(
+_EMPHASIS = regex(r"\\(?:emph|textit|textbf|underline)\s*\{([^{}]*)\}|\*+")
+_FORCE = regex(
     r"^[\s{]*(?:\\(?:vec|mathbf|boldsymbol|bm|underline|mathrm|mathcal)\s*\{?\s*)*([FfWwHh])(?![A-Za-z])(?!\s*_\s*\{?\s*g)"
 )
 

@@ -7,32 +7,33 @@ from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
 from armproof.verification.document.word_lists import WordLists
+from armproof.verification.patterns import regex
 
 TOLD_NUMBERS = "numbers told"  # and the words, behind a tab
 
-MAY_TELL_NUMBERS = re.compile(  # what no such sentence lacks, in small letters
+MAY_TELL_NUMBERS = regex(  # what no such sentence lacks, in small letters
     r"per second|/s\b|rpm|/min|per minute|per hour|par seconde|par minute|pro sekunde|je sekunde|pro minute|por segundo|por minuto|al secondo|per secondo|al minuto|scale|maßstab|échelle|escala|scala|\d\.\d{3}(?!\d)"
     r"|°/s|tours|umdrehungen|giri\b|grad pro|\bin (?:milli|centi|deci)?m|\ben (?:milli|centi|déci)?m|zentimeter|millimeter|centím|milím|centim|millim"
 )
-_OTHER_UNIT = re.compile(  # of rates that are no radians per second, said of them all: no number stands before it
+_OTHER_UNIT = regex(  # of rates that are no radians per second, said of them all: no number stands before it
     r"(?<!\S)(?<!\d )(?<!¤ )(?:degrees? (?:per|a) (?:second|minute)|deg/s|°/s|rpm|(?:revolutions|turns|rotations) (?:per|a) (?:second|minute)|rev/(?:s|min)|r/min|degrés (?:par|à la) seconde|tours (?:par|à la) (?:minute|seconde)|tr/(?:min|s)|grad (?:pro|je) sekunde|(?:umdrehungen|drehungen) (?:pro|je) (?:minute|sekunde)|u/min"
     r"|grados por segundo|(?:vueltas|revoluciones) por (?:minuto|segundo)|gradi (?:al|per) secondo|giri (?:al|per) (?:minuto|secondo)|giri/min|graus por segundo|(?:voltas|rotações) por (?:minuto|segundo))(?!\w)"
 )
-_UNIT_OF_RATE = re.compile(_OTHER_UNIT.pattern.replace(r"(?<!\d )(?<!¤ )", ""))  # with a number before it, too
-_RATE_OF = re.compile(
+_UNIT_OF_RATE = regex(_OTHER_UNIT.pattern.replace(r"(?<!\d )(?<!¤ )", ""))  # with a number before it, too
+_RATE_OF = regex(
     r"\s*(?:\\dot\s*(?:\{[^{}]*(?:\{\w+\})?\}|\\\w+|\w)|\\(?:omega|Omega)|\\?varomega)(?:\s*_\s*(?:\w|\{\w+\}))?\s*=\s*(?P<number>-?\d+(?:[.,]\d+)?)\s*"
 )
 _LENGTH_UNITS = {
     "mm": r"mm\b|millim\w+|milím\w+", "cm": r"cm\b|centim\w+|zentim\w+|centím\w+", "m": r"m\b|met(?:re|er)s?\b|mètres?\b|metros?\b|metri\b",
     "inch": r"inch\w*|pouces?\b|zoll\b", "feet": r"feet\b|foot\b|pieds?\b",
 }  # fmt: skip
-_A_NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
+_A_NUMBER = regex(r"-?\d+(?:\.\d+)?")
 _BEFORE_UNIT = r"(?:\d|\d\$|(?<!\w)(?:in|en|em))[\s~]*(?:\\[,; ]\s*)?(?:\\(?:text|mathrm)\s*\{\s*)?"
-_RATIO = re.compile(r"(?<![\d:.,])(\d+) ?[:/] ?(\d+)(?![\d:])")
-_GROUPED = re.compile(r"(?<![\d.,])[1-9]\d{0,2}(?:\.\d{3})+(?![\d.,])")
-_POINT = re.compile(r"(?<![\d.,])(?:0\.\d+|\d+\.(?:\d{1,2}|\d{4,}))(?![\d.])")  # which parts no thousands off
-_COMMA = re.compile(r"(?<![\d.,])\d+(?:\{,\}|,)(?:\d{1,2}|\d{4,})(?![\d,])")
-_FORMULAS = re.compile(r"\$\$?[^$]+\$\$?|\\[(\[].*?\\[)\]]|:math:`[^`]+`", re.DOTALL)
+_RATIO = regex(r"(?<![\d:.,])(\d+) ?[:/] ?(\d+)(?![\d:])")
+_GROUPED = regex(r"(?<![\d.,])[1-9]\d{0,2}(?:\.\d{3})+(?![\d.,])")
+_POINT = regex(r"(?<![\d.,])(?:0\.\d+|\d+\.(?:\d{1,2}|\d{4,}))(?![\d.])")  # which parts no thousands off
+_COMMA = regex(r"(?<![\d.,])\d+(?:\{,\}|,)(?:\d{1,2}|\d{4,})(?![\d,])")
+_FORMULAS = regex(r"\$\$?[^$]+\$\$?|\\[(\[].*?\\[)\]]|:math:`[^`]+`", re.DOTALL)
 _lists = WordLists("""
 RATE rate~ velocit~ speed~ vitesse~ geschwindigkeit~ winkelgeschwindigkeit~ drehzahl~ velocidad~ velocità
 CONVERTED convert~ turned umgerechnet umgewandelt wandeln converti~ convertid~ convier~ konvert~ transform~

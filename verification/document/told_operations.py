@@ -5,14 +5,14 @@ Where the display names the result and goes on with something else, `t = \det J 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from armproof.verification.document.word_lists import WordLists
+from armproof.verification.patterns import regex
 
 OPERATION = "operation"  # with its kind
 NEVER_NEGATIVE, LENGTH, SQUARE, SCALED, COMPOSED, TRACE = "never negative", "length", "square", "scaled", "composed", "trace"  # fmt: skip
-MAY_TELL_OPERATION = re.compile(  # what no such sentence lacks, in small letters
+MAY_TELL_OPERATION = regex(  # what no such sentence lacks, in small letters
     r"manip|magnitude|modul|absol|assol|betrag|singul|speed|distan|abstand|entfernung|length|longueur|länge|longitud|lunghezz|comprimento|carré|square|quadr|cuadr|half|moiti|hälfte|mitad|metà|metade|twice|double|doppelt|doble|doppio|dobro|inverse|recipro|invers|kehrwert|area|aire|fläche|área|sum|somm|soma|product|produ|trace|spur|traza|traccia|traço|derivat|dériv|ableit|deriva|opposite|opposé|mean|average|moyenne|mittel|media|third|tiers|drittel"
     r"|reach|\bfar\b|hypot|portée|radius|rayon|reichw|alcance|raggio|portata|volum"
 )
@@ -32,7 +32,7 @@ ANGLE angle~ winkel~ ángulo~ angol~ ângulo~ matrix matrice jacobian jacobienne
 ARTICLE the a an la le l' les un une der die das den el los las il lo o its his their son sa leur sein~ ihr~ su suo sua this that of de d' von di then so now hence thus here and finally
 """).holds  # fmt: skip
 _KINDS = ("never_negative", "square", "scaled", "composed", "trace", "length")
-_HEAD = re.compile(r" (?:, |: |; )| (?:which|that|qui|que|che|with|avec|mit|con) ")
+_HEAD = regex(r" (?:, |: |; )| (?:which|that|qui|que|che|with|avec|mit|con) ")
 
 
 def told_operation(words: str) -> str:

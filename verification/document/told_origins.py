@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from armproof.verification.document.hearing import hears
 from armproof.verification.document.word_lists import WordLists
+from armproof.verification.patterns import regex
 
-MAY_TELL_ORIGIN = re.compile(  # what no such sentence lacks, in small letters
+MAY_TELL_ORIGIN = regex(  # what no such sentence lacks, in small letters
     r"origin|ursprung|nullpunkt|origen|zero of the|zéro des|coord|koord|shoulder|épaule|schulter|hombro|spalla|ombro|base|basis|foot|\\bpied|fuß"
 )
 _lists = WordLists("""
@@ -31,13 +31,13 @@ OF_ARM of the arm robot du de la l' bras robot des der roboters arms del brazo d
 HAS has is est ist es è é stands lies sits se a trouve hat steht liegt tiene está ha si tem fica
 """)  # fmt: skip
 _is, _has = _lists.holds, _lists.has
-_OTHER_FRAME = re.compile(r"\{?[1-9n]\}?|\\\{[1-9n]\\\}|[OFR]_\{?[1-9n]\}?")
-_TUPLE = re.compile(r"\s*\\?(?:left)?\(\s*[^(),;]+(?:[,;]\s*[^(),;]+)+\\?(?:right)?\)(?:\^\{?(?:T|\\top)\}?)?\s*")
-_NOUGHT = re.compile(r"\s*\\?(?:left)?\(\s*0(?:\s*[,;]\s*0)*\s*\\?(?:right)?\)")
+_OTHER_FRAME = regex(r"\{?[1-9n]\}?|\\\{[1-9n]\\\}|[OFR]_\{?[1-9n]\}?")
+_TUPLE = regex(r"\s*\\?(?:left)?\(\s*[^(),;]+(?:[,;]\s*[^(),;]+)+\\?(?:right)?\)(?:\^\{?(?:T|\\top)\}?)?\s*")
+_NOUGHT = regex(r"\s*\\?(?:left)?\(\s*0(?:\s*[,;]\s*0)*\s*\\?(?:right)?\)")
 _ENDS = frozenset(",:.;!?")
 _FAR = 8
-_SHIFTS = re.compile(r"\bby \Z|height \Z")
-LETTER_OF_HEIGHT = re.compile(r"(?:[a-zHDL]|\\ell)(?:\s*_\s*(?:\{\s*\w+\s*\}|\w))?")
+_SHIFTS = regex(r"\bby \Z|height \Z")
+LETTER_OF_HEIGHT = regex(r"(?:[a-zHDL]|\\ell)(?:\s*_\s*(?:\{\s*\w+\s*\}|\w))?")
 
 
 def shift_of_base(words: str, formulas: Sequence[str]) -> str:

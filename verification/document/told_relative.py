@@ -2,19 +2,20 @@ r"""Sentences that measure an angle from the link before: "$\theta_2$ is the ang
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
+
+from armproof.verification.patterns import regex
 
 RELATIVE = "relative angle"  # with its LaTeX
 
-MAY_TELL_RELATIVE = re.compile(  # what no such sentence lacks, in small letters
+MAY_TELL_RELATIVE = regex(  # what no such sentence lacks, in small letters
     r"between|entre|relative|relatif|relation|respect|measured from|counted from|rapport|prolong|extension of|zwischen|gegenüber|respecto|rispetto"
 )
-_ANGLE = re.compile(r"(?:\\(?:var)?theta|\\(?:var)?phi|q)\s*_\s*\{?\s*([2-9])\s*\}?")
+_ANGLE = regex(r"(?:\\(?:var)?theta|\\(?:var)?phi|q)\s*_\s*\{?\s*([2-9])\s*\}?")
 _LINK = r"(?:links?|segments?|bars?|arms?|rods?|members?|bras|barres?|corps|one|upper arm|avant-bras|forearm|celui)"
 _BEFORE = r"(?:first|second|third|previous|preceding|last|upper|one before|premier|première|deuxième|second|précédente?|erste[nrsm]?|vorige[nrsm]?|primer[oa]?|prim[oa]|anterior|precedente)"
 _FROM = r"(?:relative(?:ly)? to|with respect to|(?:measured|counted) from|par rapport (?:à|au|aux)|relativement (?:à|au)|from the (?:extension|prolongation|direction) of|gegenüber|respecto (?:de|a|al)|rispetto (?:a|al))"
-_IS_RELATIVE = re.compile(
+_IS_RELATIVE = regex(
     rf"(?<!\S){_FROM} (?:\S+ ){{0,3}}?{_BEFORE}(?!\w)|(?<!\S)(?:between|entre|zwischen) (?:\S+ ){{0,4}}?{_BEFORE} (?:{_LINK} )?(?:\S+ ){{0,2}}?(?:and|et|und|y|e) (?:\S+ ){{0,3}}?(?:{_BEFORE}|{_LINK})(?!\w)"
     r"|(?<!\S)(?:the|les?|l') (?:\S+ )?(?:relative|relatif|relatifs) (?:joint )?angles?(?!\w)"
 )

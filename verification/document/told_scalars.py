@@ -6,14 +6,14 @@ weight or a moment is a number.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 
 from armproof.verification.document.hearing import formulas_of, words_of
 from armproof.verification.document.word_lists import WordLists
+from armproof.verification.patterns import regex
 
 SIZE, MOMENT = "size", "moment"
-MAY_CALL_SIZE = re.compile(  # in small letters: what no sentence lacks that calls a letter so
+MAY_CALL_SIZE = regex(  # in small letters: what no sentence lacks that calls a letter so
     r"length|height|distance|radius|offset|width|weight|load|moment|torque|longueur|hauteur|rayon|largeur|décalage|poids|charge|couple|läng|höhe|abstand|entfernung|breite|gewicht|last|drehmoment|longitud|altura|distancia|radio|anch|peso|carga|lunghezz|altezz|distanz|raggio|larghezz|carico|coppia|comprimento|raio|largura"
 )
 _is = WordLists("""
@@ -24,7 +24,7 @@ BE is are denotes be est sont désigne vaut ist sind sei es son è sono é são
 DEFINITE the its a an la le les l' sa son une un die der das den eine ein el los las una un il lo i gli o os
 AND and et und y e ,
 """).holds
-_LETTER = re.compile(r"([A-Za-z])(?:\s*_\s*(?:(\w)|\{\s*(\w+)\s*\}))?\s*(?:=.*)?")
+_LETTER = regex(r"([A-Za-z])(?:\s*_\s*(?:(\w)|\{\s*(\w+)\s*\}))?\s*(?:=.*)?")
 _AXES = ("x-axis", "y-axis", "z-axis")
 _NO_SIZE = frozenset("TJR")  # matrices, whatever a sentence calls by the way
 

@@ -9,12 +9,13 @@ import re
 from collections.abc import Sequence
 
 from armproof.verification.document.word_lists import WordLists
+from armproof.verification.patterns import regex
 
 UNCLEAR = ""  # a side that no formula says
 LEFT_OF_LINE, RIGHT_OF_LINE = "\\theta_2 < 0", "\\theta_2 > 0"
 MAY_TELL_SIDE = r"clockwise|uhrzeiger|horaire|horari|orari|horári|aiguilles|agujas|lancette|ponteiros|behind|back|derrière|dos\b|arrière|hinte|rücken|atrás|espalda|detrás|dietro|schiena|indietro|trás|costas"
 
-_CLOCKWISE = re.compile(
+_CLOCKWISE = regex(
     r"(?<!\S)(?P<counter>counter-?clockwise|anti-?clockwise|counter clockwise|(?:gegen den|entgegen dem) uhrzeigersinn|(?:inverse|contraire) (?:à celui |du sens |au sens |de celui )?(?:des aiguilles|horaire)|trigonométrique|anti-?horaire|antihorario|contrario (?:a|al de) las agujas|antiorario|anti-horário|contrário a\w* (?:dos )?ponteiros)"
     r"|(?<!\S)(?:clockwise|(?:im )?uhrzeigersinn|horaire|(?:des )?aiguilles|(?:las )?agujas|horario|orario|lancette|horário|ponteiros)(?!\w)"
 )

@@ -76,17 +76,18 @@ from armproof.verification.document.told_statics import (
     is_force_elsewhere,
 )
 from armproof.verification.document.told_tasks import MAY_TELL_TASK, told_tasks
+from armproof.verification.patterns import regex
 
-MAY_SAY_SINCE = re.compile(  # what no text lacks that says so, in small letters
+MAY_SAY_SINCE = regex(  # what no text lacks that says so, in small letters
     f"{MAY_TELL_BUILD.pattern}|{MAY_LOCK.pattern}|{MAY_TELL_TASK.pattern}|{MAY_TELL_BRANCH.pattern}|{MAY_TELL_JACOBIAN.pattern}|{MAY_TELL_BALANCE.pattern}"
     f"|{MAY_TELL_QUANTITY.pattern}|{MAY_TELL_RELATIVE.pattern}|{MAY_TELL_NUMBERS.pattern}"
     f"|{MAY_AMEND.pattern}|{MAY_TELL_OPERATION.pattern}|{MAY_TELL_MOTION.pattern}|{MAY_CHANGE_ARM.pattern}|{MAY_LIMIT.pattern}|{MAY_BE_FIRST_ORDER.pattern}|{MAY_CONSTRAIN.pattern}"
 )
 _BESIDE = 12  # lines behind a sentence that may be said of what is near alone
-_PLAIN = re.compile(
+_PLAIN = regex(
     r"\\(?:begin|end)\s*\{\w+\*?\}(?:\{[lcr|\s]*\})?|[{}\s]|\\(?:left|right|quad|qquad|begin|end|operatorname|mathrm|text)(?![A-Za-z])"
 )
-_LETTER = re.compile(r"(?P<base>\\[A-Za-z]+|[A-Za-z])(?:_\w+)?")
+_LETTER = regex(r"(?P<base>\\[A-Za-z]+|[A-Za-z])(?:_\w+)?")
 
 Reach = Callable[[int], tuple[int, float]]
 

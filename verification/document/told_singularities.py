@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from armproof.verification.document.hearing import FORMULA, STOP
+from armproof.verification.patterns import regex
 
 SINGULAR = r"\text{singular}"  # what is said right before conditions of singularities
 SINGULAR_TOO = r"\text{singular there, too}"  # and that there are others, of which the formulas before it tell
@@ -18,7 +19,7 @@ _PLACE = r"(?:configuration|position|posture|pose)s?"
 _ARM = r"(?:arm|leg|bras|jambe|manipulator|robot|mechanism|mécanisme|roboter|brazo|manipulador|braccio|manipolatore|braço|robô)"
 _OF_ARM = rf"(?: (?:of|du|del|de la|des|dello) (?:the |this |a )?(?:planar |two-link )?(?:{_ARM}|Jacobian|jacobienne|jacobiano))?"
 _JACOBIAN = r"(?:Jacobian|jacobienne|jacobiano|jacobiana|Jacobi-?Matrix)"
-_OF_JACOBIAN = re.compile(
+_OF_JACOBIAN = regex(
     r"\W*(?:\\(?:mathbf|boldsymbol|bm|mathrm)\W*)?J(?:\W*\((?:q|\\(?:theta|mathbf\{q\}|boldsymbol\{\w+\}))\))?\W*"
 )
 _DETERMINANT = rf"(?:(?:{_JACOBIAN} |jacobi-?)determinante?|déterminant de la (?:matrice )?{_JACOBIAN}|determinant of the {_JACOBIAN}(?: matrix)?)"
@@ -77,50 +78,50 @@ def _says(where: str) -> str:
     )
 
 
-_SINGULARITIES = re.compile(
+_SINGULARITIES = regex(
     rf"\b(?:(?:{_says(_WHEN)}|(?:{_LOSES}),? {_WITH}|{_NOUN}\s*:){_IN_WORDS}|{_says(_WHERE)}|{_NOUN}{_THEN}(?:\s*:(?=\s*\Z)| {_ARE}(?: therefore| thus| donc| daher)?)){_LEADS_ON}",
     re.IGNORECASE,
 )
-_HAPPENS = re.compile(
+_HAPPENS = regex(
     r"\b(?:this|that|it|which) (?:only )?(?:happens|occurs|is (?:so|the case))|\b(?:cela|ceci|ce qui) (?:n['’])?(?:se produit|arrive|a lieu)|\b(?:dies|das|was) (?:geschieht|passiert|ist der fall)|\b(?:esto|eso) (?:ocurre|sucede)",
     re.IGNORECASE,
 )
-_ENDS = re.compile(
+_ENDS = regex(
     rf" {_ONLY}?{_WHERE}(?:{_IN_WORDS})?(?:(?: and)? (?:no|nowhere) (?:other|else))?{_NAMELY}?\s*[:,]?\s*\Z",
     re.IGNORECASE,
 )
-_AT_ITS_END = re.compile(rf"\b(?:{_LOSES})(?: {_WHERE}{_IN_WORDS})?[\s.]*\Z", re.IGNORECASE)
-_NO_OTHER = re.compile(
+_AT_ITS_END = regex(rf"\b(?:{_LOSES})(?: {_WHERE}{_IN_WORDS})?[\s.]*\Z", re.IGNORECASE)
+_NO_OTHER = regex(
     r",? (?:and )?(?:at |for |in )?(?:no other(?: \w+)?|nowhere else|none other|not elsewhere)\b|,? (?:et )?(?:nulle part ailleurs|aucune autre(?: \w+)?)\b|,? (?:und )?(?:nirgends sonst|sonst nirgends)\b",
     re.IGNORECASE,
 )
-_ALONE = re.compile(
+_ALONE = regex(
     r"\b(?:if and only if|iff|exactly|precisely|only|just (?:when|for)|si et seulement si|ssi|exactement|seulement|uniquement|(?:la|les|le) seules?|genau dann|nur|einzige\w*|s[oó]lo|únic\w+|e solo se|exactamente)\b"
     rf"|\b{_THOSE}",
     re.IGNORECASE,
 )
-_ONE_WAY = re.compile(r"(?<!if and )\bonly if\b|(?<!si et )\bseulement si\b|(?<!si y )\bs[oó]lo si\b", re.IGNORECASE)
-_DENIED = re.compile(
+_ONE_WAY = regex(r"(?<!if and )\bonly if\b|(?<!si et )\bseulement si\b|(?<!si y )\bs[oó]lo si\b", re.IGNORECASE)
+_DENIED = regex(
     r"\b(?:no|not|non|without|avoid\w*|away|except|unless|sans|hors|évit\w*|sauf|pas|sin|no hay|never|nor|neither|cannot|\w+n['’]t|hardly|nobody|jamais|aucune?|nunca|jamás|nie|niemals|kein\w*|nicht|far from|loin de|representation\w*|représentation\w*|algorithmic|constraint|euler|wrong\w*|false\w*|fals[oa]|falsch|faux)\b",
     re.IGNORECASE,
 )
-_OF_ONE_KIND = re.compile(  # of which there are others
+_OF_ONE_KIND = regex(  # of which there are others
     r"\b(?:shoulder|elbow|wrist|arm|boundary|interior|inner|internal|first|second|another|other|one) singularit|singularit\w+ (?:d['’](?:épaule|coude)|de (?:poignet|frontière)|del (?:codo|hombro))",
     re.IGNORECASE,
 )
-_HEAD = re.compile(rf"\b(?:{_LOSES}|{_NOUN})", re.IGNORECASE)
-_TOO = re.compile(rf"\b{_ALSO}\b", re.IGNORECASE)
-_BESIDE = re.compile(r"\s*\([^()]*\)")
-_ASIDE = re.compile(  # "The singularities, for $d_3 > 0$, are", "The arm is singular, whatever $\\theta_1$ is, for"
+_HEAD = regex(rf"\b(?:{_LOSES}|{_NOUN})", re.IGNORECASE)
+_TOO = regex(rf"\b{_ALSO}\b", re.IGNORECASE)
+_BESIDE = regex(r"\s*\([^()]*\)")
+_ASIDE = regex(  # "The singularities, for $d_3 > 0$, are", "The arm is singular, whatever $\\theta_1$ is, for"
     r",? (?:for|pour|para|für|with|avec|con|mit) ¤,"
     r"|,? (?:whatever|regardless of|independently of|for (?:any|all|every)|quels? que soi(?:t|ent)|quelles? que soi(?:t|ent)|unabhängig von|para cualquier|sea cual sea|qualunque sia|per ogni) (?:(?:the )?(?:value|values|valeur|valeurs) (?:of|de) )?¤(?:(?:,| and| et| und| y| e) ¤)*(?: (?:is|are|may be|takes?))?,?",
     re.IGNORECASE,
 )
-_EMPHASIS = re.compile(r"\\(?:emph|textbf|textit|underline|paragraph\*?)\s*\{([^{}]*)\}")
-_LABEL = re.compile(  # a title, or a label: "Elbow singularity:", "Singularities."
+_EMPHASIS = regex(r"\\(?:emph|textbf|textit|underline|paragraph\*?)\s*\{([^{}]*)\}")
+_LABEL = regex(  # a title, or a label: "Elbow singularity:", "Singularities."
     rf"(?:the |la |le |les |las |il |die )?(?:\w+ )?{_NOUN}(?: (?:of|du|de la|der|del) \w+)?\s*[.:]?", re.IGNORECASE
 )
-_IT_IS_NOUGHT = re.compile(  # "It vanishes for", "Le déterminant s'annule si": of what stands above
+_IT_IS_NOUGHT = regex(  # "It vanishes for", "Le déterminant s'annule si": of what stands above
     r"(?:and |et |und |y |e )?(?:it|this|which|this expression|il|elle|ceci|celui-ci|cette expression|er|sie|esso|(?P<determinant>(?:this|the|ce|le|diese?|el|este|il|questo|o) d[eé]terminante?))"
     rf"(?: \(?¤\)?)?{_THEN} (?:(?:clearly|obviously|clairement|evidentemente) )?{_NOUGHT},? {_ONLY}?{_WHERE}{_LEADS_ON}",
     re.IGNORECASE,

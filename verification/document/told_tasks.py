@@ -8,47 +8,47 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
+from armproof.verification.patterns import regex
+
 TASK = "task"  # with the coordinates as LaTeX, parted by semicolons, in the order of the rows of J
 TASK_UNORDERED = "task of"  # with those that are named, in no order
 TASK_BY_RATES = "task by"  # with those whose rates the text lists as the rows
 _MARK = ";"
 
-MAY_TELL_TASK = re.compile(
+MAY_TELL_TASK = regex(
     r"task|tâche|aufgabe|tarea|compito|tarefa|jacob|control|contrôl|regul|regel|steuer|asserv|command|pilot|measur|mesur|mess|mide|misur|rows?\b|lignes?\b|zeilen?\b|filas?\b|righe?\b|linhas?\b|output|sortie|ausg[aä]ng|operational|opérationnel|order|ordre|reihenfolge|orden|ordine"
 )
-_OF_TASK = re.compile(  # what a tuple of coordinates is of
+_OF_TASK = regex(  # what a tuple of coordinates is of
     r"(?<!\S)(?:tasks?|task-space|tâches?|aufgabe|arbeitsraum\w*|aufgabenkoordinaten|tareas?|compit[oi]|tarefas?|jacobians?|jacobienn?e?s?|jacobi-?matri\w*|jacobian[oa]s?|control\w*|contrôl\w*|regul\w*|geregelt|regeln|gesteuert|steuern|asserv\w*|command\w*|pilot\w*|measur\w*|mesur\w*|misst|messen|gemessen|miden?|misura\w*|outputs?|sorties?|ausgang|ausgänge|operational|opérationnel\w*|controla\w*) "
 )
-_OF_ROW = re.compile(
+_OF_ROW = regex(
     r"(?<!\S)(?:(first|second|third|upper|lower|top|bottom|last) (?:rows?|line)|rows?|(?:première|deuxième|seconde|troisième|dernière)? ?lignes?|(?:erste|zweite|dritte|letzte|obere|untere)?n? ?zeilen?|(?:primera|segunda|tercera)? ?filas?|(?:prima|seconda|terza)? ?righe?|linhas?) "
 )
-_ONE_BY_ONE = re.compile(
+_ONE_BY_ONE = regex(
     r"(?<!\S)(?:first|upper|top|première|premier|supérieure|erste|obere|primera|prima|primeira) (?:row|line|ligne|zeile|fila|riga|linha) (?:of |de |von |di |der )?(?:¤ )?(?:\S+ ){0,4}?¤ (?:[^.;]*?(?:second|lower|bottom|last|deuxième|seconde|inférieure|zweite|untere|segunda|seconda)[^.;]*?¤)"
 )
-_CONTROLLED = re.compile(
+_CONTROLLED = regex(
     r"(?<!\S)(?:control\w*|contrôl\w*|regulated?|geregelt|regeln|gesteuert|steuern|asserv\w*|command[eéo]\w*|pilot\w*|measure[sd]?|measuring|mesur\w*|gemessen|misst|controla\w*|regola\w*|controll\w*|task|tâche|tarea|compito) "
 )
-_ENTRIES = re.compile(
+_ENTRIES = regex(
     r"(?:^|[^=]*=)\s*(?:\\left)?\s*(?:[\[(]|\\begin\{[bp]?matrix\})(?P<entries>[^()\[\]=]*?)(?:\\right)?\s*(?:[\])]|\\end\{[bp]?matrix\})\s*(?:\^\s*\{?\s*(?:T|\\top|\\intercal|\\mathsf\s*\{?T\}?)\s*\}?)?\s*"
 )
-_NAME = re.compile(r"(?:\\[A-Za-z]+|[A-Za-z])(?:\s*_\s*(?:\{[^{}]*\}|\w))?")
-_OF_OTHERS = re.compile(  # joints, lengths, velocities, torques, forces, indices, one point of several
+_NAME = regex(r"(?:\\[A-Za-z]+|[A-Za-z])(?:\s*_\s*(?:\{[^{}]*\}|\w))?")
+_OF_OTHERS = regex(  # joints, lengths, velocities, torques, forces, indices, one point of several
     r"[vV](?:\s*_|\Z)|\\omega|\\(?:var)?theta\s*_|[qdlar]\s*_|q\b|\\tau|[ijkmnNst]\Z|[FfMm]\s*_|\\dot|\w+\s*_\s*\{?\s*\d"
 )
-_COORDINATE = re.compile(
+_COORDINATE = regex(
     r"[xyzXYZ](?:\s*_\s*(?:\{[A-Za-z\\{} ]+\}|[A-Za-z]))?|[pP]\s*_\s*\{?\s*[xyz]\s*\}?|\\(?:var)?(?:phi|psi)(?:\s*_\s*\{?[A-Za-z]+\}?)?|\\alpha|\\gamma"
 )
-_RATE = re.compile(  # of a coordinate, as a row of J gives it: \dot x, v_x, \omega_z
+_RATE = regex(  # of a coordinate, as a row of J gives it: \dot x, v_x, \omega_z
     r"\\dot\s*\{?\s*(?P<coordinate>[xyzXYZ]|[pP]\s*_\s*\{?\s*[xyz]\s*\}?|\\(?:var)?(?:phi|psi))\s*\}?|[vV]\s*_\s*\{?\s*(?P<axis>[xyz])\s*\}?|(?P<turn>\\omega\s*_\s*\{?\s*[xyzXYZ]\s*\}?)"
 )
 _MOST_RATES = 5  # rows of a task: all six are those of the whole J
-_BY = re.compile(
+_BY = regex(
     r"(?:respect to|as (?:a )?functions? of|respecto (?:de|a)|rapport (?:à|aux)|bezüglich|nach|rispetto a|em relação a|(?<!belongs )(?<!belong )(?<!corresponds )(?<!correspond )to|at|reach|points?|target|ziel|cible|punto|zum punkt)(?: the| l'| la| le| les| den)?(?: \w+){0,2} \Z"
 )
-_OF_Q = re.compile(
-    r"(?:\\(?:mathbf|boldsymbol|vec|bm)\s*)?\{?\s*(?:q|\\[tT]heta)\s*\}?\s*="
-)  # the joints in their order
-_JACOBIAN = re.compile(r"\\?(?:mathbf|boldsymbol|bm)?\s*\{?\s*J\b.*")
+_OF_Q = regex(r"(?:\\(?:mathbf|boldsymbol|vec|bm)\s*)?\{?\s*(?:q|\\[tT]heta)\s*\}?\s*=")  # the joints in their order
+_JACOBIAN = regex(r"\\?(?:mathbf|boldsymbol|bm)?\s*\{?\s*J\b.*")
 
 
 def told_tasks(words: str, formulas: Sequence[str]) -> Iterator[str]:

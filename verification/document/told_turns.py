@@ -5,11 +5,11 @@ What names an angle, or how fast something turns, passes where all of its words 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from itertools import pairwise
 
 from armproof.verification.document.word_lists import WordLists
+from armproof.verification.patterns import regex
 
 OTHER_TURN = "other turn"
 
@@ -33,7 +33,7 @@ ABOUT about around autour um alrededor attorno intorno
 UP_AXIS vertical~ y-axis senkrecht~ lotrecht~ y-achse verticale
 """)  # fmt: skip
 _is, _has = _lists.holds, _lists.has
-_NAME_OF_HAND = re.compile(
+_NAME_OF_HAND = regex(
     r"\s*(?:\\(?:hat|vec|mathbf)\s*\{?\s*)?(?:x(?:_\{?0\}?)?|O_\{?0\}?x(?:_\{?0\}?)?|\\(?:var)?(?:phi|psi|alpha|gamma|omega|theta)(?:_\{?\w\}?)?)\}?\s*"
 )
 _MOST = 25  # words of a sentence that leads to what it names

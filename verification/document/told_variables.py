@@ -6,13 +6,13 @@ its own joint or link; else the letter is left open. So are the angles of a sent
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from armproof.verification.document.told_levels import MAY_READ_LEVEL, reads_level
 from armproof.verification.document.told_names import Definition
 from armproof.verification.document.word_lists import WordLists
+from armproof.verification.patterns import regex
 
 VARIABLE = "variable"  # which angles, the letter that is left open or "" for all, and the words
 ANY = "any"
@@ -23,7 +23,7 @@ STROKE = "stroke"  # of a slide: how far it has left its rest, and the letter of
 BENT = "bent"  # those at whose zero the arm is said to be bent
 STANDING = "standing"  # those alone at whose zero what they move does not stand up
 RAISED = "raised"  # those at whose zero the arm is said to stand up
-MAY_TELL_VARIABLE = re.compile(  # in small letters: what no sentence lacks that tells so, and defines no letter
+MAY_TELL_VARIABLE = regex(  # in small letters: what no sentence lacks that tells so, and defines no letter
     rf"{MAY_READ_LEVEL}|"
     r"gear|belt|pulley|parallelogram|pantograph|encoder|motor|transmission|reduc|coupl|linkage|engrenage|courroie|poulie|parallélogramm|codeur|moteur|motrice|getriebe|riemen|zahnr|setzung|drehgeber|engranaje|correa|polea|paralelogram|ingranag|cinghia|pulegg|engrenagem|correia|polia"
     r"|zero|zéro|null|\bnul|= *0|vanish|reference|référence|referenz|referencia|riferimento|home|rest\b|repos|ruhe|reposo|riposo|repouso|length|longueur|länge|longitud|lunghezza|comprimento|\blong\b|pulled|pushed|drawn|retract|extend|slid|sorti|rentr|tiré|auszieh|ausgezog|ausgefahr|eingefahr|eingeschob|extraíd|recogid|estratt|sfilat|rientrat|puxad|recolhid|joint [12]|articulation [12]|gelenk [12]|articulación [12]|giunto [12]"
@@ -73,12 +73,12 @@ _PLACES = {  # what a joint or link of a name may be: the numbers, of an arm wit
     ): "elbow coude ellbogen ellbogengelenk ellenbogen codo gomito cotovelo forearm avant-bras unterarm antebrazo avambraccio antebraço outer",
 }
 _RANGE_OF = {word: numbers for numbers, words in _PLACES.items() for word in words.split()}
-_LETTER = re.compile(r"\s*(?:\\(?:mathrm|mathbf|boldsymbol|dot|ddot|bar)\b\s*\{?\s*)*(?P<letter>(?:\\(?:var)?(?:theta|phi|alpha|beta|gamma|ell|psi|delta|rho)|[a-zA-Z])\s*(?:_\s*\{?\s*(?P<index>\w)\s*\}?)?)[\s}]*(?:\(t\))?\s*")  # fmt: skip
-_ANGLE = re.compile(r"\\(?:var)?theta|\\(?:var)?phi|q")
-_IS_ZERO = re.compile(r"\s*(?:(?:\\(?:var)?(?:theta|phi)|q)(?:\s*_\s*\{?\w\}?)?\s*=\s*)+\{?0(?:\^\\circ)?\}?\s*")
-_Y_AXIS = re.compile(r"\s*[+-]?\s*(?:\\(?:hat|vec|mathbf)\s*\{?\s*)?y(?:_\{?0\}?)?\}?\s*")
-_X_AXIS = re.compile(r"\s*\+?\s*(?:\\(?:hat|vec|mathbf)\s*\{?\s*)?(?:x(?:_\{?0\}?)?|\\overrightarrow\{?x\}?)\}?\s*")
-_VALUE = re.compile(
+_LETTER = regex(r"\s*(?:\\(?:mathrm|mathbf|boldsymbol|dot|ddot|bar)\b\s*\{?\s*)*(?P<letter>(?:\\(?:var)?(?:theta|phi|alpha|beta|gamma|ell|psi|delta|rho)|[a-zA-Z])\s*(?:_\s*\{?\s*(?P<index>\w)\s*\}?)?)[\s}]*(?:\(t\))?\s*")  # fmt: skip
+_ANGLE = regex(r"\\(?:var)?theta|\\(?:var)?phi|q")
+_IS_ZERO = regex(r"\s*(?:(?:\\(?:var)?(?:theta|phi)|q)(?:\s*_\s*\{?\w\}?)?\s*=\s*)+\{?0(?:\^\\circ)?\}?\s*")
+_Y_AXIS = regex(r"\s*[+-]?\s*(?:\\(?:hat|vec|mathbf)\s*\{?\s*)?y(?:_\{?0\}?)?\}?\s*")
+_X_AXIS = regex(r"\s*\+?\s*(?:\\(?:hat|vec|mathbf)\s*\{?\s*)?(?:x(?:_\{?0\}?)?|\\overrightarrow\{?x\}?)\}?\s*")
+_VALUE = regex(
     r"\s*[+-]?\s*(?!0+\b|180\b)\d+(?:[.,]\d+)?\s*(?:\^\s*\{?\s*\\circ\s*\}?|°|\\degree|\\text\{\s*°\})\s*|\s*[+-]?\\(?:[td]?frac\s*\{?\\pi\}?\s*\{?\d\}?|pi\s*/\s*\d)\s*"
 )
 _NO_MOTOR = frozenset("no aucun kein keine ningún nessun nenhum".split())

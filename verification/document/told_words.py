@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 
 from armproof.verification.document.word_lists import WordLists
+from armproof.verification.patterns import regex
 
 holds = WordLists("""
 NAMES let call called calls denote denoted denotes denoting write name named designate designated define defined soit soient note notons notera noté notée notés notées appelle appelons appelé appelée appelés nomme nommons nommé nommée désigne désignons désigné désignée définit définissons sei seien nennen nennt genannt heißt heißen heiße bezeichnen bezeichnet bezeichne bezeichnete sea sean llamamos llamaremos llamemos llamado llamada denotamos denota denotan denotado denotada denominamos denominado designamos sia siano chiamiamo chiamato chiamata indichiamo indica indicato indicata indicano denotiamo denotato denotata designiamo seja sejam chamamos chamado chamada denotado indicamos indicado indicada definimos definiamo
@@ -61,7 +62,7 @@ _KNOWN = (
     "WANTED",
 )
 _BASES = ("BASES", "FROM_AXIS")
-_IN_OTHER_FRAME = re.compile(
+_IN_OTHER_FRAME = regex(
     r"(?<!\S)(?:in|into|dans|im|en|nel|no|al) (?:\S+ ){0,2}?(?:(?:frame|repère|koordinatensystem|systems?|sistema|terna) (?:[1-9]|outil|de l'outil)"
     r"|(?:body|tool|own|moving|effector|end-effector|hand|gripper)(?:'s)? (?:frame|coordinates|axes)|werkzeug(?:koordinaten)?system)\b"
 )

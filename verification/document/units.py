@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 
+from armproof.verification.patterns import regex
+
 MOST_BEHIND = 160  # characters behind a formula that may hold its unit
 _SPACE = r"(?:[\s~]|\\[,; ])*"
 _DEGREES = r"°|º|\\(?:text)?degree\b|deg\b|degrees?\b|degrés?\b|grados?\b|graus?\b|Grad\b"
 _IN_UNIT = r"[(,]?[ ~]?(?:(?:both|all|each|given|tous|toutes|tous deux|les deux|beide|ambos) )?(?:in|en|em) "
-_UNIT = re.compile(
+_UNIT = regex(
     rf"{_SPACE}(?:(?P<degrees>(?:{_DEGREES})(?! (?:of|de|von) )|{_IN_UNIT}(?:{_DEGREES})(?=\s*(?:[).,;:]|\Z)))|(?P<length>[mc]m)\b)"
 )
 _LETTERS = {  # what has a unit with others behind it, "$\\theta_1 = 30$ and $\\theta_2 = 60$ degrees"
@@ -18,8 +20,8 @@ _LETTERS = {  # what has a unit with others behind it, "$\\theta_1 = 30$ and $\\
 _INDEX = r"(?:\s*_\s*(?:\w|\{\w+\}))?"
 _NUMBER = rf"{_SPACE}={_SPACE}-?\d+(?:[.,]\d+)?"
 _AND = rf"{_SPACE}(?:, ?)?(?:(?:and|et|und|y|e) )?"
-_VALUE = re.compile(rf"{_SPACE}={_SPACE}(-?\d+(?:[.,]\d+)?)")
-_NAME = re.compile(r"\s*\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?\s*")
+_VALUE = regex(rf"{_SPACE}={_SPACE}(-?\d+(?:[.,]\d+)?)")
+_NAME = regex(r"\s*\\?[A-Za-z]+(?:_(?:\w|\{\w+\}))?\s*")
 
 
 def with_unit(latex: str, behind: str) -> str:

@@ -19,10 +19,11 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.reading import read_names
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import Verdict
 
 _POSES, _ROTATIONS, _ORIGINS, _POINTS = "THAg", "R", "dpotP", "pPr"
-_FRAME = re.compile(r"[0-6]|[A-Z]|i|j|k|[in][+-]1|n|[a-z]")
+_FRAME = regex(r"[0-6]|[A-Z]|i|j|k|[in][+-]1|n|[a-z]")
 MOST_FRAMES = 3  # a product of more free rotations has thousands of terms
 DIRECTIONS = ("upper", "lower")
 SECONDS = 0.3

@@ -16,16 +16,17 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.names import Names
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import DECIDED, Role, Verdict
 
-REST = re.compile(
+REST = regex(
     r"(?:otherwise|else|elsewhere|in all other cases|sinon|autrement|ailleurs|sonst|andernfalls|altrimenti|si no)", re.I
 )
 COMPARISONS = frozenset("<>≤≥")
-CHANGES = re.compile(r"\b(?:not|unless|except|only|never|or|pas|sauf|ne|ou|jamais|nicht|außer|oder)\b", re.I)
+CHANGES = regex(r"\b(?:not|unless|except|only|never|or|pas|sauf|ne|ou|jamais|nicht|außer|oder)\b", re.I)
 
 
-_SPACES_BEFORE = re.compile(r"\A(?:[\s.,;:]|\\[,;:! ]|\\q?quad(?![A-Za-z]))+")
+_SPACES_BEFORE = regex(r"\A(?:[\s.,;:]|\\[,;:! ]|\\q?quad(?![A-Za-z]))+")
 Comparison = tuple[n.Node, str, n.Node]
 
 

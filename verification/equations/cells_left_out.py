@@ -6,18 +6,18 @@ joint n of the arm do, and where each cell before the dots is what the first mak
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import fields, replace
 
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.names import Names
+from armproof.verification.patterns import regex
 
 MOST_JOINTS = 8
 _SCRIPTS = ("sub", "sup", "pre_sub", "pre_sup")
-_FIRST = re.compile(r"(.*?)(\d+)")
-_LAST = re.compile(r"(.*?)(\d+|[nN](?:-1)?)")
+_FIRST = regex(r"(.*?)(\d+)")
+_LAST = regex(r"(.*?)(\d+|[nN](?:-1)?)")
 
 
 def with_cells(statement: n.Statement, names: Names) -> n.Statement:

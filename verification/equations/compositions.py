@@ -9,12 +9,13 @@ from itertools import pairwise
 
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
+from armproof.verification.patterns import regex
 
 _TRANSFORMS = "TAHR"
 _POINTS = ("P", "p")
 _WHOLE = n.Name("R")
 FEWEST = 3  # steps of a product that tell which index is the reference
-_INDEX = re.compile(r"(?:(?P<digit>\d)|(?P<letter>[ijknN]))(?:(?P<sign>[+-])(?P<step>\d))?")
+_INDEX = regex(r"(?:(?P<digit>\d)|(?P<letter>[ijknN]))(?:(?P<sign>[+-])(?P<step>\d))?")
 _FAR = 100  # ranks: of frame i, which is behind numbered ones,
 _LAST = 2000  # of a tool,
 _UNKNOWN = 10_000  # of what nothing tells

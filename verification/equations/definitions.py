@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -35,10 +34,11 @@ from armproof.verification.latex.vocabulary import UNWRITTEN
 from armproof.verification.naming.conventions import AXES, is_usual
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Definition
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import HOLDS, Role, Verdict
 
 Check = Callable[[n.Chain], list[Outcome]]
-_PLACE = re.compile(r"(\d),?([1-6]),?([1-6])")  # of an entry: its matrix, row and column
+_PLACE = regex(r"(\d),?([1-6]),?([1-6])")  # of an entry: its matrix, row and column
 MOST_WRONG = 2  # entries of a pose that is a slip away, where it holds letters without a value too
 
 

@@ -5,7 +5,6 @@ What does not hold, and does with one sign turned, or with J^T for J, is a law w
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
@@ -15,9 +14,10 @@ from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import Verdict
 
-_INDEX = re.compile(r"(?<![A-Za-z])([ijk])(?:([+-])1)?(?![A-Za-z])")
+_INDEX = regex(r"(?<![A-Za-z])([ijk])(?:([+-])1)?(?![A-Za-z])")
 MOST_JOINTS = 8
 _FLIPPED = {"+": "-", "-": "+"}
 _TURNS = ("", "T", "-1", "-T")

@@ -12,10 +12,11 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.tokens import canonical_script
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import Verdict
 
 _AXES = {"x": "x", "X": "x", "roll": "x", "y": "y", "Y": "y", "pitch": "y", "z": "z", "Z": "z", "yaw": "z"}
-_AXIS_OF_FRAME = re.compile(r"[xyz]_\{?([^{},\s]+)\}?", re.IGNORECASE)
+_AXIS_OF_FRAME = regex(r"[xyz]_\{?([^{},\s]+)\}?", re.IGNORECASE)
 _ANGLE = n.Name("alpha", text=r"\alpha")
 
 

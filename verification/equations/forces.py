@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
@@ -13,6 +12,7 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.names import Names
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import Verdict
 
 _LETTERS = frozenset("FfM")  # N_x may be an entry of a rotation, m_x a mass
@@ -20,7 +20,7 @@ _LOADS = frozenset("FfHMNPQW")  # behind J^T, or in F = (0, 0, -W), where they c
 _WEIGHT = ("m", "g")
 TORQUES = ("tau", "Gamma")
 LETTERS = _LETTERS | _LOADS | {*TORQUES, "g"}  # one of them stands in whatever speaks of forces
-_COMPONENT = re.compile(r"\w*,?[xyz]")
+_COMPONENT = regex(r"\w*,?[xyz]")
 
 
 def heed_forces(names: Names, chain: n.Chain) -> None:

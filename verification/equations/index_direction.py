@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 
 from armproof.verification.algebra.ring import Scalar
@@ -14,11 +13,12 @@ from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.quantities import leads_outwards
+from armproof.verification.patterns import regex
 
 DIRECTIONS = ("upper", "lower")
 FEW = 2  # wrong entries of a matrix that tells the direction all the same,
 MANY = 2  # of more than so many times as many that are no numbers
-TWO_SCRIPTS = re.compile(r"[TAHR]\}*\s*(?:_\s*(?:\w|\{[^{}]*\})\s*\^|\^\s*(?:\w|\{[^{}]*\})\s*_)")
+TWO_SCRIPTS = regex(r"[TAHR]\}*\s*(?:_\s*(?:\w|\{[^{}]*\})\s*\^|\^\s*(?:\w|\{[^{}]*\})\s*_)")
 
 
 def shown_direction(checker: ChainChecker, displays: Iterable[Display]) -> tuple[str, int] | None:

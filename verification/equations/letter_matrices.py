@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import replace
@@ -28,9 +27,10 @@ from armproof.verification.latex.nodes import bare_key
 from armproof.verification.naming.conventions import ENTRIES, ENTRY, is_entry
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import numbered_frames
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import Verdict
 
-_ROTATION = re.compile(r"(?:\{\}(?:\^\w+)?(?:_\w+)?)?R(?![a-z])")
+_ROTATION = regex(r"(?:\{\}(?:\^\w+)?(?:_\w+)?)?R(?![a-z])")
 _TARGETS = frozenset(["d", "D", "des", "desired", "target", "goal", "ref"])
 FEWEST_SHOWN = 2  # equations that show of which rotation r_{ij} are
 POSE = 4  # rows and columns

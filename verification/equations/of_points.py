@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import permutations, product
@@ -22,11 +21,12 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.conventions import LINEAR_VELOCITIES
 from armproof.verification.naming.moving import FIRST_LETTERS, index_of, place_of
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import Role, Verdict
 
 MOST_ROWS = 3  # of the Jacobian of a point
-_OF_POINT = re.compile(r"(?:v|P|p|L|T)?_?,?(?:c|cm|G|C)?,?_?(\d)")
-_SLIDE = re.compile(r"[dr]_\d")
+_OF_POINT = regex(r"(?:v|P|p|L|T)?_?,?(?:c|cm|G|C)?,?_?(\d)")
+_SLIDE = regex(r"[dr]_\d")
 ENDS = (
     "",
     "_e",

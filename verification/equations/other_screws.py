@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 
 from armproof.verification.algebra.calculus import derivative, substitute, symbols_in
@@ -11,8 +10,9 @@ from armproof.verification.equations.outcome import Outcome
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.evaluation.screws import Twist, twist_in
 from armproof.verification.findings import Finding, Kind, say
+from armproof.verification.patterns import regex
 
-_JOINT = re.compile(r"(?:theta|q|d)(?:_(\d+))?")
+_JOINT = regex(r"(?:theta|q|d)(?:_(\d+))?")
 
 
 def of_other_screws(outcome: Outcome) -> Finding | None:

@@ -21,15 +21,16 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key, has_branches
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import ANGULAR, LINEAR, leads_outwards, numbered_frames
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import Verdict
 
 Check = Callable[[n.Chain], list[Outcome]]
 # not of a step, (k) or (n), nor of another configuration than a solution
-_COUNT = re.compile(
+_COUNT = regex(
     r"\(?(?:[+-]|pm|mp|[ivIV]+|\d)\)?|\((?![kmnt]\)|(?:ref|des|max|min|old|new|init|start|end|goal|home)\))[A-Za-z]{1,10}\)|[A-D]|up|down|left|right|elbow(?:up|down)"
 )
-_NUMERAL = re.compile(r"(\d+),([ivIV]+)")
-_PART = re.compile(r"(?P<part>[A-Za-z]*?)_?,?(?P<digits>\d|\d,?\d)")
+_NUMERAL = regex(r"(\d+),([ivIV]+)")
+_PART = regex(r"(?P<part>[A-Za-z]*?)_?,?(?P<digits>\d|\d,?\d)")
 
 
 class Readings:

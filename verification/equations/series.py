@@ -17,16 +17,17 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import numbered_frames
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import Verdict
 
 MOST_TERMS = 12
 MOST_READ = 200  # terms of a statement, with those of sums in sums
 _SIGNS = {"\\sum": "+", "\\prod": ""}
-_LIMIT = re.compile(r"\s*(?:\\limits(?![A-Za-z]))?\s*(?P<mark>[_^])\s*(?:\{(?P<braced>[^{}]*)\}|(?P<single>[^\\{}\s]))")
-_FROM = re.compile(r"\s*([ijkm])\s*=\s*(\d)\s*")
-_TO = re.compile(r"\s*(?:(\d{1,2})|([nN])\s*(?:([+-])\s*(\d))?)\s*")
-_PRODUCT = re.compile(r"\\prod\s*_\{\s*(?P<index>[ijk])\s*=\s*1\s*\}\s*\^\{?\s*(?P<last>[nN])\s*\}?")
-_SCRIPT = re.compile(r"[_^]\s*(?:\{(?P<braced>(?:[^{}]|\{[^{}]*\})*)\}|(?P<single>[A-Za-z0-9]))")
+_LIMIT = regex(r"\s*(?:\\limits(?![A-Za-z]))?\s*(?P<mark>[_^])\s*(?:\{(?P<braced>[^{}]*)\}|(?P<single>[^\\{}\s]))")
+_FROM = regex(r"\s*([ijkm])\s*=\s*(\d)\s*")
+_TO = regex(r"\s*(?:(\d{1,2})|([nN])\s*(?:([+-])\s*(\d))?)\s*")
+_PRODUCT = regex(r"\\prod\s*_\{\s*(?P<index>[ijk])\s*=\s*1\s*\}\s*\^\{?\s*(?P<last>[nN])\s*\}?")
+_SCRIPT = regex(r"[_^]\s*(?:\{(?P<braced>(?:[^{}]|\{[^{}]*\})*)\}|(?P<single>[A-Za-z0-9]))")
 
 
 @dataclass(frozen=True)

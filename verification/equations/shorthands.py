@@ -12,11 +12,12 @@ from armproof.verification.equations.sides import Members
 from armproof.verification.errors import EvaluationError, ReadError
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
+from armproof.verification.patterns import regex
 
 Shorthand = tuple[str, object]  # "cos" and the angles, or how many there are where it is said of any: c_i, c_{ij}
 
-_MAY_BE = re.compile(r"(?<![A-Za-z\\])[cCsS]\s*_.*=|=\s*[cCsS]\s*_", re.DOTALL)
-_ANY = re.compile(r"_\s*(?:\{\s*([ijk](?:\s*[ijk])*)\s*\}|([ijk])(?![A-Za-z]))")
+_MAY_BE = regex(r"(?<![A-Za-z\\])[cCsS]\s*_.*=|=\s*[cCsS]\s*_", re.DOTALL)
+_ANY = regex(r"_\s*(?:\{\s*([ijk](?:\s*[ijk])*)\s*\}|([ijk])(?![A-Za-z]))")
 _NUMBERS = str.maketrans("ijk", "123")
 
 

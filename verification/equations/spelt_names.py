@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
+from armproof.verification.patterns import regex
 
-_NUMBERED = re.compile(r"[A-Z]{2,4}\d")
-_WORD = re.compile(r"(?=.*[aeiouy])(?=.*[^aeiouy])[a-z]{3,10}")
+_NUMBERED = regex(r"[A-Z]{2,4}\d")
+_WORD = regex(r"(?=.*[aeiouy])(?=.*[^aeiouy])[a-z]{3,10}")
 
 
 def with_spelt_names(chain: n.Chain, names: Names) -> n.Chain:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -15,6 +14,7 @@ from armproof.verification.evaluation.mass_matrix import entry_of_masses
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
+from armproof.verification.patterns import regex
 
 
 def derivative_value(evaluator: Evaluating, node: n.Derivative) -> Value:
@@ -86,9 +86,9 @@ def _all_joints(evaluator: Evaluating, variable: n.Node) -> n.Node:
     return n.Name("q", span=variable.span) if turns and not is_other else variable
 
 
-_JOINT = re.compile(r"(?:theta|q)(?:_\d+)?")  # where there is no arm, what moves, and what never does
+_JOINT = regex(r"(?:theta|q)(?:_\d+)?")  # where there is no arm, what moves, and what never does
 _MAY_GROW = ("r", "R", "rho", "d", "D", "s", "x", "y", "z", "X", "Y", "Z")  # distances that a text tells, too
-_JOINT_OR_LENGTH = re.compile(rf"(?:dot )*(?:{_JOINT.pattern}|[lLabcehmgI](?:_\w+)?)")
+_JOINT_OR_LENGTH = regex(rf"(?:dot )*(?:{_JOINT.pattern}|[lLabcehmgI](?:_\w+)?)")
 
 
 def time_derivative(evaluator: Evaluating, node: n.Name) -> Value:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from typing import Any
 
 from armproof.verification.algebra.matrix import Matrix
 from armproof.verification.evaluation.evaluating import Evaluating
 from armproof.verification.latex import nodes as n
+from armproof.verification.patterns import regex
 
-_ENTRY = re.compile(r"([1-6]),?([1-6])")
+_ENTRY = regex(r"([1-6]),?([1-6])")
 
 
 def entry_of_masses(evaluator: Evaluating, node: n.Name) -> Any:

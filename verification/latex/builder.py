@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
@@ -25,8 +24,9 @@ from armproof.verification.latex.runs import (
 )
 from armproof.verification.latex.statements import Cell, build_statements, environment_node
 from armproof.verification.latex.tokens import Spelling, canonical_script, span_of_token
+from armproof.verification.patterns import regex
 
-_DOUBLE_BAR = re.compile(r"(?:\\left\s*)?(?:\\\||\|\||‖|\\[lr]?Vert(?![A-Za-z]))")
+_DOUBLE_BAR = regex(r"(?:\\left\s*)?(?:\\\||\|\||‖|\\[lr]?Vert(?![A-Za-z]))")
 
 
 class TreeBuilder(Transformer):

@@ -13,6 +13,7 @@ from armproof.verification.latex.greek import ANGLES, VARIANTS, one_of
 from armproof.verification.latex.indexed import TRANSFORM_LETTERS, NameReader, is_bracketed_index
 from armproof.verification.latex.items import Item, Script
 from armproof.verification.latex.tokens import canonical_script
+from armproof.verification.patterns import regex
 
 TRIG_LETTERS = {"c": "cos", "C": "cos", "s": "sin", "S": "sin"}
 ANGLE_LETTERS = frozenset([*ANGLES, *VARIANTS, "q", "delta"])
@@ -20,7 +21,7 @@ _ANGLE = r"\\(?:var)?(?:%s)" % one_of(ANGLES)
 POINTS = frozenset("pxyz")  # a point and its coordinates
 MATRIX_LETTERS = TRANSFORM_LETTERS | {"J"}
 MATRIX_FUNCTIONS = frozenset(["det", "rank", "adj", "com", "tr"])
-_JOINT_DIGITS = re.compile(r"[+-]?\d(?:,?[+-]?\d)*")
+_JOINT_DIGITS = regex(r"[+-]?\d(?:,?[+-]?\d)*")
 
 
 class CallReader(NameReader):

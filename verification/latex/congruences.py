@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 
+from armproof.verification.patterns import regex
+
 _GAP = r"(?:\\[,;:! ]|\\q?quad(?![A-Za-z])|~|\s)*"
 _PI = r"(?:\\pi(?![A-Za-z])|π)"
 _MODULUS = rf"(?:\d{{0,2}}\s*{_PI}(?:\s*/\s*\d)?|\\[dt]?frac\s*\{{\s*\d{{0,2}}\s*{_PI}\s*\}}\s*(?:\{{\s*\d\s*\}}|\d))"
 _WORD = r"\\(?:text|textrm|mathrm|mbox|rm|operatorname)\s*\{?\s*mod(?:ulo)?\.?\s*\}?"
 _CONSTANT = rf"(?P<constant>\s*(?:-|\\pm(?![A-Za-z]))?\s*(?:0|{_MODULUS}))"
 _END = r"(?=\s*(?:[.,;&)\]]|\\\\|\Z|\\(?:q?quad|text|mbox|iff|implies|lor|vee|land|wedge|end|hbox|[,;: ]|(?:Left|Right|Leftright|Long|left|right)[a-z]*arrow)))"
-_CONGRUENT = re.compile(
+_CONGRUENT = regex(
     rf"(?<![<>])(?:(?P<equal>=)|\\(?:equiv|cong)(?![A-Za-z])|≡){_CONSTANT}(?P<gap>{_GAP})"
     rf"(?P<modulus>\[\s*(?P<square>{_MODULUS})\s*\]|\(\s*(?P<round>{_MODULUS})\s*\)|\\pmod\s*(?:\{{\s*(?P<braced>{_MODULUS})\s*\}}|(?P<pi>\\pi(?![A-Za-z])))"
     rf"|\\(?:mod|bmod)(?![A-Za-z])\s*\{{?\s*(?P<bare>{_MODULUS})\s*\}}?|\({_GAP}{_WORD}{_GAP}(?P<said>{_MODULUS}){_GAP}\)"
@@ -18,10 +20,10 @@ _CONGRUENT = re.compile(
 )
 _DEGREES = r"\s*(?:°|\^\s*\{?\s*\\circ\s*\}?)"
 _TURNS = rf"(?:\\pm\s*)?(?:\d?\s*{_PI}|(?:360|540|720){_DEGREES})"
-_AND_SO_ON = re.compile(  # 0, π, …: what goes on are whole turns more
+_AND_SO_ON = regex(  # 0, π, …: what goes on are whole turns more
     rf"(?P<listed>=\s*0(?:{_DEGREES})?\s*,\s*(?:\\pm\s*)?(?:{_PI}|180{_DEGREES})(?:\s*,\s*{_TURNS})*)(?P<dots>\s*,\s*(?:\\(?:[lc]?dots|dotsc)(?![A-Za-z])|…|\.\.\.))"
 )
-_BESIDE = re.compile(rf"(?<=[\w)}}\]])(?P<gap>{_GAP})(?P<last>\\[,;:! ]|[\s~])(?=\[\s*{_MODULUS}\s*\]{_END})")
+_BESIDE = regex(rf"(?<=[\w)}}\]])(?P<gap>{_GAP})(?P<last>\\[,;:! ]|[\s~])(?=\[\s*{_MODULUS}\s*\]{_END})")
 
 
 def with_multiples(text: str) -> str:

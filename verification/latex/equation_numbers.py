@@ -2,21 +2,21 @@ r"""The number of an equation that its author sets beside it by hand: x = a \;\;
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from armproof.verification.latex import nodes as n
+from armproof.verification.patterns import regex
 
 _LAYOUT = r"(?:\\(?:displaystyle|textstyle|hfill|hfil|dotfill|hrulefill|mathstrut|relax|null)(?![A-Za-z])|\{\s*\})"
 _GAP = rf"(?:\\[,;:! ]|\\q?quad(?![A-Za-z])|~|\\(?:thin|med|thick)?space(?![A-Za-z])|\\(?:hspace\*?|hskip)\s*\{{[^{{}}]*\}}|{_LAYOUT}|\.{{3,}})"
 _STOP = r"[.,;。，；]"
 _WORDS = r"\\(?:text|textrm|textbf|textnormal|mathrm|mbox|hbox|rm)\s*"
 _LABEL = r"(?:[A-Z]\s*[.-]?\s*)?[1-9]\d{0,2}(?:\s*[.–-]\s*\d{1,3})*\s*[a-z]?'?"
-_NUMBER = re.compile(
+_NUMBER = regex(
     rf"(?<=[\w)\]}}'|])(?P<gap>\s*(?:{_STOP}\s*)?(?:{_GAP}\s*)+|\s*{_STOP}\s+)(?P<label>(?:\\(?:left|big|Big)\s*)?[(（]\s*{_LABEL}\s*(?:\\(?:right|big|Big)\s*)?[)）]"
     rf"|{_WORDS}\{{\s*[(（]\s*{_LABEL}\s*[)）]\s*\}})(?=\s*{_STOP}?\s*(?:\\\\|\Z|\\end\s*\{{))"
 )
-_NO_LINES = re.compile(r"\\(?P<which>begin|end)\s*\{(?:\w*matrix\*?|array|d?cases|rcases)\}")
+_NO_LINES = regex(r"\\(?P<which>begin|end)\s*\{(?:\w*matrix\*?|array|d?cases|rcases)\}")
 
 
 def without_numbers(text: str) -> str | None:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
+
+from armproof.verification.patterns import regex
 
 SMALL = dict(
     zip(
@@ -57,4 +58,4 @@ def one_of(names: Iterable[str]) -> str:
     return "|".join(sorted(names, key=len, reverse=True))
 
 
-SPELT = re.compile(r"(?<![\\A-Za-z])(%s)(?![A-Za-z])" % one_of(GREEK))  # a letter that lacks its backslash
+SPELT = regex(r"(?<![\\A-Za-z])(%s)(?![A-Za-z])" % one_of(GREEK))  # a letter that lacks its backslash

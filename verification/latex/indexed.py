@@ -15,6 +15,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.items import OPERATORS, Item, Script
 from armproof.verification.latex.tokens import Spelling, canonical_script
 from armproof.verification.latex.units import UNIT, UNKNOWN
+from armproof.verification.patterns import regex
 
 MAX_EXPONENT = 24
 TRANSFORM_LETTERS = frozenset("TAHR")
@@ -22,25 +23,23 @@ VECTOR_LETTERS = frozenset(
     ["p", "P", "z", "Z", "O", "o", "x", "y", "X", "Y", "J", "v", "V", "omega", "Omega", "W", "w"]
 )
 _BRANCHES = ("(+)", "(-)", "(pm)", "(mp)")  # marks of a solution's branch: θ_2^{(+)}
-_OF_TWO = re.compile(r"\d,?\d")
+_OF_TWO = regex(r"\d,?\d")
 # of a frame, a solution, a step: no power
-_IN_BRACKETS = re.compile(r"\((?:\d|[ijkn](?:[+-]\d)?|(?P<word>[A-Za-z]{1,10}))\)")
+_IN_BRACKETS = regex(r"\((?:\d|[ijkn](?:[+-]\d)?|(?P<word>[A-Za-z]{1,10}))\)")
 # in brackets too: the transpose, and an exponent that is a Greek letter
 _ACTS = frozenset([*OPERATORS, "H", *greek.GREEK])
 _CENTRES = ("cm", "mm")  # what would be units above a number
-_PLACED = re.compile(r"(\w+)\((\d)\)")
-_BETWEEN_VALUES = re.compile(r"(?:,|\\[,;]|\\quad|\\\\)(?![^(\[]*[)\]])")  # and not between those of (0, 0)
-_FRAME_BEHIND = re.compile(r"[A-Zijkn\d]|[ijkn][-+]\d")
-_SPELT_WORD = re.compile(r"(?=[A-Za-z]*[aeiouy])(?=[A-Za-z]*[^aeiouyA-Z])[A-Za-z][a-z]{3,9}")
-_WORD = re.compile(r"\s*\\(?:text[a-z]*|mathrm|mathit|mathsf|operatorname)\s*\{\s*[A-Za-z]{2,}\s*\}\s*")
-_SIZE = re.compile(r"\(?\dx[1-9n]\)?")
+_PLACED = regex(r"(\w+)\((\d)\)")
+_BETWEEN_VALUES = regex(r"(?:,|\\[,;]|\\quad|\\\\)(?![^(\[]*[)\]])")  # and not between those of (0, 0)
+_FRAME_BEHIND = regex(r"[A-Zijkn\d]|[ijkn][-+]\d")
+_SPELT_WORD = regex(r"(?=[A-Za-z]*[aeiouy])(?=[A-Za-z]*[^aeiouyA-Z])[A-Za-z][a-z]{3,9}")
+_WORD = regex(r"\s*\\(?:text[a-z]*|mathrm|mathit|mathsf|operatorname)\s*\{\s*[A-Za-z]{2,}\s*\}\s*")
+_SIZE = regex(r"\(?\dx[1-9n]\)?")
 _MASS_CENTRE = r"(?:[cCgGmM]|cm|CM|com|COM)_?,?\d"
-_AT_POINT = re.compile(
-    r"\\end\s*\{(?:(?:[bpvV]?matrix|array)\}\s*(?:\\right\s*)?\\\}|Bmatrix\})\s*_\s*(?:\{[^{}]*\}|\w)\Z"
-)
-_NO_SIZE = re.compile(r"\(?(?:0x\d+|\d+x0)\)?")  # no matrix is 0×1
-_NOTED_SIZE = re.compile(r"\(?(?:\dx[1-9nm]|[nm]x[1-9nm])\)?")
-_NOTED_BASE = re.compile(r"[(/]?(?:[RFOKS]_?)?(?:0|b|B|w|W|base|world)\)?|\(?x,?y,?z\)?")
+_AT_POINT = regex(r"\\end\s*\{(?:(?:[bpvV]?matrix|array)\}\s*(?:\\right\s*)?\\\}|Bmatrix\})\s*_\s*(?:\{[^{}]*\}|\w)\Z")
+_NO_SIZE = regex(r"\(?(?:0x\d+|\d+x0)\)?")  # no matrix is 0×1
+_NOTED_SIZE = regex(r"\(?(?:\dx[1-9nm]|[nm]x[1-9nm])\)?")
+_NOTED_BASE = regex(r"[(/]?(?:[RFOKS]_?)?(?:0|b|B|w|W|base|world)\)?|\(?x,?y,?z\)?")
 _JOINT_LETTERS = frozenset([*greek.ANGLES, "q"])
 _SIZED = frozenset(["I", "Id", "E", "O", "J"])  # whose size is part of the name, or a claim
 

@@ -6,6 +6,7 @@ import re
 from functools import lru_cache
 
 from armproof.verification.latex.greek import GREEK
+from armproof.verification.patterns import regex
 
 LETTERS = {**GREEK, "ell": "ℓ", "varnothing": "∅", "nabla": "∇", "infty": "∞", "top": "⊤"}
 _SIGNS = {
@@ -15,12 +16,12 @@ _SIGNS = {
     "partial": "∂", "sqrt": "√", "quad": " ", "qquad": " ", "sum": "∑", "prod": "∏", "wedge": "∧", "dagger": "†",
     "dot": "˙", "ddot": "¨", "left": "", "right": "",
 }  # fmt: skip
-_STYLES = re.compile(
+_STYLES = regex(
     r"\\(?:math[a-z]+|text[a-z]*|operatorname\*?|boldsymbol|bm|vec|mbox|hbox|displaystyle|textstyle|limits|bf|rm)(?![A-Za-z])"
 )
-_ENVIRONMENT = re.compile(r"\\(?:begin|end)\s*\{\w+\*?\}(?:\{[lcr| ]+\})?")
-_FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
-_MACRO = re.compile(r"\\([A-Za-z]+)\s?")
+_ENVIRONMENT = regex(r"\\(?:begin|end)\s*\{\w+\*?\}(?:\{[lcr| ]+\})?")
+_FRACTION = regex(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
+_MACRO = regex(r"\\([A-Za-z]+)\s?")
 
 
 @lru_cache(maxsize=4096)

@@ -11,13 +11,14 @@ import re
 from armproof.verification.latex import greek
 from armproof.verification.latex.congruences import with_multiples
 from armproof.verification.latex.solids import with_solids
+from armproof.verification.patterns import regex
 
 _ARGUMENT = r"\s*\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}"
 _COMMAND = r"\s*(?:\{\s*\\[A-Za-z]+\s*\}|\\[A-Za-z]+)"
 _LENGTH = r"\s*=?\s*[-+]?(?:\d+\.?\d*|\.\d+)\s*(?:pt|em|ex|mu|mm|cm|in|\\[A-Za-z]+)"
 _OVERLAY = r"<[\d\s+,.|:a-z-]*>"
 _ESCAPES = r"_*^()[]+="  # of Markdown: in a formula their backslash means nothing
-_SILENT = re.compile(
+_SILENT = regex(
     rf"(?P<kept>\\\\)|(?P<escape>\\[{re.escape(_ESCAPES)}])|(?P<set>\\[NRCQZ](?![A-Za-z]))|(?P<unequal>\\not\s*(?:=|\\in(?![A-Za-z])))"
     r"|(?P<degree>\^\s*\\(?:text)?degree(?![A-Za-z])|\^\s*\{?\\circ\}?\s*/\s*\\(?:text|mathrm|rm)\s*\{\s*s\s*\})|(?P<differential>\\dd?(?![A-Za-z]))|\\(?:d?dot|hat|vec|bar)\s*\{\s*\}"
     rf"|\\bf(?P<bold>[A-Za-z]|{'|'.join(sorted(greek.GREEK))})(?![A-Za-z])"
@@ -29,58 +30,52 @@ _SILENT = re.compile(
     rf"|\\(?:onslide|uncover|visible|only)\s*{_OVERLAY}(?!\s*\{{)|(?P<command>\\(?:color|text[a-z]+|math[a-z]+)){_OVERLAY}(?=\s*\{{)"
     r"|(?<=\\sqrt)\s*\[\s*2?\s*\]|[_^]\s*\{\s*\}|\\qty(?=\s*(?:\\left|\\[bB]ig+)?\s*[(\[])"
 )
-_BOX = re.compile(
+_BOX = regex(
     rf"\\(?:resizebox\*?{_ARGUMENT}{_ARGUMENT}|(?:scalebox|colorbox|adjustbox|raisebox|mathcolor){_ARGUMENT}|fcolorbox{_ARGUMENT}{_ARGUMENT}"
     rf"|makebox(?:\s*\[[^\]]{{0,200}}\])*|bbox(?:\s*\[[^\]]{{0,200}}\])?|math[lrc]lap|[lrc]lap|Aboxed|vcenter|displaylines"
     rf"|(?:alert|structure|invisible|action)(?:\s*{_OVERLAY})?|(?P<shown>only|uncover|visible|onslide|alt)\s*(?P<slides>{_OVERLAY}))\s*(?P<brace>\{{)\s*\$?"
 )
-_DOUBLED = re.compile(r"\\\\(?:\\\\|(?=[A-Za-z]{2,}|[{},;:!|]))")
-_AT_THE_END = re.compile(
+_DOUBLED = regex(r"\\\\(?:\\\\|(?=[A-Za-z]{2,}|[{},;:!|]))")
+_AT_THE_END = regex(
     r"\\q?quad[\s~]*(?:\\left)?\((?P<stated>[^()&]{0,200}(?:[=<>]|\\n?eq?\b|\\[lg]eq?\b|\\in\b)[^()&]{0,200}?)(?:\\right)?\)(?=[\s.,;]*$)"
 )
 _WORDS = r"\\(?:text|textrm|textit|mathrm|mbox)\s*\{[^\W\d_][^{}\\$=<>]*\}"
 _BETWEEN_WORDS = r"(?:\\[ ,;:!]|\\[pm]{2}(?![A-Za-z])|[\s~,;/+±-])*"
-_REMARK = re.compile(  # x = a + b \, (\text{elbow up} +): words in brackets behind a space are no factor
+_REMARK = regex(  # x = a + b \, (\text{elbow up} +): words in brackets behind a space are no factor
     rf"(?P<gap>(?:\\[ ,;:!]|\\q?quad|~)\s*)(?:\\left\s*)?\(\s*(?P<said>(?:{_WORDS}{_BETWEEN_WORDS})+)(?:\\right\s*)?\)"
 )
-_SIGN = re.compile(rf"(?P<words>{_WORDS})|(?:\\[pm]{{2}}(?![A-Za-z])|[,;/+±-])")
-_LOST_BREAK = re.compile(
+_SIGN = regex(rf"(?P<words>{_WORDS})|(?:\\[pm]{{2}}(?![A-Za-z])|[,;/+±-])")
+_LOST_BREAK = regex(
     r"(?<=&)(?P<line>[^\n\\&]*(?:\\[^\n&][^\n\\&]*)*)(?<!\\)\\(?P<end>[ \t]*\n)(?=[^\n]*&)"
 )  # \ for \\, behind the last & of its line
-_BROKEN = re.compile(  # a sum goes on: a - \\\\ b
+_BROKEN = regex(  # a sum goes on: a - \\\\ b
     r"(?<=[\w)}])(?P<sign>\s*[-+]\s*)(?P<break>\\\\(?:\[[^\]]{0,20}\])?(?:\s*&(?=[^\\&=]*(?:\\(?!\\)[^\\&=]*)*(?:\\\\|\\end|\Z)))?)(?=\s*(?:[\w({]|\\(?!\\|begin|end|hline)))"
 )
-_REPEATED = re.compile(
+_REPEATED = regex(
     r"(?P<sign>\\(?:cdot|times)(?![A-Za-z])|=)(?P<again>\s*\\\\(?:\[[^\]]{0,20}\])?[\s&]*(?P=sign)(?![A-Za-z]))"
 )  # A \cdot \\ \cdot B, A = \\ = B
-_PRODUCT_BROKEN = re.compile(  # A \\ &\quad \cdot B and A \cdot \\ B: a product goes on; \cdot alone in a cell are dots
+_PRODUCT_BROKEN = regex(  # A \\ &\quad \cdot B and A \cdot \\ B: a product goes on; \cdot alone in a cell are dots
     r"(?<=[\w)}\]])(?P<sign>\s*(?:\\cdot|\\times)(?![A-Za-z]))?(?P<break>\s*\\\\(?:\[[^\]]{0,20}\])?(?:[\s&~]|\\q?quad(?![A-Za-z])|\\[,;:! ])*)"
     r"(?(sign)(?=[\w({]|\\(?!\\|begin|end|hline|cdot|times|[lv]?dots))|(?=(?:\\cdot|\\times)(?![A-Za-z])\s*(?:[\w({]|\\(?!\\|end|hline|cdot|[lv]?dots))))"
 )
-_FULL_STOP = re.compile(r"\\ldotp(?![A-Za-z])")
-_APPLIED = re.compile(
+_FULL_STOP = regex(r"\\ldotp(?![A-Za-z])")
+_APPLIED = regex(
     r"(?<![A-Za-z\\])J\{(?P<to>\s*(?:\\theta|\\Theta|[qQ])\s*)\}"
 )  # J{\theta}: a macro of one argument, or parentheses
-_RATES_BELOW = re.compile(  # = J(θ) \\ \dot θ: the factor stands in the last line, which states nothing by itself
+_RATES_BELOW = regex(  # = J(θ) \\ \dot θ: the factor stands in the last line, which states nothing by itself
     r"(?<=J)(?P<of>\s*\(\s*(?:\\theta|\\Theta|[qQ])\s*\))(?P<break>\s*\\\\\s*)(?=\\dot[^=&]*\Z)"
 )
-_OF_PANDOC = re.compile(r"(?<=[A-Za-z}])~(?P<below>\d{1,3}|[ijkn])~(?:\^(?P<above>[\dijkn])\^)?")  # H~0~^4^
-_NUMBERED = re.compile(r"\A\s*\d{1,2}\.\s+(?=[\\A-Za-z])")  # 1. θ_1 = 0: an item of a list, and no factor
-_DELIMITED = re.compile(
-    r"\A(\s*)\\(?:\[(?=.*\\\]\s*\Z)|\((?=.*\\\)\s*\Z))(.*)\\[\])](\s*)\Z", re.DOTALL
-)  # $\[ x = 1 \]$
-_DELIMITER_ESCAPED = (
-    re.compile(  # \\left\\\{, as Markdown wants it: nobody sets a new line between \left and what it opens
-        r"(?P<size>\\(?:left|right)(?![A-Za-z])\s*)\\\\(?P<delimiter>\\?[{}])"
-    )
+_OF_PANDOC = regex(r"(?<=[A-Za-z}])~(?P<below>\d{1,3}|[ijkn])~(?:\^(?P<above>[\dijkn])\^)?")  # H~0~^4^
+_NUMBERED = regex(r"\A\s*\d{1,2}\.\s+(?=[\\A-Za-z])")  # 1. θ_1 = 0: an item of a list, and no factor
+_DELIMITED = regex(r"\A(\s*)\\(?:\[(?=.*\\\]\s*\Z)|\((?=.*\\\)\s*\Z))(.*)\\[\])](\s*)\Z", re.DOTALL)  # $\[ x = 1 \]$
+_DELIMITER_ESCAPED = regex(  # \\left\\\{, as Markdown wants it: nobody sets a new line between \left and what it opens
+    r"(?P<size>\\(?:left|right)(?![A-Za-z])\s*)\\\\(?P<delimiter>\\?[{}])"
 )
-_SPACED_INDEX = re.compile(
-    r"(?<=\\theta)\s(?P<index>\s*[1-9])(?=\s*[)+-])"
-)  # \cos(\theta 1): nobody writes θ times one
-_BARS = re.compile(r"\\(?:abs|(?P<norm>norm))\*?\s*(?P<brace>\{)")
+_SPACED_INDEX = regex(r"(?<=\\theta)\s(?P<index>\s*[1-9])(?=\s*[)+-])")  # \cos(\theta 1): nobody writes θ times one
+_BARS = regex(r"\\(?:abs|(?P<norm>norm))\*?\s*(?P<brace>\{)")
 
 
-_BRACKET_WITHIN = re.compile(
+_BRACKET_WITHIN = regex(
     r"_\{(\w{1,3})\)\}"
 )  # \cos(\theta_1 + \theta_{2)}: the bracket closes what is open before the index
 

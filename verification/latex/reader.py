@@ -21,9 +21,10 @@ from armproof.verification.latex.greek import SPELT
 from armproof.verification.latex.preparing import prepared
 from armproof.verification.latex.tokens import LatexLexer, Spelling
 from armproof.verification.latex.unicode import normalise_unicode
+from armproof.verification.patterns import regex
 
 MAX_LENGTH = 100_000
-_WHOLE = re.compile("[0-9]{1,9}")
+_WHOLE = regex("[0-9]{1,9}")
 _READABLE = {
     "$END": Sentence("the end"), "REL": Sentence("a relation such as ="), "RPAR": "')'", "RBRACE": "'}'", "LPAR": "'('", "LBRACE": "'{'", "PLUS": "'+'",
     "MINUS": "'-'", "AMP": "'&'", "NEWLINE": r"'\\'", "LETTER": Sentence("a name"), "NUMBER": Sentence("a number"), "END": r"'\end{…}'", "FUNC": Sentence("a function"),

@@ -15,12 +15,13 @@ from armproof.verification.latex.indexed import TRANSFORM_LETTERS
 from armproof.verification.latex.items import OPERATORS, DerivativeOperator, Differential, Item, Script
 from armproof.verification.latex.tokens import canonical_script
 from armproof.verification.latex.vocabulary import LABEL_WORDS
+from armproof.verification.patterns import regex
 
 _WHOLE = ("q", "theta", "Theta")  # all joint variables at once
-_SIZE_BEHIND = re.compile(r"(?:\\[,;:! ]|\\q?quad|[,~\s])*(?:(?<=[,;])|\()\s*(\d)\s*\\times\s*(\d)\s*\)?\s*$")
-_WORDS = re.compile(r"\s*\\(?:text[a-z]*|mbox|hbox|mathrm|mathit)\s*\{[^{}=\\$]*\}\s*")
+_SIZE_BEHIND = regex(r"(?:\\[,;:! ]|\\q?quad|[,~\s])*(?:(?<=[,;])|\()\s*(\d)\s*\\times\s*(\d)\s*\)?\s*$")
+_WORDS = regex(r"\s*\\(?:text[a-z]*|mbox|hbox|mathrm|mathit)\s*\{[^{}=\\$]*\}\s*")
 
-_STYLED = re.compile(r"\\[A-Za-z]+")
+_STYLED = regex(r"\\[A-Za-z]+")
 
 
 class RunReader(CallReader):

@@ -9,39 +9,41 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from armproof.verification.patterns import regex
+
 ARROWS = frozenset(["vec", "overrightarrow", "vect", "vecteur", "vv"])
 _ARROW = rf"\\(?:{'|'.join(sorted(ARROWS))})(?![A-Za-z])"
 _LETTER = r"[A-Z]|[xyzijkuvw]|\\Omega|\\omega|\\Gamma"
 _BELOW = r"_\s*(?:\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}|\w)"
-_IN_ARROW = re.compile(
+_IN_ARROW = regex(
     rf"(?P<arrow>{_ARROW}\s*\{{)\s*(?P<letter>{_LETTER})\s*(?P<tail>{_BELOW}|(?:\\left\s*)?\([^()]*\))\s*\}}"
 )
 _FRAME = r"(?:\\(?:mathcal|mathrm|mathscr|text|cal|rm)(?![A-Za-z])\s*\{?\s*)?(?:[SR]\s*\}?\s*_?\s*)?"
 _SOLID = rf"\(?\s*{_FRAME}\{{?\s*(\d)\s*\}}?\s*\)?"
-_SOLIDS = re.compile(rf"\s*{_SOLID}\s*/\s*{_SOLID}\s*")
-_OF_POINT = re.compile(
+_SOLIDS = regex(rf"\s*{_SOLID}\s*/\s*{_SOLID}\s*")
+_OF_POINT = regex(
     rf"\s*([A-Z])(?:\s*_\s*\{{?\s*(\w)\s*\}}?)?\s*(?:(?:,|\\in(?![A-Za-z])|\\[,;!]|\s)+{_SOLID}\s*/\s*{_SOLID}|/\s*{_SOLID})\s*"
 )
 _VECTORS = r"[Va]|\\Omega|\\omega|\\Gamma"
-_VECTOR = re.compile(
+_VECTOR = regex(
     rf"(?P<head>{_ARROW}\s*(?:\{{\s*(?:{_VECTORS})\s*\}}|(?:{_VECTORS})(?![A-Za-z])))\s*"
     r"(?:(?:\\left|\\[bB]ig+l?)?\s*\((?P<in>(?:[^()]|\([^()]*\))*?)(?:\\right|\\[bB]ig+r?)?\s*\)|_\s*\{(?P<below>(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\})"
 )
-_NUMBERED = re.compile(  # as they are written once they are plain
+_NUMBERED = regex(  # as they are written once they are plain
     r"(?:V|\\Omega|\\omega)\s*\}?\s*_\{(?:[A-Z](?:_\w)?(?:,(\d))?|(\d))/(\d)\}"
 )
 _AXIS = rf"{_ARROW}\s*\{{?\s*[xyzijk]\s*\}}?\s*_\s*\{{?\s*(\d)\s*\}}?"
-_BETWEEN_AXES = re.compile(rf"\(\s*{_AXIS}\s*,(?:\s|\\[,;!])*{_AXIS}\s*(?:\\right\s*)?\)")  # (\vec x_0, \vec x_1)
+_BETWEEN_AXES = regex(rf"\(\s*{_AXIS}\s*,(?:\s|\\[,;!])*{_AXIS}\s*(?:\\right\s*)?\)")  # (\vec x_0, \vec x_1)
 _POINT = r"\(?\s*(?P<{}>[A-Z](?:_\{{?\w\}}?)?)\s*(?:,[^{{}}]*(?:\{{[^{{}}]*\}}[^{{}}]*)*)?\)?"
-_TORSOR = re.compile(  # \{V_{2/0}\} = \{\begin{matrix} … \end{matrix}\}_B, one vector above the other
+_TORSOR = regex(  # \{V_{2/0}\} = \{\begin{matrix} … \end{matrix}\}_B, one vector above the other
     r"(?P<name>(?:\\left\s*)?\\\{\s*\\(?:mathcal|mathscr|mathbb|cal)(?![A-Za-z])\s*\{?\s*V\s*\}?\s*(?:_\s*\{(?P<below>[^{}]*(?:\{[^{}]*\}[^{}]*)*)\}|\((?P<in>[^()]*)\))"
     r"\s*(?:\\right\s*)?\\\}(?:_\s*\{?\s*(?P<own>[A-Z](?:_\w)?)\s*\}?)?)(?P<equal>\s*&?\s*=\s*&?\s*)(?P<open>(?:\\left\s*)?\\\{\s*)?(?P<matrix>\\begin\s*\{(?P<kind>B?matrix|array)\}"
     rf"[^&]*?\\end\s*\{{(?P=kind)\}})(?P<close>\s*(?:\\right\s*)?\\\}})?(?P<point>\s*_\s*(?:\{{{_POINT.format('braced')}\}}|(?P<bare>[A-Z](?![A-Za-z]))))"
 )
-_PRINTED = re.compile(r"\\end\s*\{(?:B?matrix|array)\}")
+_PRINTED = regex(r"\\end\s*\{(?:B?matrix|array)\}")
 _OF_BASE = r"_\s*(?:\{\s*(?:/|t\s*,)?\s*(?:\(?\\?(?:mathcal|mathrm|text)?\s*\{?\s*[RB]\s*\}?\s*_?\s*\{?\s*0\s*\}?\)?|0)\s*\}|0|R_0)"
 _QUOTIENT = r"\\d?frac\s*\{(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*\}\s*\{(?:[^{}]|\{[^{}]*\})*(?<![A-Za-ce-z])t\s*\}"
-_SEEN_FROM_BASE = re.compile(
+_SEEN_FROM_BASE = regex(
     rf"(?P<open>\\left\s*(?:\.|\[|\()|\[|\()?(?P<rate>\s*{_QUOTIENT}\s*(?:{_ARROW}\s*\{{[^{{}}]*\}})?\s*)"
     rf"(?P<close>\\right\s*(?:\||\]|\)|\\vert|\\rvert)|\\[bB]igg?r?\s*(?:\||\\vert)|\||\\vert|\]|\))\s*(?P<seen>{_OF_BASE})"
 )

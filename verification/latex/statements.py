@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from lark import Token
@@ -13,10 +12,11 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.tokens import span_of_token
 from armproof.verification.latex.vocabulary import JOINING, LAYOUTS, MATRICES, SPOKEN
+from armproof.verification.patterns import regex
 
 ARROWS = ("⇒", "⇔", "⇐")
 _TRANSFORMS = frozenset("TRAH")
-_BLANK_CELL = re.compile(r"&(?:[ \t]|\\[,;:! ])+&")
+_BLANK_CELL = regex(r"&(?:[ \t]|\\[,;:! ])+&")
 UNREAD = "unread"  # the kind of a relation of which a side cannot be read: "= constant"
 Cell = list  # of Node and Token, in the order of the line
 PREVIOUS = n.Name("=", text="")  # stands for the subject of the display before: a display may begin with "="

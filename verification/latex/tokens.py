@@ -52,11 +52,12 @@ from armproof.verification.latex.vocabulary import (
     VARIANTS,
     WORD_STYLES,
 )
+from armproof.verification.patterns import regex
 
 MAX_TOKENS = 20_000
 MAX_DEPTH = 60
 
-_MASTER = re.compile(
+_MASTER = regex(
     r"""
     (?P<SPACE>(?:\s|~|\\[,;:!>\ ]|\\(?:%s)(?![A-Za-z])|\\(?=\n|\Z)|%%[^\n]*\n)+)
   | (?P<TAG>\\(?:color|hspace\*?|cline|cmidrule|rule|eqno)\s*\{[^{}]*\})
@@ -81,68 +82,66 @@ _MASTER = re.compile(
     re.VERBOSE | re.DOTALL,
 )
 # what may follow a dot that is a product: not the end of a line, a word or a blank after a full stop
-_FACTOR = re.compile(
+_FACTOR = regex(
     r"(?:\\[,;:! ]|[ \t])*(?:\\(?!(?:end|right|q?quad|text|textrm|tag|label|hspace|vspace|mbox|hbox|newline|cr|notag|nonumber|"
     r"Rightarrow|implies|iff|to|therefore|Leftrightarrow|dots|ldots|cdots)(?![A-Za-z]))[A-Za-z{]|[A-Za-z({\[^])"
 )
-_BRACED_SCRIPTS = re.compile(r"\{\s*(?:\{\s*\}\s*)?(?:[_^]\s*(?:\{[^{}]*\}|\\[A-Za-z]+|[^\s{}\\])\s*)+\}(?=\s*\S)")
-_BRACED_OPERATOR = re.compile(r"\{\s*(?:[-+=]|\\(?:cdot|times|wedge|pm|mp)(?![A-Za-z]))\s*\}")  # θ_1{+}θ_2, set closely
-_SCRIPT_BEFORE = re.compile(r"(?:^|[=&\s}])\^\s*(?:\{\s*\w\s*\}|\w)\s*\Z")  # ^{0}\text{WC}
-_MARKED_RELATION = re.compile(r"\s*\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}\s*\{\s*(?:=|\\equiv|:=)\s*\}")  # \overset{!}{=}
-_NO_CLAIM = re.compile(
+_BRACED_SCRIPTS = regex(r"\{\s*(?:\{\s*\}\s*)?(?:[_^]\s*(?:\{[^{}]*\}|\\[A-Za-z]+|[^\s{}\\])\s*)+\}(?=\s*\S)")
+_BRACED_OPERATOR = regex(r"\{\s*(?:[-+=]|\\(?:cdot|times|wedge|pm|mp)(?![A-Za-z]))\s*\}")  # θ_1{+}θ_2, set closely
+_SCRIPT_BEFORE = regex(r"(?:^|[=&\s}])\^\s*(?:\{\s*\w\s*\}|\w)\s*\Z")  # ^{0}\text{WC}
+_MARKED_RELATION = regex(r"\s*\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}\s*\{\s*(?:=|\\equiv|:=)\s*\}")  # \overset{!}{=}
+_NO_CLAIM = regex(
     r"[!?]|\\(?:not|times|lnot)\b|\\\w+\s*\{\s*(?:no[nt]?|pas|faux|false|wrong|never|jamais)\b", re.IGNORECASE
 )
-_MARKUP = re.compile(
+_MARKUP = regex(
     r"\\(?:text[a-z]*|math(?:rm|bf|it)|mbox|small|tiny|scriptsize|scriptstyle|rm|(?:eq)?ref\s*\{[^{}]*\}|[,;:! ])|[(){}\[\]~]"
 )
-_REFERENCE = re.compile(  # what stands above = and says why, or that it defines: nothing, def, (1), Eq. 3
+_REFERENCE = regex(  # what stands above = and says why, or that it defines: nothing, def, (1), Eq. 3
     r"\s*(?:(?:def|déf|defn|notation|définition|definition|\\triangle|\\Delta|\\wedge|\\ast|\*+|△|∆|[a-z]|[ivx]+)\.?\s*"
     r"|(?:(?:eqs?|éqs?|eqn|equations?|équations?|gl|gln|formulas?|formules?|fig|figure|table|step|étape|lemma|lemme|theorem|théorème|rule|see|voir|cf|by|par|from|using|with|and|et)\b\.?\s*"
     r"|[A-Z]?\d+(?:[.–-]\d+)*[a-z]?'?\s*|,\s*)*)",
     re.IGNORECASE,
 )
-_TAGS = re.compile(r"\*?\s*\{")
-_DOTS_ABOVE = re.compile(r"\s*\{\s*((?:(?:\.|\\cdot)\s*){1,3})\}")  # \overset{\cdot}{\theta}
-_SPACE_BEFORE = re.compile(r"\)\s*(?:\\[,;:! ]|~|\\(?:thinspace|enspace)(?![A-Za-z])\s*)\s*\Z")
-_FRAME = re.compile(r"\s*(?:[0-9ijkn](?:\s*[+-]\s*\d)?|[BWEGS])\s*")
-_TRANSFORM_BEHIND = re.compile(  # with another index, before it or behind
+_TAGS = regex(r"\*?\s*\{")
+_DOTS_ABOVE = regex(r"\s*\{\s*((?:(?:\.|\\cdot)\s*){1,3})\}")  # \overset{\cdot}{\theta}
+_SPACE_BEFORE = regex(r"\)\s*(?:\\[,;:! ]|~|\\(?:thinspace|enspace)(?![A-Za-z])\s*)\s*\Z")
+_FRAME = regex(r"\s*(?:[0-9ijkn](?:\s*[+-]\s*\d)?|[BWEGS])\s*")
+_TRANSFORM_BEHIND = regex(  # with another index, before it or behind
     r"\s*(?P<script>[_^]\s*(?:\{[^{}]*\}|\w)\s*)?(?:\\(?:mathbf|mathrm|mathit|boldsymbol|bm)(?![A-Za-z])\s*\{?\s*)?[TAHR](?![A-Za-z])(?(script)|[\s}]*_)"
 )
-_DOTS_BEFORE = re.compile(r"\\[cl]?dots(?:\\[,;:! ]|\s)*\Z")
-_WIDE_SPACE = re.compile(
+_DOTS_BEFORE = regex(r"\\[cl]?dots(?:\\[,;:! ]|\s)*\Z")
+_WIDE_SPACE = regex(
     r"\\hspace\*?\s*\{\s*(?:[1-9]\d*\.?\d*\s*(?:em|cm|in)|0?\.[5-9]\d*\s*(?:cm|in)|[5-9]\s*mm|\d\d+\.?\d*\s*(?:pt|mm|ex))\s*\}"
 )
-_ANY_WHOLE = re.compile(
+_ANY_WHOLE = regex(
     r"\(\s*\w\s*(?:\\in\s*\{?\s*\\?(?:math[a-z]+|Bbb|mathds)?\s*\{?\s*\\?[ZN]\s*\}?\s*\}?(?:_0|_\{0\})?"
     r"|=\s*0\s*,\s*(?:\\pm\s*)?1\s*,\s*(?:(?:\\pm\s*)?2\s*,\s*)?(?:(?:\\pm\s*)?3\s*,\s*)?(?:\\[lcd]?dots[cbm]?|\.\.\.|…))\s*\)"
 )
-_REMARK = re.compile(r"\(\s*([ijkmn])\s*(?:=|\\in|\\geq?|\\leq?|>|<)[^()&]{1,60}\)")
-_CONDITION = re.compile(r"\((?!\s*\\text)[^()&=]{1,60}\\neq?(?![A-Za-z])[^()&=]{1,60}\)")
+_REMARK = regex(r"\(\s*([ijkmn])\s*(?:=|\\in|\\geq?|\\leq?|>|<)[^()&]{1,60}\)")
+_CONDITION = regex(r"\((?!\s*\\text)[^()&=]{1,60}\\neq?(?![A-Za-z])[^()&=]{1,60}\)")
 _VALUE_GIVEN = r"\s*\\?[A-Za-z]+(?:_(?:\{[^{}]*\}|\w))?\s*=[^()=<>&,;]{1,40}"
-_AT_VALUES = re.compile(rf"\(({_VALUE_GIVEN}(?:[,;]{_VALUE_GIVEN})*)\)")  # x(θ_1 = 0, θ_2 = π)
-_OF_ARM = re.compile(
-    r"(?<![A-Za-z\\])[pPxyzXYJTRAHw]\}?(?:[_^](?:\{[^{}]*\}|\w))*$"
-)  # what has a value at a configuration
-_DECIMAL_COMMA = re.compile(r",(\d+)(?!\s*,\s*\d)")
-_NEXT_BAR = re.compile(
+_AT_VALUES = regex(rf"\(({_VALUE_GIVEN}(?:[,;]{_VALUE_GIVEN})*)\)")  # x(θ_1 = 0, θ_2 = π)
+_OF_ARM = regex(r"(?<![A-Za-z\\])[pPxyzXYJTRAHw]\}?(?:[_^](?:\{[^{}]*\}|\w))*$")  # what has a value at a configuration
+_DECIMAL_COMMA = regex(r",(\d+)(?!\s*,\s*\d)")
+_NEXT_BAR = regex(
     r"=|\\\\|&|[<>]|\\(?:q?quad|text|leq?|geq?|approx|neq?|in|Rightarrow|Leftrightarrow|implies|iff|to)(?![A-Za-z])"
 )
-_BARS = re.compile(r"\\(?:left|right)\s*\||\\\||\|\s*_|(?P<single>\||\\vert(?![A-Za-z]))")
-_BRACED_FUNCTION = re.compile(r"\{\s*\\?([A-Za-z]+\d?)\s*\}")
-_PLAIN_UNDER_HAT = re.compile(
+_BARS = regex(r"\\(?:left|right)\s*\||\\\||\|\s*_|(?P<single>\||\\vert(?![A-Za-z]))")
+_BRACED_FUNCTION = regex(r"\{\s*\\?([A-Za-z]+\d?)\s*\}")
+_PLAIN_UNDER_HAT = regex(
     r"[\s{]*(?:\\(?:math(?:bf|rm|it)|boldsymbol|bm)[\s{]*)?(?:[xyzXYZijknsaouweTRAHJ]|\\omega)(?![A-Za-z])"
 )
-_LETTER_UNDER = re.compile(r"[\s{]*\\?([A-Za-z]+)(?![A-Za-z])")
-_ANOTHER = re.compile(r"\s*[{\[]")
-_LETTER_ALONE = re.compile(r"\s*\{\s*(?:[A-Za-z]|\\(?:%s))\s*\}(?!\s*[{\[])" % one_of(sorted(LETTERS)))
-_COORDINATE_UNDER_HAT = re.compile(r"(?:\s*\{\s*[xyXY]\s*\}|\s*[xyXY])(?!\s*[_A-Za-z])")  # x estimated, and no axis x_1
-_TWO = re.compile(r"\s*(?:_\s*\{?\s*2\s*\}?|2)(?=[\s&]*(?:\\left|\\[bB]ig|\(|\[|\{\s*\(|\\!|\\,))")  # of atan2
-_POWER_OF_UNIT = re.compile(r"\s*\^\s*(?:\{\s*-?\d\s*\}|\d)")
-_OF_FORCE = re.compile(  # N and N·m, and no letter N before another factor
+_LETTER_UNDER = regex(r"[\s{]*\\?([A-Za-z]+)(?![A-Za-z])")
+_ANOTHER = regex(r"\s*[{\[]")
+_LETTER_ALONE = regex(r"\s*\{\s*(?:[A-Za-z]|\\(?:%s))\s*\}(?!\s*[{\[])" % one_of(sorted(LETTERS)))
+_COORDINATE_UNDER_HAT = regex(r"(?:\s*\{\s*[xyXY]\s*\}|\s*[xyXY])(?!\s*[_A-Za-z])")  # x estimated, and no axis x_1
+_TWO = regex(r"\s*(?:_\s*\{?\s*2\s*\}?|2)(?=[\s&]*(?:\\left|\\[bB]ig|\(|\[|\{\s*\(|\\!|\\,))")  # of atan2
+_POWER_OF_UNIT = regex(r"\s*\^\s*(?:\{\s*-?\d\s*\}|\d)")
+_OF_FORCE = regex(  # N and N·m, and no letter N before another factor
     r"\s*\{\s*N\s*(?:(?:\{?\\cdot(?![A-Za-z])\s*\}?|\\,|[.~])?\s*m\s*)?\}(?!\s*(?:[A-Za-z(\d_^]|\\(?:sin|cos|theta|frac|dot)))"
 )
-_LETTER_BEHIND = re.compile(r"\s+([xyzijkuvw])(?![A-Za-z])")
-_STYLED_WORD = re.compile(r"\s*\{\s*([^\W\d_][^{}\\$]*?)\s*\}")
+_LETTER_BEHIND = regex(r"\s+([xyzijkuvw])(?![A-Za-z])")
+_STYLED_WORD = regex(r"\s*\{\s*([^\W\d_][^{}\\$]*?)\s*\}")
 _FENCES = {
     ".": ".", r"\{": "{", r"\lbrace": "{", r"\}": "{", r"\rbrace": "{",
     **dict.fromkeys(("|", r"\|", r"\lvert", r"\rvert", r"\vert", r"\Vert", r"\lVert", r"\rVert"), "|"),
@@ -153,46 +152,46 @@ _ENDS_OPERAND = frozenset(
 
 
 _MEASURED = frozenset(["NUMBER", "RBRACE", "SUP", "RPAR", "END"])  # behind which a unit may stand
-_ONE_WORD = re.compile(r"[^\W\d_]+(?:[./·^-]?(?:[^\W\d_]+|-?\d))*\.?")
-_NUMBER_ENDS = re.compile(
+_ONE_WORD = regex(r"[^\W\d_]+(?:[./·^-]?(?:[^\W\d_]+|-?\d))*\.?")
+_NUMBER_ENDS = regex(
     r"(?:\s|~|\\[,;:! ])*(?:[.,;&=)}\]]|\\(?:\\|[,;:}!]|(?:q?quad|end|right|text|approx|to|tag|hfill|[A-Z]\w*arrow|iff|implies)(?![a-z]))|\Z)"
 )
-_NUMBERS_END = re.compile(  # a column or a tuple of numbers, behind which \mathrm{m} is metres
+_NUMBERS_END = regex(  # a column or a tuple of numbers, behind which \mathrm{m} is metres
     r"\((?:[^A-Za-z\\(),]|\\[,;!: ])*(?:,(?:[^A-Za-z\\(),]|\\[,;!: ])*)+(?:\\right\s*)?\)(?:\s|~|\\[,;:! ])*\Z|\\begin\s*\{(?P<matrix>[bpvBV]?matrix|array)\}(?:\{[clr|]*\})?(?:[^A-Za-z\\]|\\[\\,;!: ]|\\(?:[td]?frac|sqrt|hfill)(?![A-Za-z]))*"
     r"\\end\s*\{(?P=matrix)\}(?:\s*\\right\s*[\])])?(?:\s*\^\s*(?:T|\{\s*(?:T|\\top)\s*\}|\\top))?(?:\s|~|\\[,;:! ])*\Z"
 )
-_RUN = re.compile(r"(?=[A-Za-z]*[aeiouy])(?=[A-Za-z]*[^aeiouyA-Z])[A-Za-z][a-z]{3,}(?![A-Za-z])")
-_PART_OF_MODEL = re.compile(r"([A-Z]{2,4})([a-z]{3,})(?=(?:\s|&)*=)")  # MGDpos = …
-_SPELT_WITHIN = re.compile("|".join(word for word in (*BARE_WORDS, *LONG) if len(word) > 2))
-_OPENS = re.compile(r"\s*\{")
-_BLANK_LINE = re.compile(r"\n[ \t]*\n")
-_NEW_EQUATION = re.compile(r"[A-Za-z{\\^](?:[^=\n&\\+]|\\[A-Za-z]){0,40}=")
-_OVER_OR_BRACE = re.compile(r"\\over(?![A-Za-z])|\\.|[{}]", re.DOTALL)
+_RUN = regex(r"(?=[A-Za-z]*[aeiouy])(?=[A-Za-z]*[^aeiouyA-Z])[A-Za-z][a-z]{3,}(?![A-Za-z])")
+_PART_OF_MODEL = regex(r"([A-Z]{2,4})([a-z]{3,})(?=(?:\s|&)*=)")  # MGDpos = …
+_SPELT_WITHIN = regex("|".join(word for word in (*BARE_WORDS, *LONG) if len(word) > 2))
+_OPENS = regex(r"\s*\{")
+_BLANK_LINE = regex(r"\n[ \t]*\n")
+_NEW_EQUATION = regex(r"[A-Za-z{\\^](?:[^=\n&\\+]|\\[A-Za-z]){0,40}=")
+_OVER_OR_BRACE = regex(r"\\over(?![A-Za-z])|\\.|[{}]", re.DOTALL)
 _FRACTION = (("LBRACE", "{"), ("FRAC", "frac"), ("LBRACE", "{"))  # {\frac{ for the brace of {a \over b}
 _UNWRITTEN = frozenset(["ast", "star", "times", "bullet"])  # alone in a cell
-_CLOSES = re.compile(r"\s*(?:\\(?:right|[Bb]igg?r?)\s*)?\)")
-_CELL_ENDS = re.compile(r"\s*(?:&|\\\\|\\cr(?![A-Za-z])|\\end(?![A-Za-z])|\})")
-_OPENS_SPACED = re.compile(r"\s*\{(?:(?:\s|~|\\[ ,;:!])*[A-Za-z]{2,}(?:~|\\[ ,;:!])|(?:~|\\[ ,;:!])+\s*[A-Za-z]{2})")
-_FORMULA = re.compile(r"\$([^$]*)\$")
-_RELATES = re.compile(r"[=<>]|\\(?:approx|[lg]eq?|neq?|in)(?![A-Za-z])")
-_BROKEN_FENCE = re.compile(  # \left( a \right. \\ & \left. b \right): one bracket over two lines
+_CLOSES = regex(r"\s*(?:\\(?:right|[Bb]igg?r?)\s*)?\)")
+_CELL_ENDS = regex(r"\s*(?:&|\\\\|\\cr(?![A-Za-z])|\\end(?![A-Za-z])|\})")
+_OPENS_SPACED = regex(r"\s*\{(?:(?:\s|~|\\[ ,;:!])*[A-Za-z]{2,}(?:~|\\[ ,;:!])|(?:~|\\[ ,;:!])+\s*[A-Za-z]{2})")
+_FORMULA = regex(r"\$([^$]*)\$")
+_RELATES = regex(r"[=<>]|\\(?:approx|[lg]eq?|neq?|in)(?![A-Za-z])")
+_BROKEN_FENCE = regex(  # \left( a \right. \\ & \left. b \right): one bracket over two lines
     r"\\right\s*\.(?:\s|&|\\\\|\\(?:q?quad|nonumber|notag)(?![A-Za-z])|\\[,;:! ])*\\left\s*\."
 )
-_PARENTHESIS = re.compile(r"[\s&]*(?:\\left|\\[bB]igg?l?)?\s*\(")
-_TAN_TWO = re.compile(r"((?:\s|~|\\[,;:! ])*)\\?tan\s*_?\s*\{?\s*2\s*\}?")
-_QUANTITY = re.compile(r"([+-]?)(\d{1,20}(?:[.,]\d{1,20})?|[.,]\d{1,20})(?:[eE]([+-]?\d))?")
-_OUTSIDE = re.compile(
+_PARENTHESIS = regex(r"[\s&]*(?:\\left|\\[bB]igg?l?)?\s*\(")
+_TAN_TWO = regex(r"((?:\s|~|\\[,;:! ])*)\\?tan\s*_?\s*\{?\s*2\s*\}?")
+_QUANTITY = regex(r"([+-]?)(\d{1,20}(?:[.,]\d{1,20})?|[.,]\d{1,20})(?:[eE]([+-]?\d))?")
+_OUTSIDE = regex(
     r"(?P<open>\{|\\begin(?![A-Za-z]))|(?P<close>\}|\\end(?![A-Za-z]))|\\[{}]|=|&|\\\\|\\(?:approx|[lg]eq?|equiv)(?![A-Za-z])|\\.",
     re.DOTALL,
 )
 _TAKES_ARGUMENT = frozenset(["FRAC", "PARTIAL", "SQRT", "ACCENT", "BRACE", "OVERSET", "RBRACE", "FUNC"])
 _BEGINS = frozenset(["", "NEWLINE", "AMP", "SEP", "COMMA", "CONN", "TEXT", "LBRACE", "BEGIN", "OPEN_EMPTY"])
 _BEFORE_OPERAND = frozenset(["CDOT", "TIMES", "SLASH", "PLUS", "MINUS"])
-_RELATION_NEXT = re.compile(r"(?:\s|\\[,;:! ]|&|:)*(?:=|\\(?:approx|equiv|[lg]eq?|simeq|triangleq)(?![A-Za-z]))")
-_BEHIND_OPERAND = re.compile(r"\s*(?:[_^/*]|\+(?!\s*\\)|\\(?:times|cdot)(?![A-Za-z]))")
+_RELATION_NEXT = regex(r"(?:\s|\\[,;:! ]|&|:)*(?:=|\\(?:approx|equiv|[lg]eq?|simeq|triangleq)(?![A-Za-z]))")
+_BEHIND_OPERAND = regex(r"\s*(?:[_^/*]|\+(?!\s*\\)|\\(?:times|cdot)(?![A-Za-z]))")
 
 
-_PERIOD = re.compile(
+_PERIOD = regex(
     r"(?P<whole>\d{1,12})(?:\.|\{,\})(?P<fixed>\d{0,12})\s*\\(?:overline|bar|dot)\s*(?:\{\s*(?P<period>\d{1,12})\s*\}|(?P<one>\d))"
 )
 
@@ -204,7 +203,7 @@ def _decimal(number: re.Match[str]) -> str:
 
 
 _SCRIPT = r"\s*(?:\{[^{}]*\}|\w)\s*"
-PRE_SCRIPTS = re.compile(
+PRE_SCRIPTS = regex(
     rf"(?<![A-Za-z}}])(\{{\s*\}}\s*)([_^])({_SCRIPT})([_^])(?=({_SCRIPT})\{{*\s*(?:\\[a-z]+\s*\{{?\s*)?[A-Za-z])"
 )
 
@@ -885,7 +884,7 @@ class _Scanner:
         return [self.token(kind, RELATIONS.get(value, value), start, end)], end
 
 
-_VARIANT = re.compile(r"\\var(?=%s)" % one_of(VARIANTS.values()))
+_VARIANT = regex(r"\\var(?=%s)" % one_of(VARIANTS.values()))
 
 
 @lru_cache(maxsize=4096)

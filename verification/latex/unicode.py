@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 import unicodedata
 from functools import lru_cache
 
 from armproof.verification.latex.greek import NAMES
+from armproof.verification.patterns import regex
 
 COMMANDS = {
     "−": "-", "–": "-", "×": r"\times ", "·": r"\cdot ", "⋅": r"\cdot ", "±": r"\pm ", "∓": r"\mp ", "°": r"^\circ ",
@@ -28,10 +28,10 @@ COMMANDS |= {"∅": r"\varnothing ", "∇": r"\nabla ", "⌀": r"\varnothing ", 
 _GREEK = "".join(NAMES)
 _BELOW = dict(zip("₀₁₂₃₄₅₆₇₈₉₊₋ₐₑᵢⱼₖₗₘₙₚᵣₛₜₓ", "0123456789+-aeijklmnprstx", strict=True))
 _ABOVE = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁱⁿᵀᵗ", "0123456789+-inTt", strict=True))
-_SCRIPTS = re.compile(f"(?P<below>[{''.join(_BELOW)}]+)|(?P<above>[{''.join(_ABOVE)}]+)")
-_INDEXED = re.compile(f"[{_GREEK.replace('π', '')}](?=\\d)")
+_SCRIPTS = regex(f"(?P<below>[{''.join(_BELOW)}]+)|(?P<above>[{''.join(_ABOVE)}]+)")
+_INDEXED = regex(f"[{_GREEK.replace('π', '')}](?=\\d)")
 _MARKS = {"\u0307": r"\dot", "\u0308": r"\ddot", "\u0302": r"\hat", "\u20d7": r"\vec"}
-_MARKED = re.compile(  # θ̇, q̈; in a word, two points and a hat are those of its letter: für
+_MARKED = regex(  # θ̇, q̈; in a word, two points and a hat are those of its letter: für
     rf"(?:[A-Za-z{_GREEK}](?=[\u0307\u20d7])|(?:[{_GREEK}]|(?<![A-Za-z])[A-Za-z](?=.(?![A-Za-z])))(?=[\u0308\u0302]))(?P<mark>.)"
 )
 COMMANDS |= {
@@ -40,7 +40,7 @@ COMMANDS |= {
     if (apart := unicodedata.normalize("NFD", letter))[1:] == "\u0307" or letter in "ẍẅ"
     if apart[0].isascii()
 }
-_BEHIND_A_COMMAND = re.compile(rf"(?<=[A-Za-z])[{''.join(_STYLED)}]")  # \cdot𝑙: no letter of the command's name
+_BEHIND_A_COMMAND = regex(rf"(?<=[A-Za-z])[{''.join(_STYLED)}]")  # \cdot𝑙: no letter of the command's name
 
 
 @lru_cache(maxsize=4_096)  # a display is asked for at every turn of its way

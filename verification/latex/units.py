@@ -8,6 +8,8 @@ from fractions import Fraction
 from functools import cache
 from math import pi
 
+from armproof.verification.patterns import regex
+
 UNIT = "unit:"  # begins the mark above a number that says its unit
 UNKNOWN = "?"  # begins a unit of which nobody knows what it is
 PER_CENT = "%"
@@ -30,9 +32,9 @@ _KNOWN: dict[str, tuple[Fraction | int, int, int]] = {
 }  # fmt: skip
 _OLD_MARKS = {"deg": "\\circ", "cm": "cm", "mm": "mm"}  # that have a mark of their own above a number
 _SUPERSCRIPTS = str.maketrans("²³⁴⁻¹", "234-1")
-_LAYOUT = re.compile(r"\\(?:mathrm|text|rm)(?![A-Za-z])|[{}$]")
-_JOINS = re.compile(r"\\(?:cdot|times)(?![A-Za-z])|\\[,;:! ]|[\s~·*⋅]+")
-_PART = re.compile(r"([./]?)([^\W\d_]+|°|%)(?:\^?(-?\d))?")
+_LAYOUT = regex(r"\\(?:mathrm|text|rm)(?![A-Za-z])|[{}$]")
+_JOINS = regex(r"\\(?:cdot|times)(?![A-Za-z])|\\[,;:! ]|[\s~·*⋅]+")
+_PART = regex(r"([./]?)([^\W\d_]+|°|%)(?:\^?(-?\d))?")
 
 
 @dataclass(frozen=True, slots=True)

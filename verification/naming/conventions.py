@@ -15,6 +15,7 @@ from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.algebra.quantity_kinds import is_planar
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.quantities import ANGULAR, LINEAR, numbered_frames
+from armproof.verification.patterns import regex
 
 END = frozenset("e E ee EE ef EF eff eef tool Tool tcp TCP end hand terminal endeffector effector".split())
 PERHAPS_END = frozenset("P T t G g h H OT ot tip Tip".split())
@@ -43,7 +44,7 @@ USUAL = frozenset(
     "p P x y z X Y Z R T H J v V omega Omega phi varphi WC wc EE".split()
 )  # seldom anything else, of an arm
 AXES = "xyz"
-_ENTRY_OF = re.compile(r"(\w+),([123])([123])")
+_ENTRY_OF = regex(r"(\w+),([123])([123])")
 NORMALS = "noa"  # the columns of the tool's rotation, of which a document may have others
 COLUMNS = {"n": "x", "s": "y", "o": "y", "a": "z"}  # of a rotation: n_6^0, s_6^0, a_6^0
 ENTRY = "r"

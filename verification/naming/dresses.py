@@ -9,6 +9,7 @@ from armproof.verification.latex.greek import VARIANTS
 from armproof.verification.latex.indexed import STARRED, TRANSFORM_LETTERS, VECTOR_LETTERS
 from armproof.verification.latex.tokens import canonical_script
 from armproof.verification.latex.vocabulary import DRESSES
+from armproof.verification.patterns import regex
 
 _SCRIPT_LETTERS = ("cal", "frak")  # nobody means by them what the plain letter is beside them
 _MATRICES = TRANSFORM_LETTERS | {"J"}  # estimated under a hat; a unit vector has its hat or none
@@ -17,14 +18,14 @@ _LETTER = r"(?:\\[A-Za-z]+|(?<![A-Za-z\\])[A-Za-z])(?![A-Za-z])"
 _DRESS = r"\\(%s)(?![A-Za-z])[\s{]*" % "|".join(DRESSES)
 _SUB = r"\s*_\s*(\{[^{}]*\}|\w)"
 _STAR = r"\s*\^\s*\{?\s*(?:\*|\\ast|\\star)(?![A-Za-z])\s*\}?"
-_WORDS = re.compile(r"\\(?:text\w*|begin|end|mbox|operatorname)\s*\{[^{}]*\}")
-_DRESSED = re.compile(rf"{_DRESS}({_LETTER})")
-_HEAD = re.compile(rf"(?:^|[,;&\n]|\\\\|quad)\s*(?:{_DRESS})?({_LETTER})[\s}}]*(?:{_SUB})?\s*&?\s*:?=\s*([^=,;&\n]*)")
-_NAME = re.compile(rf"({_LETTER})[\s}}]*(?:{_SUB})?({_STAR})?(?:{_SUB})?")
-_STARRED_HEAD = re.compile(
+_WORDS = regex(r"\\(?:text\w*|begin|end|mbox|operatorname)\s*\{[^{}]*\}")
+_DRESSED = regex(rf"{_DRESS}({_LETTER})")
+_HEAD = regex(rf"(?:^|[,;&\n]|\\\\|quad)\s*(?:{_DRESS})?({_LETTER})[\s}}]*(?:{_SUB})?\s*&?\s*:?=\s*([^=,;&\n]*)")
+_NAME = regex(rf"({_LETTER})[\s}}]*(?:{_SUB})?({_STAR})?(?:{_SUB})?")
+_STARRED_HEAD = regex(
     rf"(?:^|[,;&=\n]|\\\\|quad)\s*({_LETTER})[\s}}]*(?:{_SUB})?{_STAR}(?:{_SUB})?\s*&?\s*:?=\s*([^=,;&\n]*)"
 )
-_NO_LETTER = re.compile(r"\\[A-Za-z]+|(?<![A-Za-z])(?:cm|mm|m|rad|deg)(?![A-Za-z])")
+_NO_LETTER = regex(r"\\[A-Za-z]+|(?<![A-Za-z])(?:cm|mm|m|rad|deg)(?![A-Za-z])")
 
 
 def dressed_letters(texts: Sequence[str]) -> frozenset[str]:

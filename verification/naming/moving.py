@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 
 from armproof.verification.document import Display
 from armproof.verification.latex.unicode import normalise_unicode
+from armproof.verification.patterns import regex
 
 FIRST_LETTERS = ("alpha", "beta", "gamma", "delta")
-_INDEX = re.compile(r"\d+")
-_RATE = re.compile(r"\\d{1,2}ot\s*\{?\s*\\?([A-Za-z]+)\s*\}?(?:\s*_\s*(?:\{\s*(\w+)\s*\}|(\w)))?")
+_INDEX = regex(r"\d+")
+_RATE = regex(r"\\d{1,2}ot\s*\{?\s*\\?([A-Za-z]+)\s*\}?(?:\s*_\s*(?:\{\s*(\w+)\s*\}|(\w)))?")
 
 
 def index_of(letter: str) -> int:

@@ -23,12 +23,13 @@ from armproof.verification.naming.conventions import AXES, conventional
 from armproof.verification.naming.quantities import implied_quantity, numbered_frames, tells_frame, transform_pair
 from armproof.verification.naming.solids import solid_quantity
 from armproof.verification.naming.state import Definition, DocumentState, undecided
+from armproof.verification.patterns import regex
 
-FREE_IN_GENERAL = re.compile(r"[a-z]|%s" % one_of(NUMBERS))
-OF_SCREWS = re.compile(r"[LHWD](?:_\d)?")  # lengths beside twists, and what are motions, points and twists there
+FREE_IN_GENERAL = regex(r"[a-z]|%s" % one_of(NUMBERS))
+OF_SCREWS = regex(r"[LHWD](?:_\d)?")  # lengths beside twists, and what are motions, points and twists there
 NO_NUMBERS = frozenset("g p v omega xi".split())
 OF_JOINTS = r"(?:[tT]heta|q|(?:theta|q|d)_\d(?:,(?:theta|q|d)_\d)*)\)"
-COMPONENT = re.compile(r"[xyz]|\w+,[xyz]")
+COMPONENT = regex(r"[xyz]|\w+,[xyz]")
 MOVES = frozenset("RT")  # along or about the axis that stands below: R_x R_z is not R_z R_x
 
 

@@ -27,6 +27,7 @@ from armproof.verification.naming.dresses import dressed_letters, starred_names
 from armproof.verification.naming.moving import rates_in
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import read_quantity
+from armproof.verification.patterns import regex
 
 # words of a name that LaTeX reads without being told: letters, functions, accents and styles
 READ_ALREADY = frozenset(
@@ -37,69 +38,65 @@ READ_ALREADY = frozenset(
     ]
 )
 FREE = "free"  # what `symbols` binds a letter to that is none of the arm's: a damping factor, a speed
-_BETWEEN = re.compile(
+_BETWEEN = regex(
     r"[\s{]*(?:\\[a-z]+\s*\{?\s*)?[TAHR][\s}]*(?:_\s*(?:\{[^{}]*\}|\w))?(?:\([^()=]*\))?(?:[\s}*.]|\\(?:times|cdot|[,;:!])|\\dot\{\})*"
 )
 _Scripts = tuple[str, str, int, int]
-_TOLD = re.compile(
+_TOLD = regex(
     r"theta_(\d+)=(?!q_\1(?:[^\d+-]|$))[^=,;]*q_\1(?!\d)|(?<![A-Za-z])q_(\d+)=(?!\\?theta_\2(?:[^\d+-]|$))[^=,;]*theta_\2(?!\d)"
 )
-_UNREAD = re.compile(r"\\(?:left|right|mathrm|operatorname|[,;! ])|[\s{}&\\]")
-_OWN_SUM = re.compile(
+_UNREAD = regex(r"\\(?:left|right|mathrm|operatorname|[,;! ])|[\s{}&\\]")
+_OWN_SUM = regex(
     r"(?:^|[,;$])(?:theta|q|[cCsS])_(\d{2,4})=(?:(?:cos|sin|[cCsS])\(?)?(-?(?:theta|q)_\d(?:[+-](?:theta|q)_\d)+)(?![\d+*/-])"
 )
 
 
 # m_1, I_{zz_1}, l_{c1}, g: letter and subscript, and what the subscript may be
-_OF_MASSES = re.compile(r"(?<![A-Za-z\\])([mgIlLra])(?![A-Za-z])(?:\s*_\s*(\{(?:[^{}]|\{[^{}]*\})*\}|\w))?")
-_CENTRE = re.compile(r"(?:c|cm|g|G),?_?\d|\d,?c|c")
+_OF_MASSES = regex(r"(?<![A-Za-z\\])([mgIlLra])(?![A-Za-z])(?:\s*_\s*(\{(?:[^{}]|\{[^{}]*\})*\}|\w))?")
+_CENTRE = regex(r"(?:c|cm|g|G),?_?\d|\d,?c|c")
 _SCRIPT_OF_MASSES = {
-    "m": re.compile(r"\d"), "g": re.compile(""), "I": re.compile(r"(?:[xyz]{1,2}|c|C|G)?,?_?\d|\d(?:[xyz]{1,2})"),
-    **dict.fromkeys("lLa", _CENTRE), "r": re.compile(rf"{_CENTRE.pattern}|\d"),
+    "m": regex(r"\d"), "g": regex(""), "I": regex(r"(?:[xyz]{1,2}|c|C|G)?,?_?\d|\d(?:[xyz]{1,2})"),
+    **dict.fromkeys("lLa", _CENTRE), "r": regex(rf"{_CENTRE.pattern}|\d"),
 }  # fmt: skip
 
 
-_WITH_COMMA = re.compile(  # = 0,4 and \\times 0,3; i = 0,1 lists two
+_WITH_COMMA = regex(  # = 0,4 and \\times 0,3; i = 0,1 lists two
     r"(?:(?<![ijkn\s])\s*=|[+]|\\times|\\cdot|\\d?frac\s*\{)\s*(0,\d+)(?![\d,;]|\s*[,;]\s*(?:\d|\\[lcd]?dots))"
 )
-_OWN_LETTER = re.compile(
-    r"(?:^|[,;]|\\\\|quad|\\begin\{(?!\w*matrix)\w+\*?\})\s*([cCsS])\s*&?\s*:?="
-)  # S = sin(θ_1 + θ_2)
+_OWN_LETTER = regex(r"(?:^|[,;]|\\\\|quad|\\begin\{(?!\w*matrix)\w+\*?\})\s*([cCsS])\s*&?\s*:?=")  # S = sin(θ_1 + θ_2)
 
-_LENGTH = re.compile(
-    r"(?<![A-Za-z])([pP])_\{?(\d)\}?\s*(?:\\[,;!]\s*|\\cdot\s*)?(?:\\cos|\\sin|[cCsS]_)"
-)  # p_1 cos θ_1
+_LENGTH = regex(r"(?<![A-Za-z])([pP])_\{?(\d)\}?\s*(?:\\[,;!]\s*|\\cdot\s*)?(?:\\cos|\\sin|[cCsS]_)")  # p_1 cos θ_1
 
 
-_NORMAL = re.compile(r"(?<![A-Za-z\\])([nsoa])\s*_\s*\{?\s*[xyz](?![A-Za-z])")
-_ROW_OF_NORMALS = re.compile(  # x_x & y_x & z_x & p_x
+_NORMAL = regex(r"(?<![A-Za-z\\])([nsoa])\s*_\s*\{?\s*[xyz](?![A-Za-z])")
+_ROW_OF_NORMALS = regex(  # x_x & y_x & z_x & p_x
     r"(?<![A-Za-z\\])([A-Za-z])_\{?x\}?\s*&\s*([A-Za-z])_\{?x\}?\s*&\s*([A-Za-z])_\{?x\}?\s*(?=&|\\\\)"
 )
-_LOAD = re.compile(r"(?<![A-Za-z\\])([FfM])\s*_\s*\{?\s*([xyz])(?![A-Za-z])")
-_IN_COSINE = re.compile(
+_LOAD = regex(r"(?<![A-Za-z\\])([FfM])\s*_\s*\{?\s*([xyz])(?![A-Za-z])")
+_IN_COSINE = regex(
     r"\\(?:cos|sin|tan)\s*(?:\\left\s*)?[({]?\s*\\(eta|zeta|kappa|chi|nu|xi|upsilon)(?![A-Za-z])(?!\s*[_^])"
 )
-_MOMENT = re.compile(  # + M, & M \\: no mass matrix before accelerations
+_MOMENT = regex(  # + M, & M \\: no mass matrix before accelerations
     r"(?:[-+=&]|\\\\)\s*M\s*(?=$|[-+,.;&}]|\\\\|\\end|\\q?quad|\\[,;])"
 )
-_SCREW = re.compile(  # e^{[S_1]θ_1}, exp([B_1]θ_1), e to a ξ_1 with a hat
+_SCREW = regex(  # e^{[S_1]θ_1}, exp([B_1]θ_1), e to a ξ_1 with a hat
     r"(?:(?<![A-Za-z\\])e\s*\^\s*\{|\\exp\s*(?:\\left)?\s*[({])\s*-?\s*(?:(?:\\left\s*)?\[|\\(?:wide)?hat\s*\{?)"
     r"\s*(?:\\(?:mathcal|mathbf|boldsymbol|bm)\s*\{?\s*)?\\?([A-Za-z]+)"
 )
-_TO_VELOCITY = re.compile(  # \omega = J_a \dot q
+_TO_VELOCITY = regex(  # \omega = J_a \dot q
     r"(\\[A-Za-z]+|[A-Za-z])[\s}]*(?:[_^](?:\{[^{}]*\}|\w)\s*)*&?\s*=\s*&?\s*(?:\\[a-z]+\s*\{?\s*)?J[\s}]*(?:_\s*(\{[^{}]*\}|\w))?"
     r"\s*(?:\([^()]*\))?[\s{]*\\(?:dot|mathbf|boldsymbol|bm)(?![A-Za-z])"
 )
-_IN_UNIT = re.compile(
+_IN_UNIT = regex(
     r"(?<![\d.])(\d+(?:\.\d+)?)(?:[\s~]|\\[,;: ])*(?:\\(?:text|mathrm)\s*\{\s*)?(?<![A-Za-z\\])(mm|cm|m)(?![A-Za-z_^])"
 )
-_COLUMN = re.compile(r"J\s*_\s*\{?\s*(\d)\s*\}?")
-_ROW_OF_COLUMNS = re.compile(  # [J_1 & J_2]
+_COLUMN = regex(r"J\s*_\s*\{?\s*(\d)\s*\}?")
+_ROW_OF_COLUMNS = regex(  # [J_1 & J_2]
     rf"matrix\}}\s*({_COLUMN.pattern.replace('(', '(?:')}(?:\s*&\s*{_COLUMN.pattern.replace('(', '(?:')})+)\s*\\end"
 )
 _QUATERNION = {*"0123"}
-_BARE = re.compile(r"(?<![\d.\w^{])[1-9]\d+(?:\.\d+)?(?![\d.]|\s*(?:\}?\s*\^|°|\\degree))")
-_UNIT_OF_COLUMN = re.compile(r"(?<![A-Za-z])(mm|cm)(?![A-Za-z])")
+_BARE = regex(r"(?<![\d.\w^{])[1-9]\d+(?:\.\d+)?(?![\d.]|\s*(?:\}?\s*\^|°|\\degree))")
+_UNIT_OF_COLUMN = regex(r"(?<![A-Za-z])(mm|cm)(?![A-Za-z])")
 _OF_ANGLES = frozenset("30 45 60 90 120 135 180 270 360".split())
 
 

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
 from armproof.verification.algebra.quantity import Quantity
 from armproof.verification.findings import OTHER_ANGLES, Kind, say
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import AXES, DECIDED, HOLDS, EquationResult, Record, Verdict
 
-_COORDINATE = re.compile(r"(?<![A-Za-z])(?:[xyz]|[XYZ])(?![A-Za-z])")
+_COORDINATE = regex(r"(?<![A-Za-z])(?:[xyz]|[XYZ])(?![A-Za-z])")
 
-_ENTRY = re.compile(r"([A-Za-z]+_)[1-3],?[1-3]")  # of a matrix, r_31
+_ENTRY = regex(r"([A-Za-z]+_)[1-3],?[1-3]")  # of a matrix, r_31
 
 
 def settle_usual(records: Iterable[Record]) -> tuple[Record, ...]:

@@ -2,20 +2,20 @@ r"""Names of the kinematics of solids: \vec x_1, \overrightarrow{AB}, V_{B,2/0},
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 
 from armproof.models.arm import Arm
 from armproof.verification.algebra.quantity import COMPONENTS, Quantity
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.solids import ARROWS
+from armproof.verification.patterns import regex
 
 _AXES = {**dict(zip("xyz", "xyz", strict=True)), **dict(zip("ijk", "xyz", strict=True))}
 _ARROWS = tuple(f"\\{arrow}" for arrow in ARROWS)
-_OF_POINT = re.compile(r"(?P<torsor>t,)?(?:(?P<point>[A-Z](?:_\w)?),)?(?P<solid>\d)/(?P<seen>\d)")
-_OF_PLACE = re.compile(r"(?P<point>[A-Z](?:_\w)?)/(?P<seen>\d)")
-_TWO_POINTS = re.compile(r"[A-Z]{2}")
-_TWO_ORIGINS = re.compile(r"(\d)to(\d)")
+_OF_POINT = regex(r"(?P<torsor>t,)?(?:(?P<point>[A-Z](?:_\w)?),)?(?P<solid>\d)/(?P<seen>\d)")
+_OF_PLACE = regex(r"(?P<point>[A-Z](?:_\w)?)/(?P<seen>\d)")
+_TWO_POINTS = regex(r"[A-Z]{2}")
+_TWO_ORIGINS = regex(r"(\d)to(\d)")
 
 
 def solid_quantity(name: n.Name, arm: Arm, points: Mapping[str, Quantity]) -> Quantity | None:

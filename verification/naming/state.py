@@ -18,6 +18,7 @@ from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.writer import Notation
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import SlipBefore
 
 Key = tuple[str, int]  # a name and the line of the display that defines it
@@ -25,15 +26,15 @@ _OF_ITS_OWN = r"exerci[sc]e|exercício|ejercicio|esercizio|problem|problema|prob
 _KINDS = rf"{_OF_ITS_OWN}|question|task|tâche|part|partie"
 _NUMBER = r"\s*(?:n[°o]\.?\s*)?(?:\d+|[ivx]+|[a-z])\b"
 _COUNTS = {word: count for count, word in enumerate(("two", "three", "four", "five", "six", "seven"), 2)}
-_OF_LINKS = re.compile(
+_OF_LINKS = regex(
     rf"\b(\d|{'|'.join(_COUNTS)})[- ]*(?:links?|dofs?|r|joints?|axis|axes|segments?|degrees?[ -]of[ -]freedom)\b", re.I
 )
-_STEP = re.compile(
+_STEP = regex(
     r"\W*(?:step|paso|passo|[eé]tape|schritt|ad[ıi]m|krok|bước|шаг|步骤?|단계|sub-?(?:problem|task|step)|sous-?(?:problème|tâche)|teil(?:problem|aufgabe|schritt)|sub-?problema|sottoproblema)\W*\d",
     re.I,
 )  # for one arm: "Step 3: solve the 2R arm", "Subproblem 2: the planar 2R arm"
-EXERCISE = re.compile(rf"\W*(?:{_KINDS}){_NUMBER}", re.I)
-WITH_ITS_ARM = re.compile(rf"\W*(?:{_OF_ITS_OWN}){_NUMBER}", re.I)
+EXERCISE = regex(rf"\W*(?:{_KINDS}){_NUMBER}", re.I)
+WITH_ITS_ARM = regex(rf"\W*(?:{_OF_ITS_OWN}){_NUMBER}", re.I)
 
 
 def undecided(doubt: Finding) -> Callable[[Any], Value]:

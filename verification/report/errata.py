@@ -17,16 +17,17 @@ from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.findings.finding import Piece, distinct, pieces
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.latex.writer import symbol_as_latex
+from armproof.verification.patterns import regex
 from armproof.verification.report.headings import sentences_of
 from armproof.verification.report.text import ordered_records
 from armproof.verification.verdict import DocumentResult, Record, Verdict, WrongEntry
 
-_ERRATUM = re.compile(r"[>%\s.]*(?:\\\w+\{?)*[*_]*errat(?:um|a)\b[*_}:.\s]*", re.IGNORECASE)
-_NAMED = re.compile(  # each left side that is short, where an equation begins: in x = …, y = … there are two
+_ERRATUM = regex(r"[>%\s.]*(?:\\\w+\{?)*[*_]*errat(?:um|a)\b[*_}:.\s]*", re.IGNORECASE)
+_NAMED = regex(  # each left side that is short, where an equation begins: in x = …, y = … there are two
     r"(?=(?:^|\\\\|\\q?quad|\\(?:begin|text)\{[^{}]*\}|[,;&])((?:(?!\\(?:begin|left|frac|text|q?quad)(?![a-z])|\\\\)[^=&<>\[|]){1,60})&?=)"
 )
-_FORMULA = re.compile(r"\$([^$]+)\$")
-_SPACING = re.compile(r"(\\\\)\s*\[[^\]]*\]")
+_FORMULA = regex(r"\$([^$]+)\$")
+_SPACING = regex(r"(\\\\)\s*\[[^\]]*\]")
 _RESTATES = (Kind.WRONG_ENTRY, Kind.SAME_ERROR)  # what the lines of the sheet say already
 NEAR = 8  # lines above a display in which its erratum begins
 LONGEST = 300  # characters of what a source says of its erratum

@@ -7,7 +7,6 @@ tls:// is reached, and each side shows its certificate to the other.
 from __future__ import annotations
 
 import logging
-import re
 import time
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -16,6 +15,7 @@ from ipaddress import ip_address
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from armproof.verification.errors import ClusterError
+from armproof.verification.patterns import regex
 from armproof.verification.running import on_worker
 from armproof.verification.running.versions import versions
 
@@ -26,7 +26,7 @@ AHEAD = 3  # tasks a thread of the workers that are sent before their results ar
 CONNECTING = 5.0  # s
 PATIENCE = 60.0  # s without any worker
 LOOK = 2.0  # s between two looks at whether anybody works
-_ADDRESS = re.compile(r"(?:(?:tcp|tls)://)?(?:[\w.-]+|\[[0-9a-fA-F:.]+\]):\d{1,5}")
+_ADDRESS = regex(r"(?:(?:tcp|tls)://)?(?:[\w.-]+|\[[0-9a-fA-F:.]+\]):\d{1,5}")
 _CERTIFICATES = ("CA_FILE", "CLIENT__CERT", "CLIENT__KEY")
 Task = TypeVar("Task")
 Result = TypeVar("Result")

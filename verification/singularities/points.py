@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -11,12 +10,13 @@ import numpy as np
 
 from armproof.models.arm import Arm
 from armproof.models.numeric.configurations import joint_range
+from armproof.verification.patterns import regex
 from armproof.verification.singularities.half_angles import HalfAngles, Polynomial
 
 STEPS = 30
 ZERO = 1e-12  # what a condition may be off at a point that counts as on it, relative to the size of its terms
 _AT_REST = 1e-14  # a step below which a point has arrived: the next one would be rounding
-_FRACTION = re.compile(r"(.+)/(\d+)")
+_FRACTION = regex(r"(.+)/(\d+)")
 
 
 @dataclass(frozen=True)

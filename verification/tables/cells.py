@@ -16,29 +16,30 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.greek import GREEK, SPELT, one_of
 from armproof.verification.latex.reader import key_as_latex
 from armproof.verification.naming.names import Names
+from armproof.verification.patterns import regex
 from armproof.verification.tables.columns import plain
 
-_BLANK = re.compile(r"(?:-|–|—|−|−−|--|---|/|\\times|×|\.|\\cdot|\\dots|\\ldots)?")
+_BLANK = regex(r"(?:-|–|—|−|−−|--|---|/|\\times|×|\.|\\cdot|\\dots|\\ldots)?")
 _KINDS = {
     "revolute": r"0|r|rev\w*|rot\w*|continuous|pivot|hinge|dreh\w*",
     "prismatic": r"1|p|t|pris\w*|trans\w*|gliss\w*|slid\w*|schub\w*",
     "fixed": r"f|fix\w*|weld",
 }
-_GLUED = re.compile(  # q1, but not in a script
+_GLUED = regex(  # q1, but not in a script
     r"[_^]\s*\{[^{}]*\}|(?<![\\A-Za-z])(\\?(?:%s)|[A-Za-z])\s?(\d+)(?![\d.])" % one_of(GREEK.keys() - {"pi"})
 )
-_WORD = re.compile(r"([-+]?[adlhrADLHR])([A-Za-z]{1,3})")  # dg, -LT: a length with its index
-_LETTERS = re.compile(r"(?<![\\A-Za-z{])([A-Z]{2,3})_?\{?(\d+)\}?")  # RL4: one length
-_UNIT = re.compile(r"(?<![\d.])(\d+(?:\.\d+)?)\s*(mm|cm|m)(?![A-Za-z_]|\s*\^)")
+_WORD = regex(r"([-+]?[adlhrADLHR])([A-Za-z]{1,3})")  # dg, -LT: a length with its index
+_LETTERS = regex(r"(?<![\\A-Za-z{])([A-Z]{2,3})_?\{?(\d+)\}?")  # RL4: one length
+_UNIT = regex(r"(?<![\d.])(\d+(?:\.\d+)?)\s*(mm|cm|m)(?![A-Za-z_]|\s*\^)")
 _METRES = {"mm": Fraction(1, 1000), "cm": Fraction(1, 100), "m": Fraction(1)}
-_COMMA = re.compile(r"(?<![\d_{,])(?:(\d+),(?!\d{3}\b)(\d+)|0,(\d+))(?![\d,}])")  # 1,250 may be a thousand
-_VALUED = re.compile(
+_COMMA = regex(r"(?<![\d_{,])(?:(\d+),(?!\d{3}\b)(\d+)|0,(\d+))(?![\d,}])")  # 1,250 may be a thousand
+_VALUED = regex(
     r"([^=(\[:≈]*[A-Za-z][^=(\[:≈]*?)\s*(?:\(|\[|:|≈|\\approx(?![A-Za-z])|\\simeq(?![A-Za-z]))\s*([-+−]?\s*\d+(?:\.\d+)?)\s*[)\]]?"
 )
 _LONGEST_VALUED = 80  # a longer cell is none, and would take its time
-_VARIABLE = re.compile(r"\(?(?:var(?:iable)?\.?|\\?\*|\\ast|\\star)\)?", re.IGNORECASE)
+_VARIABLE = regex(r"\(?(?:var(?:iable)?\.?|\\?\*|\\ast|\\star)\)?", re.IGNORECASE)
 
-_RANGE = re.compile(r"[\[(][^\[\](),;]+[,;][^\[\](),;]+[\])]|(?:±|\\pm(?![A-Za-z]))[^=]*")  # [-π, π]: of what moves
+_RANGE = regex(r"[\[(][^\[\](),;]+[,;][^\[\](),;]+[\])]|(?:±|\\pm(?![A-Za-z]))[^=]*")  # [-π, π]: of what moves
 
 
 @dataclass(frozen=True)

@@ -10,13 +10,14 @@ from armproof.verification.document.arrays import ArrayTable, array_in
 from armproof.verification.equations.chain import ChainChecker
 from armproof.verification.errors import EvaluationError, NotSampled, TooComplex
 from armproof.verification.findings import Kind, finding_of, say
+from armproof.verification.patterns import regex
 from armproof.verification.tables.cells import UnreadableCell
 from armproof.verification.tables.columns import read_columns
 from armproof.verification.tables.dh import DHTableCheck
 from armproof.verification.tables.origins import check_origins
 from armproof.verification.verdict import Record, Verdict
 
-TWIST = re.compile(r"alpha|α|twist|torsi", re.IGNORECASE)  # no DH table without that column
+TWIST = regex(r"alpha|α|twist|torsi", re.IGNORECASE)  # no DH table without that column
 
 
 def read_array(display: Display) -> ArrayTable | None:

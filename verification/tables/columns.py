@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.latex.vocabulary import STYLES
+from armproof.verification.patterns import regex
 
 XYZ, RPY = ("x", "y", "z"), ("roll", "pitch", "yaw")
 _HEADERS = {
@@ -19,11 +20,11 @@ _HEADERS = {
     **{letter: letter for letter in XYZ},
     **{name: rf"{name}|{french}" for name, french in zip(RPY, ("roulis", "tangage", "lacet"), strict=True)},
 }
-_LENGTH_UNIT = re.compile(r"\s*(?:[(\[].*[)\]]|,\s*\w+|\sin\s+\w+)$")
+_LENGTH_UNIT = regex(r"\s*(?:[(\[].*[)\]]|,\s*\w+|\sin\s+\w+)$")
 CONVENTIONS = ("classic", "modified")
 _SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉ᵢⱼ₋", "0123456789ij-")
-_SCRIPTS = re.compile("[₀₁₂₃₄₅₆₇₈₉ᵢⱼ₋]+")
-_HTML_SCRIPTS = re.compile(r"<(sub|sup)>\s*([^<>{}]*?)\s*</\1>", re.IGNORECASE)
+_SCRIPTS = regex("[₀₁₂₃₄₅₆₇₈₉ᵢⱼ₋]+")
+_HTML_SCRIPTS = regex(r"<(sub|sup)>\s*([^<>{}]*?)\s*</\1>", re.IGNORECASE)
 
 # a unit in a header: in brackets, or after "in"
 _UNITS = {
@@ -33,12 +34,12 @@ _UNITS = {
     "cm": r"cm|centi\w+",
     "m": r"m|met(?:er|re)s?|m[eè]tres?|metros?",
 }
-_UNIT = re.compile(
+_UNIT = regex(
     r"(?:[(\[]|,\s*|\bin\s+|\ben\s+)\s*(?:%s)\s*[)\]]?$" % "|".join(f"(?P<{k}>{v})" for k, v in _UNITS.items())
 )
-_BARE_DEGREES = re.compile(r"\s*(?:\^circ|[°º˚])$")
+_BARE_DEGREES = regex(r"\s*(?:\^circ|[°º˚])$")
 
-_SYMBOL = re.compile(
+_SYMBOL = regex(
     r"(?<![A-Za-z])(?P<letter>alpha|theta|sigma|[adrqb])(?![A-Za-z])\s*(?:_?\s*\(?(?P<index>[ijkn](?:\s*-\s*1)?)\)?(?![A-Za-z]))?"
 )
 _WORDS = (
@@ -49,9 +50,9 @@ _WORDS = (
     (r"type|kind|tipo", "sigma"),
     (r"variables?", "q"),
 )
-_OFFSET = re.compile(r"^[\s_,(]*(?:offset|off|0|décalage|desfase)\b")
-_ADDED = re.compile(r"(?:joint |angle )?(?:offset|décalage|desfase)\s*(?:[(\[].*[)\]])?")
-_LABEL = re.compile(
+_OFFSET = regex(r"^[\s_,(]*(?:offset|off|0|décalage|desfase)\b")
+_ADDED = regex(r"(?:joint |angle )?(?:offset|décalage|desfase)\s*(?:[(\[].*[)\]])?")
+_LABEL = regex(
     r"(?:[ijkn](?:-1)?|n[°ºo]|no\.?|#|(?:the )?(?:links?|joints?|segments?|corps|liaisons?|articulations?|frames?|rep[eè]res?|row|ax[ie]s|axe|bod(?:y|ies)"
     r"|solide|eslab[oó]n|elo|articulaci[oó]n|juntas?|gelenk|glied|achse|step|transforms?|matri(?:x|ces))(?: (?:no\.?|number|n[°º]|#))?(?: ?[ijkn])?"
     r"|[ijkn][-–,/][ijkn](?:-1)?|[ijkn]-1[-–,/ ]*(?:to )?[ijkn]|\{?\}?\^?\{?[ijkn]-1\}?_?\{?[ijkn]?\}?[TAH](?:_?\{?[ijkn]\}?)?|[TAH]_?\{?[ijkn]\}?(?:\^\{?[ijkn]-1\}?)?|)"

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from armproof.verification.algebra.ring import Scalar
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.latex.reader import key_as_latex
+from armproof.verification.patterns import regex
 from armproof.verification.tables.angles import change_of_angle, change_of_length, letter_of, symbols_of
 from armproof.verification.tables.cells import Notation, read_kind
 from armproof.verification.tables.claim import Row, RowVerdict
@@ -18,8 +18,8 @@ from armproof.verification.tables.reading import TableReading
 from armproof.verification.tables.row import ANGLES, SCALES
 from armproof.verification.verdict import WrongEntry
 
-_DEGREE_SIGN = re.compile(r"\^\s*\{?\s*\\circ\s*\}?|[°º˚]|\\degree")
-_PLAIN_DEGREES = re.compile(r"(?<![\d.{_])(?:15|30|45|60|75|90|120|135|150|180|270)(?![\d.}])")
+_DEGREE_SIGN = regex(r"\^\s*\{?\s*\\circ\s*\}?|[°º˚]|\\degree")
+_PLAIN_DEGREES = regex(r"(?<![\d.{_])(?:15|30|45|60|75|90|120|135|150|180|270)(?![\d.}])")
 
 
 class WrongEntries:

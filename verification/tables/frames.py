@@ -12,13 +12,14 @@ from armproof.verification.errors import ReadError
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import numbered_frames
+from armproof.verification.patterns import regex
 from armproof.verification.tables.columns import plain
 
-_TOOL = re.compile(
+_TOOL = regex(
     r"\b(?:grip\w*|tool\w*|tcp|end|effect\w*|hand|flange|pince|outil|organe|preneur|greifer|e|ee|g|p|t)\b",
     re.IGNORECASE,
 )
-_RANGE = re.compile(r"\D*(\d+)\s*(?:-|–|→|\\(?:right)?arrow|\\to|/|,|to|à)\s*(\d+)\D*")
+_RANGE = regex(r"\D*(\d+)\s*(?:-|–|→|\\(?:right)?arrow|\\to|/|,|to|à)\s*(\d+)\D*")
 
 
 @dataclass(frozen=True)

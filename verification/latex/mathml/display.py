@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from armproof.verification.latex import nodes as n
@@ -12,8 +11,9 @@ from armproof.verification.latex.mathml.breaking import packed
 from armproof.verification.latex.mathml.marks import Mark, find_marks
 from armproof.verification.latex.mathml.writer import WIDEST, MathWriter, Read
 from armproof.verification.latex.unicode import normalise_unicode
+from armproof.verification.patterns import regex
 
-_SEPARATOR = re.compile(r"(?<!\\)[,;]")
+_SEPARATOR = regex(r"(?<!\\)[,;]")
 _SHORT = 6.0  # em of a left side that stays with its right side
 
 Statement = tuple[Box, ...]  # the pieces of one statement

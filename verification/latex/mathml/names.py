@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import unicodedata
 from functools import lru_cache
 
@@ -11,9 +10,10 @@ from armproof.verification.latex.greek import LONG, one_of
 from armproof.verification.latex.mathml import box
 from armproof.verification.latex.mathml.box import EMPTY, Box
 from armproof.verification.latex.plain import LETTERS, plain_text
+from armproof.verification.patterns import regex
 
 _DOTS = {1: "˙", 2: "¨", 3: "⃛"}
-_TOKEN = re.compile(
+_TOKEN = regex(
     r"(?P<size>(?<=\d)x(?=[\dn]))|(?P<greek>(?:%s)(?![a-z]))|(?P<word>[A-Za-z]+?(?=(?:%s)(?![a-z])|[^A-Za-z]|$))"
     r"|(?P<number>\d+(?:\.\d+)?)|(?P<below>_)|(?P<above>\^)|(?P<sign>\S)" % (one_of(LETTERS), one_of(LONG))
 )
@@ -28,9 +28,9 @@ _ACCENTS = {
     "widetilde": "~",
 }
 _BOLD = frozenset(["mathbf", "boldsymbol", "bm", "bf"])
-_STYLE = re.compile(r"\\(%s)(?![A-Za-z])" % "|".join([*_ACCENTS, *sorted(_BOLD)]))
-_STYLE_BEFORE = re.compile(r"\\(?:%s)[\s{]*$" % "|".join([*_ACCENTS, *sorted(_BOLD)]))
-_INDICES = re.compile(r"[ijkmnpq]+")
+_STYLE = regex(r"\\(%s)(?![A-Za-z])" % "|".join([*_ACCENTS, *sorted(_BOLD)]))
+_STYLE_BEFORE = regex(r"\\(?:%s)[\s{]*$" % "|".join([*_ACCENTS, *sorted(_BOLD)]))
+_INDICES = regex(r"[ijkmnpq]+")
 
 
 def name_box(name: n.Name, above: Box = EMPTY, before: str = "") -> Box:

@@ -20,15 +20,16 @@ from armproof.verification.latex.mathml.marks import Mark
 from armproof.verification.latex.mathml.names import name_box
 from armproof.verification.latex.plain import plain_text
 from armproof.verification.latex.units import size_of
+from armproof.verification.patterns import regex
 
 Read = Callable[[str], list[n.Statement]]
 FENCES = {"bmatrix": ("[", "]"), "bsmallmatrix": ("[", "]"), "pmatrix": ("(", ")"), "psmallmatrix": ("(", ")"),
           "vmatrix": ("|", "|"), "Vmatrix": ("‖", "‖"), "Bmatrix": ("{", "}")}  # fmt: skip
 WIDEST = 46.0  # em that a line may take: more than that is broken where it can be
 _ELLIPSES = {"vdots": "⋮", "ddots": "⋱", "cdots": "⋯", "dotsb": "⋯", "dotsm": "⋯", "prod": "∏", "sum": "∑", "int": "∫"}
-_LIMIT = re.compile(r"\s*(?:\\limits)?\s*([_^])\s*(\{[^{}]*\}|\\[A-Za-z]+|[^\s\\])")
-_SEPARATOR = re.compile(r"(?<!\\)[,;]")
-_NO_FENCE = re.compile(r"\\left\s*\.")
+_LIMIT = regex(r"\s*(?:\\limits)?\s*([_^])\s*(\{[^{}]*\}|\\[A-Za-z]+|[^\s\\])")
+_SEPARATOR = regex(r"(?<!\\)[,;]")
+_NO_FENCE = regex(r"\\left\s*\.")
 
 
 class MathWriter:

@@ -13,11 +13,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from armproof.models.errors import ArmproofError
+from armproof.verification.patterns import regex
 from armproof.verification.report.html.site import VERDICTS
 from armproof.verification.report.html.templating import GENERATOR
 
 _AT_FDCWD, _RENAME_EXCHANGE = -100, 2
-_OURS = re.compile(rb'<meta name="generator" content="%s">' % GENERATOR.encode())
+_OURS = regex(rb'<meta name="generator" content="%s">' % GENERATOR.encode())
 _HEAD = 1000  # bytes of a page in which it says whose it is
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
@@ -17,6 +16,7 @@ from armproof.verification.latex.mathml.marks import RIGHT, WRONG, Mark
 from armproof.verification.latex.mathml.writer import Read
 from armproof.verification.latex.plain import LETTERS
 from armproof.verification.latex.unicode import normalise_unicode
+from armproof.verification.patterns import regex
 from armproof.verification.report.html.prose import math, symbol
 from armproof.verification.tables.check import read_array
 from armproof.verification.verdict import Record, WrongEntry
@@ -24,9 +24,9 @@ from armproof.verification.verdict import Record, WrongEntry
 ON_PAPER = 45.0  # em of text that fit on a line of A4
 NARROW = 11.0  # em that fit on a phone within a panel
 _SMALLEST = 25  # per cent
-_NAME = re.compile(r"[A-Za-z]+_\w+(?:[-+]\d)?")  # theta_i as Markdown's authors write it
+_NAME = regex(r"[A-Za-z]+_\w+(?:[-+]\d)?")  # theta_i as Markdown's authors write it
 # in a table: "revolute", "joint_3", "x (m)", but not "alpha_i" and no LaTeX
-_WORDS = re.compile(rf"(?<![\\\w])(?!(?:{'|'.join(LETTERS)})(?![a-z]))[A-Za-zÀ-ÿ]{{3,}}|\((?:m|mm|rad|deg|°)\)$")
+_WORDS = regex(rf"(?<![\\\w])(?!(?:{'|'.join(LETTERS)})(?![a-z]))[A-Za-zÀ-ÿ]{{3,}}|\((?:m|mm|rad|deg|°)\)$")
 
 
 @dataclass(frozen=True)

@@ -21,10 +21,11 @@ from armproof.verification.latex.mathml.display import pieces, write_display
 from armproof.verification.latex.mathml.writer import Read
 from armproof.verification.latex.plain import plain_text
 from armproof.verification.latex.reader import key_as_latex
+from armproof.verification.patterns import regex
 
-_QUOTED = re.compile(r"'([^']*\\[^']*)'")
+_QUOTED = regex(r"'([^']*\\[^']*)'")
 _INLINE = 14.0  # em of a formula within words, which wraps where it is wider
-_SYMBOL = re.compile(r"\b(?:theta|alpha|[A-Za-z])_(?:\d+|[a-z])\b")
+_SYMBOL = regex(r"\b(?:theta|alpha|[A-Za-z])_(?:\d+|[a-z])\b")
 
 
 def math(latex: str, read: Read) -> Markup:

@@ -9,12 +9,13 @@ from dataclasses import replace
 from armproof.verification.document import Display
 from armproof.verification.findings import Kind
 from armproof.verification.latex.unicode import normalise_unicode
+from armproof.verification.patterns import regex
 from armproof.verification.tables.arms.inference import joints_used
 from armproof.verification.tables.arms.settling import Inference
 from armproof.verification.verdict import DocumentResult, Record, Verdict
 
 Check = Callable[[Inference], DocumentResult]
-_NAME = re.compile(r"[A-Za-z]+(?:_\w+)?")
+_NAME = regex(r"[A-Za-z]+(?:_\w+)?")
 
 
 def with_armless(part: Inference, result: DocumentResult, check: Check) -> DocumentResult:

@@ -8,11 +8,12 @@ from typing import Any
 
 from armproof.verification.document import Document
 from armproof.verification.latex.unicode import normalise_unicode
+from armproof.verification.patterns import regex
 from armproof.verification.tables.arms.witnesses import Reading, weigh
 
 _LENGTHS = ("a", "d", "l", "r", "D", "L", "R")
 _PLAIN = ("l", "L", "h", "e")  # of the tool's point, where its author numbers it as no link
-_LENGTH = re.compile(r"([A-Za-z]+)_(\d+)")
+_LENGTH = regex(r"([A-Za-z]+)_(\d+)")
 
 
 def with_point_beyond(document: Document, best: Reading) -> Reading:

@@ -12,8 +12,9 @@ from armproof.verification.algebra.ring import Scalar
 from armproof.verification.errors import EvaluationError
 from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
+from armproof.verification.patterns import regex
 
-_SYMBOL = re.compile(r"[A-Za-z]\w*'*")
+_SYMBOL = regex(r"[A-Za-z]\w*'*")
 
 
 @dataclass(frozen=True)

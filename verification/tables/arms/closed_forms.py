@@ -16,6 +16,7 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.moving import FIRST_LETTERS, index_of, place_of, rates_in
 from armproof.verification.naming.names import Names
+from armproof.verification.patterns import regex
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
 from armproof.verification.tables.arms.coordinate_slips import (
     Found,
@@ -28,20 +29,20 @@ from armproof.verification.tables.arms.letters import equations_of, unapplied, v
 from armproof.verification.tables.arms.moves import Moves
 from armproof.verification.tables.arms.poses import candidate_of_pose, frame_of_tool
 
-_COORDINATE = re.compile(
+_COORDINATE = regex(
     r"([xyzXYZ])(?:_(?:e|E|ee|EE|tool|tip|tcp|TCP|eff|endeffector|effector|end|n|\d))?"
     r"|[pP]_(?:e|E|ee|EE|tool|tip|tcp|TCP|(?P<point>\d))?,?([xyz])"
 )
-_OF_WRIST = re.compile(r"[pP]_(?:W|w|WC|wc),?([xyz])|(?:WC|wc)_([xyz])|([xyzXYZ])_(?:WC|wc)")
-_OF_FIGURE = re.compile(r"[xyz]_([A-Z])")
+_OF_WRIST = regex(r"[pP]_(?:W|w|WC|wc),?([xyz])|(?:WC|wc)_([xyz])|([xyzXYZ])_(?:WC|wc)")
+_OF_FIGURE = regex(r"[xyz]_([A-Z])")
 _POINTS = ("p", "P", "X", "x")
 _ENDS_OF = {letter: [f"{letter}_{end}" for end in ("e", "E", "ee", "EE", "tool", "n", "tip")] for letter in _POINTS}
-_ANGLE = re.compile(r"(?:theta|q|phi|varphi)(?:_?\d+)?")
-_OTHER_ANGLE = re.compile(r"(alpha|beta|gamma|delta|epsilon|zeta|eta|xi|psi|chi)_?\d+")
-_SUM = re.compile(r"(theta|q)_(\d{2,})")
-_SLIDE = re.compile(r"[dqr]_?\d+")
-_NAMED = re.compile(r"[A-Za-z]\w*")
-_LETTER = re.compile(r"(?:r|R|rho|w|k|u|d|D|phi|psi|beta|gamma|alpha)(?:_?\w+)?")
+_ANGLE = regex(r"(?:theta|q|phi|varphi)(?:_?\d+)?")
+_OTHER_ANGLE = regex(r"(alpha|beta|gamma|delta|epsilon|zeta|eta|xi|psi|chi)_?\d+")
+_SUM = regex(r"(theta|q)_(\d{2,})")
+_SLIDE = regex(r"[dqr]_?\d+")
+_NAMED = regex(r"[A-Za-z]\w*")
+_LETTER = regex(r"(?:r|R|rho|w|k|u|d|D|phi|psi|beta|gamma|alpha)(?:_?\w+)?")
 SECONDS = 0.3
 
 

@@ -6,8 +6,9 @@ import re
 from dataclasses import replace
 
 from armproof.verification.document import Document, Table
+from armproof.verification.patterns import regex
 
-_LETTER = re.compile(r"(?<![A-Za-z])(\\?[A-Za-z]+)_\{(\d+)\}")
+_LETTER = regex(r"(?<![A-Za-z])(\\?[A-Za-z]+)_\{(\d+)\}")
 _JOINTS = {"\\theta": "q", "q": "\\theta", "d": "q"}
 
 

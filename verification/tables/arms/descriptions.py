@@ -36,6 +36,7 @@ from armproof.verification.document.told_chains import (
 )
 from armproof.verification.naming.moving import index_of, rates_in
 from armproof.verification.naming.names import Names
+from armproof.verification.patterns import regex
 from armproof.verification.tables.arms.candidate import Candidate, symbol_of
 from armproof.verification.tables.arms.moves import Moves
 from armproof.verification.tables.row import SCALES
@@ -43,10 +44,10 @@ from armproof.verification.tables.row import SCALES
 SOURCE = "description"
 MOST = 8  # readings that are weighed
 _MOST_LETTERS = 9
-_EACH = re.compile(r"_\s*\{?\s*[ik]\s*\}?$")  # the angle of each link
-_OF_Q = re.compile(r"(?<![A-Za-z\\])q\s*_\s*\{?\s*1(?!\d)")
-_WRITTEN = re.compile(r"(?<![A-Za-z\\])[yz](?![A-Za-z])")
-_NUMBER = re.compile(r"(?<![\d._{])\d+(?:\.\d+)?(?![\d.])")
+_EACH = regex(r"_\s*\{?\s*[ik]\s*\}?$")  # the angle of each link
+_OF_Q = regex(r"(?<![A-Za-z\\])q\s*_\s*\{?\s*1(?!\d)")
+_WRITTEN = regex(r"(?<![A-Za-z\\])[yz](?![A-Za-z])")
+_NUMBER = regex(r"(?<![\d._{])\d+(?:\.\d+)?(?![\d.])")
 _REACH = ("r", "d", "s", "rho")  # distances that mostly vary
 _FLAT, _UPRIGHT, _TURNED, _RAISED, _SIDEWAYS = (
     "flat",

@@ -13,6 +13,7 @@ from armproof.verification.algebra.ring import Ring
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.findings import Finding, Kind, say
 from armproof.verification.naming.reading import read_names
+from armproof.verification.patterns import regex
 from armproof.verification.tables.arms.own_letters import is_index_slip
 from armproof.verification.tables.arms.settling import Inference
 from armproof.verification.tables.arms.values import entries_by_place
@@ -22,7 +23,7 @@ from armproof.verification.verdict import HOLDS, DocumentResult, Record, Role, V
 FEWEST = 2  # displays that hold with another length, where one alone may hold the slip itself, unless the arm lacks that length
 MOST = 100  # other arms that are weighed
 TELLING = 2  # displays that hold, which may tell which index of a transform is the reference
-_NAME = re.compile(r"[A-Za-z]\w*")
+_NAME = regex(r"[A-Za-z]\w*")
 
 Check = Callable[[Inference], DocumentResult]
 

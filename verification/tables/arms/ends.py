@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -21,6 +20,7 @@ from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.quantities import transform_pair
+from armproof.verification.patterns import regex
 from armproof.verification.tables.angles import TWELFTHS, angle_as_scalar, roll_pitch_yaw
 from armproof.verification.tables.arms.candidate import Candidate, entry_text
 from armproof.verification.tables.arms.letters import equations_of, unapplied, value_in_letters
@@ -29,7 +29,7 @@ from armproof.verification.tables.arms.witnesses import Reading, weigh
 from armproof.verification.tables.row import PARAMETERS, right_row
 
 Place = tuple[int | None, int]
-_FRAME = re.compile(r"[A-Za-z][A-Za-z0-9]{0,2}")
+_FRAME = regex(r"[A-Za-z][A-Za-z0-9]{0,2}")
 _TOLD_TOOL = "E"  # the frame of a tool that a sentence places
 SECONDS = 0.3
 

@@ -19,6 +19,7 @@ from armproof.verification.latex.reader import key_as_latex
 from armproof.verification.latex.solids import ARROWS
 from armproof.verification.naming.moving import index_of, rates_in
 from armproof.verification.naming.names import Names
+from armproof.verification.patterns import regex
 from armproof.verification.tables.arms.candidate import Candidate, renamed, symbol_of
 from armproof.verification.tables.arms.moves import Moves
 
@@ -26,9 +27,9 @@ SOURCE = "figure"
 MOST = 4  # ways in which the axes may lie that are weighed
 _AXES = dict(zip("xyzijk", "xyzxyz", strict=True))
 _ARROWS = tuple(f"\\{arrow}" for arrow in ARROWS)
-_ANGLE = re.compile(r"(?:theta|phi|psi|alpha|beta|gamma|q)(?:_\d)?")
+_ANGLE = regex(r"(?:theta|phi|psi|alpha|beta|gamma|q)(?:_\d)?")
 _OFFSETS = (" + pi/2", " - pi/2")
-_OF_TIME = re.compile(r"\(\s*t\s*\)")
+_OF_TIME = regex(r"\(\s*t\s*\)")
 _NOTHING = {"a": "0", "alpha": "0", "d": "0", "theta": "0"}
 
 

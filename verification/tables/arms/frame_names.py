@@ -5,11 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
+from armproof.verification.patterns import regex
 from armproof.verification.tables.columns import plain
 
-_STEP = re.compile(r"(?:[a-z]+ )?(\w+)\s*(?:-+>?|–|→|\\(?:long)?(?:right)?arrow|\\to|/|,|to|à)\s*(\w+)", re.IGNORECASE)
-_BASE = re.compile(r"b|base|bases?|world|w|socle|monde", re.IGNORECASE)
-_TOOL = re.compile(
+_STEP = regex(r"(?:[a-z]+ )?(\w+)\s*(?:-+>?|–|→|\\(?:long)?(?:right)?arrow|\\to|/|,|to|à)\s*(\w+)", re.IGNORECASE)
+_BASE = regex(r"b|base|bases?|world|w|socle|monde", re.IGNORECASE)
+_TOOL = regex(
     r"e|ee|t|g|h|tcp|(?:end[- ]?)?effect\w*|outil|(?:organe )?terminal|tool.*|grip\w*|hand|flange|pince|end",
     re.IGNORECASE,
 )

@@ -13,12 +13,13 @@ from armproof.verification.evaluation.evaluator import Evaluator
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
+from armproof.verification.patterns import regex
 from armproof.verification.tables.arms.letters import equations_of
 from armproof.verification.tables.columns import CONVENTIONS
 from armproof.verification.tables.row import PARAMETERS, equal, row_matrix
 
-_SHOWS = re.compile(r"alpha.*(?:matri|array|Rot|R_|\\text)|(?:matri|array|Rot|R_|\\text).*alpha", re.DOTALL)
-_OF_ANY_LINK = re.compile(r"(?:[ijkn](?:[-+]1)?)?")
+_SHOWS = regex(r"alpha.*(?:matri|array|Rot|R_|\\text)|(?:matri|array|Rot|R_|\\text).*alpha", re.DOTALL)
+_OF_ANY_LINK = regex(r"(?:[ijkn](?:[-+]1)?)?")
 _LETTERS = {"theta": "theta", "q": "theta", "alpha": "alpha", "a": "a", "d": "d"}
 SECONDS = 0.3
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
@@ -16,6 +15,7 @@ from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.naming.moving import rates_in
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.reading import cells_in_units, read_names, spelling_of
+from armproof.verification.patterns import regex
 from armproof.verification.tables.arms.beyond import with_point_beyond
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.closed_forms import candidates_of_closed_form
@@ -45,9 +45,9 @@ from armproof.verification.verdict import TakenArm
 
 _MOST_RIVALS = 2
 _FEWEST = 2  # equations that hold for an arm that is told in words
-_NUMBER = re.compile(r"(?<![\d._{])[1-9]\d*(?:\.\d+)?(?![\d.])")
-_AT_REST = re.compile(r"\\dot\s*\{?\s*\\?(?:theta|q)\s*_\s*\{?\d+[\s}]*=\s*0(?![\d.])")  # of what does not move
-_INDEXED = re.compile(r"(?:theta(?:\s*_)?|(?<![A-Za-z])[qcsCS]\s*_)\s*\{?\s*(\d+)(?!\d|\s*\\times)")
+_NUMBER = regex(r"(?<![\d._{])[1-9]\d*(?:\.\d+)?(?![\d.])")
+_AT_REST = regex(r"\\dot\s*\{?\s*\\?(?:theta|q)\s*_\s*\{?\d+[\s}]*=\s*0(?![\d.])")  # of what does not move
+_INDEXED = regex(r"(?:theta(?:\s*_)?|(?<![A-Za-z])[qcsCS]\s*_)\s*\{?\s*(\d+)(?!\d|\s*\\times)")
 
 
 def infer_arm(document: Document) -> Inference:

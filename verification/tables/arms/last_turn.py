@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import combinations
@@ -13,11 +12,12 @@ from armproof.verification.algebra.ring import Ring, Scalar
 from armproof.verification.document import Document
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.naming.names import Names
+from armproof.verification.patterns import regex
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.letters import equations_of, value_in_letters
 
-_JOINT = re.compile(r"(theta|q)_(\d+)")
-_DIRECTION = re.compile(r"(?:phi|varphi|psi|alpha|beta|gamma|theta)(?:_[A-Za-z]\w*)?")
+_JOINT = regex(r"(theta|q)_(\d+)")
+_DIRECTION = regex(r"(?:phi|varphi|psi|alpha|beta|gamma|theta)(?:_[A-Za-z]\w*)?")
 _HAND = {"a": "0", "alpha": "0", "d": "0"}
 _ALONG = ("0", "pi")  # a slide downwards lies between two half turns
 SECONDS = 0.3

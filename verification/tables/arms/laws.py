@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -17,12 +16,13 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.moving import place_of
 from armproof.verification.naming.names import Names
+from armproof.verification.patterns import regex
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
 from armproof.verification.tables.arms.letters import equations_of, value_in_letters
 
-_JOINT = re.compile(r"(theta|q)_(\d+)")
-_LENGTH = re.compile(r"[lLadr]_?\w+")
-_COORDINATE = re.compile(r"(?:([A-Za-z]+)_(\w*?),?)?([xyzXYZ])(?:_(\w+))?('*)")
+_JOINT = regex(r"(theta|q)_(\d+)")
+_LENGTH = regex(r"[lLadr]_?\w+")
+_COORDINATE = regex(r"(?:([A-Za-z]+)_(\w*?),?)?([xyzXYZ])(?:_(\w+))?('*)")
 _PLAIN = ("x", "y", "z", "X", "Y", "Z", "p_x", "p_y", "p_z", "P_x", "P_y", "P_z")  # the tool's, by convention
 _FLAT = {"a": "0", "alpha": "0", "d": "0"}
 SECONDS = 0.3

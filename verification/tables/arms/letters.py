@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import takewhile
@@ -17,8 +16,9 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.latex.unicode import normalise_unicode
 from armproof.verification.naming.names import Names
+from armproof.verification.patterns import regex
 
-_JOINT = re.compile(r"(?:theta|Theta|q|[dr](?=_))(?:_\d+)?")  # what a pose or a position is a function of
+_JOINT = regex(r"(?:theta|Theta|q|[dr](?=_))(?:_\d+)?")  # what a pose or a position is a function of
 
 
 def equations_of(display: Display, names: Names) -> Iterator[n.Chain]:

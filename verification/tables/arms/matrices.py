@@ -20,6 +20,7 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import bare
 from armproof.verification.naming.names import Names
+from armproof.verification.patterns import regex
 from armproof.verification.tables.angles import angle_as_scalar
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
 from armproof.verification.tables.arms.letters import equations_of, unapplied, value_in_letters
@@ -33,9 +34,9 @@ from armproof.verification.tables.columns import CONVENTIONS
 from armproof.verification.tables.row import PARAMETERS, equal, right_row
 
 _TRANSFORMS = "TAHM"
-_JOINTS = re.compile(r"(?:theta|q|phi)_?\w*")  # names of angles that move
-_SLIDES = re.compile(r"[dqr]_\d+")
-_WRITTEN = re.compile(r"matri|array|R|T|𝑅|𝑇")  # a matrix, or Rot and Trans in one of their spellings
+_JOINTS = regex(r"(?:theta|q|phi)_?\w*")  # names of angles that move
+_SLIDES = regex(r"[dqr]_\d+")
+_WRITTEN = regex(r"matri|array|R|T|𝑅|𝑇")  # a matrix, or Rot and Trans in one of their spellings
 SECONDS = 0.5  # for all link matrices of a document
 
 

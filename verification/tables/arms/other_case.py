@@ -6,9 +6,10 @@ import re
 from dataclasses import replace
 
 from armproof.verification.document import Document
+from armproof.verification.patterns import regex
 from armproof.verification.tables.arms.candidate import Candidate
 
-_LENGTH = re.compile(r"\b([lL])_(\d+)\b")
+_LENGTH = regex(r"\b([lL])_(\d+)\b")
 
 
 def in_other_case(candidate: Candidate, document: Document) -> Candidate | None:

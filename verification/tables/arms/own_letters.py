@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 from armproof.verification.findings import Kind
+from armproof.verification.patterns import regex
 from armproof.verification.verdict import TakenArm, WrongEntry
 
-_LENGTH = re.compile(r"(?<![A-Za-z\\])([adlrADLR])_\{?(\d)\}?")
+_LENGTH = regex(r"(?<![A-Za-z\\])([adlrADLR])_\{?(\d)\}?")
 
 
 def is_index_slip(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial, reduce
@@ -17,12 +16,13 @@ from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex import nodes as n
 from armproof.verification.naming.names import Names
+from armproof.verification.patterns import regex
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
 from armproof.verification.tables.arms.letters import equations_of, unapplied, value_in_letters
 from armproof.verification.tables.arms.moves import Moves
 
-_ANGLE = re.compile(r"(?:theta|q)_\d+")
-_SLIDE = re.compile(r"[dqr]_\d+")
+_ANGLE = regex(r"(?:theta|q)_\d+")
+_SLIDE = regex(r"[dqr]_\d+")
 _QUARTERS = {1: "pi/2", 2: "pi", 3: "-pi/2"}
 _UNITS = [tuple(sign * (row == axis) for row in range(3)) for axis in (2, 0, 1) for sign in (1, -1)]
 

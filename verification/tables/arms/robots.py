@@ -15,13 +15,14 @@ from armproof.verification.document import Document
 from armproof.verification.document.model import BuiltJoint, CodeRobot
 from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
+from armproof.verification.patterns import regex
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.poses import candidate_with_pose
 
-_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
-_LETTER = re.compile(r"(-?)([A-Za-z]+?)_?(\d)")
-_OF_PI = re.compile(r"(-?)(?:(\d)\s*\*\s*)?(?:M_)?pi(?:\s*/\s*(\d))?", re.IGNORECASE)
-_OF_NAME = re.compile(r"\D*(\d+)\D*")
+_NUMBER = regex(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+_LETTER = regex(r"(-?)([A-Za-z]+?)_?(\d)")
+_OF_PI = regex(r"(-?)(?:(\d)\s*\*\s*)?(?:M_)?pi(?:\s*/\s*(\d))?", re.IGNORECASE)
+_OF_NAME = regex(r"\D*(\d+)\D*")
 _AXES = {"x": 0, "y": 1, "z": 2}
 _NEAR = 2e-3  # of a right angle in radians: 1.57, 1.5708
 

@@ -14,6 +14,7 @@ from armproof.verification.findings import Kind, say
 from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import is_number
 from armproof.verification.naming.names import Names
+from armproof.verification.patterns import regex
 from armproof.verification.tables.angles import letter_of, symbols_of, to_radians, with_parts_of_pi
 from armproof.verification.tables.arms.candidate import Candidate, entry_text, renamed, symbol_of
 from armproof.verification.tables.arms.frame_names import end_effectors, frame_names, is_tool
@@ -22,10 +23,10 @@ from armproof.verification.tables.cells import Cell, nothing_stands_in, read_cel
 from armproof.verification.tables.columns import CONVENTIONS, Columns, Reading, plain
 from armproof.verification.tables.row import ANGLES, PARAMETERS, SCALES
 
-_MARK = re.compile(r"\*|\\ast|\\star|\bvar", re.IGNORECASE)  # of a variable
-_OF_ANY_ROW = re.compile(r"(?<![A-Za-z])(q|(?:var)?theta|θ|ϑ)(?:_?\{?i\}?)?(?!\s*(?:\}\s*_|[A-Za-z_0-9₀-₉^<{(*\[']))")
+_MARK = regex(r"\*|\\ast|\\star|\bvar", re.IGNORECASE)  # of a variable
+_OF_ANY_ROW = regex(r"(?<![A-Za-z])(q|(?:var)?theta|θ|ϑ)(?:_?\{?i\}?)?(?!\s*(?:\}\s*_|[A-Za-z_0-9₀-₉^<{(*\[']))")
 _GENERAL = frozenset("ijkn")
-_FIXED = re.compile(r"\(?(?:fixed|fixe|fest|fixiert|fij[oa]|fiss[oa]|fix[oa]|固定)\)?", re.IGNORECASE)
+_FIXED = regex(r"\(?(?:fixed|fixe|fest|fixiert|fij[oa]|fiss[oa]|fix[oa]|固定)\)?", re.IGNORECASE)
 _SLIDES = frozenset("dqrs")  # letters of a joint that slides; l, h and their like are lengths
 
 

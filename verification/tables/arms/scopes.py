@@ -17,6 +17,7 @@ from armproof.verification.latex.nodes import bare_key
 from armproof.verification.naming.moving import index_of
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import WITH_ITS_ARM
+from armproof.verification.patterns import regex
 from armproof.verification.tables.arms.candidate import Candidate
 from armproof.verification.tables.arms.closed_forms import (
     candidate_of_closed_form,
@@ -39,11 +40,11 @@ from armproof.verification.tables.arms.matrices import (
 from armproof.verification.tables.arms.poses import pose_of_tool
 from armproof.verification.tables.arms.sections import named_sections, without_arms
 
-_FRAMES = re.compile(
+_FRAMES = regex(
     r"(?<![A-Za-z])[TRAH]\s*_\s*\{?\s*(\d)\s*\}?\s*\^\s*\{?\s*(\d)|(?<![A-Za-z])[TRAH]\s*\^\s*\{?\s*(\d)\s*\}?\s*_\s*\{?\s*(\d)"
 )
-_POINT = re.compile(r"(?<![A-Za-z])[xyzpP]\s*_\s*\{?\s*\d")  # x_2: one of the points of a chain
-_SOLVED = re.compile(r"(?:theta|q)_\d")
+_POINT = regex(r"(?<![A-Za-z])[xyzpP]\s*_\s*\{?\s*\d")  # x_2: one of the points of a chain
+_SOLVED = regex(r"(?:theta|q)_\d")
 Place = tuple[int, int]  # cell (0 where there is none) and line
 
 

@@ -9,25 +9,26 @@ import re
 from collections.abc import Sequence
 
 from armproof.verification.document import Table
+from armproof.verification.patterns import regex
 from armproof.verification.tables.columns import Columns, plain
 
-_HARMLESS = re.compile(  # bounds, names, and what dynamics or a drawing is about
+_HARMLESS = regex(  # bounds, names, and what dynamics or a drawing is about
     r"\b(?:limit\w*|l[ií]mit\w*|ranges?|min\w*|max\w*|bounds?|stops?|butées?|domaines?|domains?|plages?|courses?|strokes?|travel|bereich\w*|grenz\w*|anschl\w*|rangos?|intervall[eio]s?|intervalo?s?|amplitudes?|débattements?|corsa|recorrido"
     r"|types?|kinds?|nature|tipos?|art|variables?|variabel\w*|variabili|names?|noms?|bezeichnung|nombres?|nome|descriptions?|beschreibung|bedeutung|meaning|descripción|descrizione|units?|unités?|einheit\w*|unidad\w*"
     r"|mass\w*|weight\w*|poids|gewicht\w*|masas?|inerti\w*|trägheit\w*|centroid\w*|com|velocit\w*|vitesses?|speeds?|geschwindigkeit\w*|torques?|couples?|drehmoment\w*|colou?rs?|couleurs?|farbe|colores?|figures?|symbols?)\b"
 )
-_AMENDS = re.compile(  # words that say that an angle is not what its column says
+_AMENDS = regex(  # words that say that an angle is not what its column says
     r"\b(?:weld\w*|lock\w*|glued?|fixed at|clamp\w*|revers\w*|invert\w*|invers\w*|opposite|negativ\w*|backwards?|flip\w*|coupled|geared|soudée?s?|bloquée?s?|verrouillée?s?|opposée?s?|couplée?s?|gesperrt|verriegelt|umgekehrt|gegensinnig|gekoppelt|soldad[oa]|bloquead[oa]|invertid[oa]|acoplad[oa]|saldat[oa]|bloccat[oa]|accoppiat[oa])\b"
 )
-_NOTHING = re.compile(
+_NOTHING = regex(
     r"(?:[-–—/]|0(?:\.0+)?\s*(?:\^?\{?\s*\\?circ\s*\}?|°|deg|rad)?|no|none|non|nein|keine?|aucune?|ninguno?|nessuno?|n/a)?",
     re.IGNORECASE,
 )
 _NUMBER = r"[-−+]?\s*\d+(?:[.,]\d+)?\s*(?:\^?\{?\s*\\?circ\s*\}?|°|deg|rad|mm|cm|m)?"
-_RANGE = re.compile(  # bounds, whatever the header calls them: 0–170°, ±90°
+_RANGE = regex(  # bounds, whatever the header calls them: 0–170°, ±90°
     rf"[\[(]?\s*(?:(?:±|\\pm)\s*{_NUMBER}|{_NUMBER}\s*(?:[-–—,;]|\.\.+|…|\\l?dots|to|bis|à|a)\s*{_NUMBER})\s*[\])]?"
 )
-_SAYS_SIZE = re.compile(r"[\d$\\=+*]|theta|alpha|\bpi\b|[θαπ]")
+_SAYS_SIZE = regex(r"[\d$\\=+*]|theta|alpha|\bpi\b|[θαπ]")
 
 
 def unread_column(table: Table, columns: Columns) -> str:

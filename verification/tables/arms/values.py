@@ -14,14 +14,15 @@ from armproof.verification.latex import nodes as n
 from armproof.verification.latex.nodes import is_number
 from armproof.verification.naming.names import Names
 from armproof.verification.naming.state import Stated
+from armproof.verification.patterns import regex
 from armproof.verification.tables.arms.inference import dh_tables, in_metres
 from armproof.verification.tables.cells import Cell, read_cell
 from armproof.verification.tables.columns import read_columns
 from armproof.verification.tables.row import SCALES
 from armproof.verification.verdict import TakenArm
 
-_NUMBER = re.compile(r"-?\d+(?:\.\d+|/\d+)?")
-_GIVEN = re.compile(  # L_2 = L_3 = 0.2142 m, and no more
+_NUMBER = regex(r"-?\d+(?:\.\d+|/\d+)?")
+_GIVEN = regex(  # L_2 = L_3 = 0.2142 m, and no more
     r"((?:[lLaAdDhHrR]_(?:\d|\{\d\})\s*=\s*)+)(\d+(?:\.\d+)?)(?:\s|\\[,;: ])*(?:\\(?:text|mathrm)\s*\{\s*(mm|cm|m)\s*\}|(mm|cm|m))?"
 )
 

@@ -12,11 +12,12 @@ from armproof.verification.errors import EvaluationError
 from armproof.verification.evaluation.exact import ExactAlgebra
 from armproof.verification.latex.nodes import bare, bare_key
 from armproof.verification.naming.names import Names
+from armproof.verification.patterns import regex
 from armproof.verification.tables.angles import symbols_of
 from armproof.verification.tables.arms.candidate import Candidate, entry_text
 from armproof.verification.tables.arms.letters import equations_of, value_in_letters
 
-_ANGLE = re.compile(r"theta_(\d+)")
+_ANGLE = regex(r"theta_(\d+)")
 SECONDS = 0.3
 
 
