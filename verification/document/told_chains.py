@@ -17,6 +17,7 @@ from armproof.verification.patterns import regex
 MAY_TELL_CHAIN = regex(  # in small letters: what no text lacks that tells of a length, a slide or a height of an arm
     r"length|links?\b|segment|\bbars?\b|\brods?\b|\bbarres?\b|glied|eslab|bracci|slid|extend|telescop|rises|raise|height|distance|longueur|gliss|coulisse|translat|allong|hauteur|länge|läng|schieb|höhe|abstand|longitud|desliza|altura|distancia|lunghezz|scorr|altezz|distanz|compriment|desliza"
 )
+OF_EACH = "of each"  # from the vertical, as every other angle counts
 TURN, SLIDE, LENGTH, HEIGHT, DISTANCE, OFFSET = "turn", "slide", "length", "height", "distance", "offset"
 END, PLANE = "end", "plane"  # the name of the tool's point; the axes between which the arm moves
 UPRIGHT, LIFTS = "upright", "lifts"  # the axis of a turn, and what that moves
@@ -45,6 +46,8 @@ ABOVE above over au-dessus über oberhalb encima sobre sopra acima
 UNIT m metre metres meter meters mètre mètres metro metros metri cm mm millimetres millimeters centimetres centimeters
 FIRST first premier première ersten primer primero primo prima primeiro primeira elbow coude ellbogen codo gomito cotovelo
 SECOND second seconde deuxième zweiten segundo segunda secondo seconda
+CLOCKWISE clockwise counterclockwise counter-clockwise anticlockwise anti-clockwise horaire uhrzeigersinn horario antihorario orario antiorario horário
+EACH each every both all chaque tous toutes jeder jede alle beide cada ambos todos ogni entrambi tutti
 FROM from depuis von vom desde dal dalla da
 MEASURED measured counted mesuré mesurée compté comptée gemessen gezählt medido contado misurato contato positive positif
 PLANE plane plan ebene plano piano
@@ -264,6 +267,14 @@ def _is_across(clause: Sequence[str]) -> bool:
     return any(_is(word, "ACROSS") and _has(clause[at : at + _NEAR], "LINK") for at, word in enumerate(clause))
 
 
+def _counts_from_vertical(clause: Sequence[str]) -> bool:
+    """Whether an angle counts from the vertical, in a sense that no clock tells: what that is seen from is not known."""
+    if any(_is(word, "CLOCKWISE") for word in clause):
+        return False
+    places = (place for place, word in enumerate(clause) if _is(word, "FROM"))
+    return any(_is(word, "VERTICAL") for place in places for word in clause[place + 1 : place + 4])
+
+
 def _marks(kind: str, clause: Sequence[str], right: Sequence[str]) -> Iterator[str]:
     """Yield what the words of a clause say of its letter besides."""
     has = {name for name in ("VERTICAL", "ABOUT", "BASE", "ELEVATION", "LEVEL", "SAME", "PREVIOUS", "RELATIVE", "RISES", "FALLS", "X", "Y", "OUTWARDS")
@@ -282,11 +293,8 @@ def _marks(kind: str, clause: Sequence[str], right: Sequence[str]) -> Iterator[s
             yield UPRIGHT
         if has & {"RISES", "ELEVATION"}:
             yield LIFTS
-        if any(
-            _is(word, "FROM") and any(_is(each, "VERTICAL") for each in clause[k + 1 : k + 4])
-            for k, word in enumerate(clause)
-        ) and not has & {"ABOUT", "RELATIVE"}:
-            yield FROM_VERTICAL
+        if _counts_from_vertical(clause) and not has & {"ABOUT", "RELATIVE"}:
+            yield OF_EACH if _has(clause, "EACH") else FROM_VERTICAL
         if (has & {"LEVEL", "SAME"} and not has & {"RELATIVE", "ABOUT"}) or _has(clause, "BELT"):
             yield ABSOLUTE
         if has & {"RELATIVE", "PREVIOUS"} and "LEVEL" not in has:

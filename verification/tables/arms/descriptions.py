@@ -24,6 +24,7 @@ from armproof.verification.document.told_chains import (
     HEIGHT,
     LENGTH,
     LIFTS,
+    OF_EACH,
     OFFSET,
     OUTWARDS,
     PLANE,
@@ -259,7 +260,7 @@ def _build(document: Document, names: Names) -> _Build | None:
         joints.sort(key=lambda each: _index(each.key))
     turns = [each for each in joints if each.kind == TURN]
     in_plane = turns[1:] if turns and UPRIGHT in turns[0].marks else turns
-    if any(map(_is_absolute, in_plane[1:])):
+    if any(map(_is_absolute, in_plane[1:])) or any(OF_EACH in each.marks for each in in_plane):
         return None
     if len(in_plane) - 1 > sum(each.kind == LENGTH for each in parts) + sum(each.kind == SLIDE for each in joints):
         return None  # the text does not tell all

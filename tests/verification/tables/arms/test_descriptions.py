@@ -267,3 +267,28 @@ $$ y = 0.5 \sin\theta_1 + 0.3 \sin\theta_2 $$
 $$ x^2 + y^2 = 0.34 + 0.3 \cos(\theta_2-\theta_1) $$
 """
     assert "refuted" not in verdicts(absolute)
+
+
+@pytest.mark.parametrize(
+    "told",
+    [
+        r"Each angle is measured from the downward vertical: $\theta_1$ for the upper rod and $\theta_2$ for the lower rod.",
+        r"The angles $\theta_1$ and $\theta_2$ of the upper and the lower rod are measured from the vertical.",
+        r"$\theta_1$ is the angle of the upper rod from the vertical, $\theta_2$ that of the lower rod from the vertical.",
+    ],
+)
+def test_angles_that_all_count_from_the_vertical_are_those_of_no_chain(told: str) -> None:
+    text = rf"""
+Two rods of lengths $l_1$ and $l_2$ hang from the ceiling. {told} The $y$ axis points up.
+
+$$ x_1 = l_1 \sin\theta_1, \qquad y_1 = -l_1 \cos\theta_1 $$
+
+$$ x_2 = l_1 \sin\theta_1 + l_2 \sin\theta_2 $$
+
+$$ y_2 = -l_1 \cos\theta_1 - l_2 \cos\theta_2 $$
+
+$$ \dot x_2 = l_1 \dot\theta_1 \cos\theta_1 + l_2 \dot\theta_2 \cos\theta_2 $$
+"""
+    result = verify_text(text)
+    assert not result.arms
+    assert verdicts(text)[-1] == "proved"
