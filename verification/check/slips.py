@@ -139,7 +139,7 @@ class Slips:
         """Whether what is said of a name claims something: a list of letters does not, F = (F_x, F_y)."""
         before = self.names.state.definitions.get(key[0])
         told = None if before is None or before.line != key[1] else before.formula or before.whole
-        if before is None or told is None:
+        if before is None or told is None or (told is before.whole and not cells_of(told)):
             return False
         from armproof.verification.diagnosis.slips_before import names_alone
 

@@ -523,7 +523,8 @@ def _letters(words: str, formulas: Sequence[str]) -> Iterator[str]:
             "¤" in words[: begin.end()] and not subjects
         )  # "The angle φ is absolute, the joint angles are not"
         of_all = words[: begin.end()] if is_of_other or _OF_FIRST_ANGLE.search(begin.group()) else words
-        if _PLURAL.search(of_all) and not any(re.search(r"\d", each) for each in subjects):  # all θ_i, too
+        is_named = any(re.search(r"\d", each) or _BARE_ANGLE.fullmatch(each) for each in subjects)
+        if _PLURAL.search(of_all) and not is_named:  # all θ_i, too
             yield BEHIND if name != "TURNED" else ALL
     for name in ("OTHER_LENGTH", "SWAPPED"):
         if (half := hears(name, words)) is not None:

@@ -54,7 +54,8 @@ def test_what_is_at_the_origin_tells_whether_it_is_a_posture(words: str, verdict
     assert verify_text(TOLD % (words, "+")).equations[1].verdict.value == verdict
 
 
-HAND = r"""A robot arm moves in a vertical plane. It has two links of length $L_1$ and $L_2$. The shoulder angle $\alpha$ is measured from the horizontal and the elbow angle $\beta$ from the extension of the upper arm.
+TOLD_ARM = r"It has two links of length $L_1$ and $L_2$. The shoulder angle $\alpha$ is measured from the horizontal and the elbow angle $\beta$ from the extension of the upper arm."
+HAND = r"""A robot arm moves in a vertical plane. %s
 
 The hand is at
 
@@ -69,6 +70,11 @@ $$ \dot y_h = L_1\dot\alpha\cos\alpha + L_2(\dot\alpha+\dot\beta)\cos(\alpha+\be
 
 
 def test_a_line_is_not_refuted_by_a_column_that_may_hold_the_slip_itself() -> None:
-    right, wrong = ([each.verdict.value for each in verify_text(HAND % sign).equations] for sign in "+-")
+    right, wrong = ([each.verdict.value for each in verify_text(HAND % ("", sign)).equations] for sign in "+-")
     assert right[1:] == ["proved", "proved"]
     assert wrong[2] == "unchecked" and wrong[0] != "defined"
+
+
+def test_with_the_arm_in_words_the_column_is_refuted_and_the_lines_are_proved() -> None:
+    found = verify_text(HAND % (TOLD_ARM, "-")).equations
+    assert [each.verdict.value for each in found] == ["refuted", "proved", "proved"]

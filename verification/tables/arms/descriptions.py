@@ -282,7 +282,7 @@ def _turns_of_named(document: Document, parts: Sequence[_Part]) -> Iterator[_Par
 
 def _is_absolute(part: _Part) -> bool:
     """Whether the angle of a link counts from one direction, as the others do."""
-    return bool(part.marks & {ABSOLUTE, FROM_VERTICAL}) and RELATIVE not in part.marks
+    return FROM_VERTICAL in part.marks or (ABSOLUTE in part.marks and RELATIVE not in part.marks)
 
 
 def _is_of_each(told: ToldPart) -> bool:
