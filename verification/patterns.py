@@ -23,5 +23,5 @@ class _Pattern(Generic[AnyStr]):
 
 
 def regex(pattern: AnyStr, flags: int = 0) -> re.Pattern[AnyStr]:
-    """Return what `re.compile` returns, compiled when it is first used; one that is wrong raises `re.error` only then."""
+    """Return what `re.compile` returns, compiled when it is first used: one that is wrong raises `re.error` only then, and the `re` of a match is the compiled one."""
     return cast("re.Pattern[AnyStr]", _Pattern(pattern, flags))

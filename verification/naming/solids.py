@@ -46,7 +46,7 @@ def _velocity(name: n.Name, arm: Arm, points: Mapping[str, Quantity]) -> Quantit
     if point is None or solid is None or solid not in arm.frames or told["seen"] not in arm.frames:
         return None
     rows: tuple[int, ...] = (1, 2, 3) if name.base == "V" else (4, 5, 6)
-    if told.re is _OF_POINT and told["torsor"]:
+    if told.groupdict().get("torsor"):
         rows = (4, 5, 6, 1, 2, 3)
     return Quantity("solid_velocity", solid, arm.frames[0], rows=rows, start=told["seen"], point=point)
 
