@@ -53,7 +53,8 @@ class ToldOtherwise:
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=counted))
         if (turned := self._turned_in(outcome, meant)) is not None:
             return outcome.left_open(say(Kind.MEANT_OTHERWISE, name=turned))
-        if self._locks(meant) and outcome.verdict is Verdict.REFUTED and self._may_hold_locked(outcome):
+        is_refuted = outcome.verdict is Verdict.REFUTED
+        if self._locks(meant) and (self._rests_on_rates(outcome) or (is_refuted and self._may_hold_locked(outcome))):
             return outcome.left_open(say(Kind.IS_SUPPOSED))
         return self._in_rows_of_task(outcome, any(each.startswith(f"{TASK_BY_RATES} ") for each in meant))
 
@@ -101,6 +102,14 @@ class ToldOtherwise:
         lengths = {*arm.lengths} if arm is not None and not self.names.is_of_formulas else set()
         told = (each for each in meant if each.startswith(LOCKED))
         return any(key_of(each.removeprefix(LOCKED).strip()) not in lengths for each in told)
+
+    def _rests_on_rates(self, outcome: Outcome) -> bool:
+        """Whether a rate in numbers is worked out with the rates that the text gave before, of which none is zero."""
+        before = self.names.state.told
+        told = [*before.velocities, *(each for each in before.standing if any(map(n.has_rates, each.members)))]
+        if not told or not any(map(n.has_rates, outcome.nodes)) or not any(map(n.is_number, outcome.nodes)):
+            return False
+        return not any(isinstance(each, n.Number) and not each.value for chain in told for each in chain.members)
 
     def _may_hold_locked(self, outcome: Outcome) -> bool:
         """Whether a refuted equation holds where some joints stand still: one, or all but one."""

@@ -141,3 +141,34 @@ def test_an_arm_told_in_words_has_the_directions_that_these_tell(
     text = f"# An arm\n\n{arm}\n\n" + "".join(f"$$ {each} $$\n\n" for each in displays)
     last = verify_text(text).equations[-1].verdict.value
     assert last != "refuted" if passes is None else (last in ("proved", "confirmed")) is passes
+
+
+@pytest.mark.parametrize(
+    ("words", "verdict"),
+    [
+        ("With the elbow locked,", "unchecked"),
+        ("Again,", "confirmed"),
+        (r"With the elbow locked, $\dot\theta_2 = 0$,", "confirmed"),
+    ],
+)
+def test_rates_that_the_text_gave_before_are_none_of_a_joint_that_is_locked(words: str, verdict: str) -> None:
+    text = r"""# Numbers
+
+$$ x = l_1\cos\theta_1 + l_2\cos(\theta_1+\theta_2) $$
+
+$$ y = l_1\sin\theta_1 + l_2\sin(\theta_1+\theta_2) $$
+
+Let $l_1 = 2$ and $l_2 = 1$. The joints turn at $\dot\theta_1 = 1$ and $\dot\theta_2 = -1$ rad/s. At $\theta_1 = 0$, $\theta_2 = 90^\circ$:
+
+$$ \dot x = 0, \qquad \dot y = 2 $$
+
+With $\dot\theta_2 = 1$ instead,
+
+$$ \dot x = -2, \qquad \dot y = 2 $$
+
+%s
+
+$$ \dot x = %d, \qquad \dot y = 2 $$
+"""
+    number = -1 if "= 0" in words else -2
+    assert verify_text(text % (words, number)).equations[-1].verdict.value == verdict
