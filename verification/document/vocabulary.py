@@ -336,7 +336,7 @@ voulez vouloir voulons voulue voyage voyez voyons vrai vraie vrillé vu vue vues
 prolongement prolonge tibia
 """
 GERMAN = """
-er falls sehr sollen uhrzeigersinn vor
+er sehr vor
 heraus hinein raus rein
 auszug misst mißt höchstens mindestens ab abbaut abbildung abend abends aber abermals abgabetermin abgeben abgeleitet abgeschlossen abgleichen ablauf ablegen ablegt ablegung ableiten
 ablesen abmessungen abnahme absatz abschließen abschnitt absolut abstand abstände abstützung abszisse absätze abtastung achse achsen acht achte achten
